@@ -1,0 +1,165 @@
+"""Where in a YAML file a value stands: reading with line numbers, and schema errors as one sentence each.
+
+YAML here is YAML 1.2: ``no`` is text, ``0123`` is text, ``1e5`` is a number, and a key that stands twice is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import yaml
+
+from torquerig.errors import InputError, did_you_mean
+
+if TYPE_CHECKING:
+    from pydantic import TypeAdapter
+
+Model = TypeVar("Model")
+
+
+class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
+    """The safe loader with the scalar rules of YAML 1.2."""
+
+    yaml_implicit_resolvers: dict[str, list[tuple[str, re.Pattern[str]]]] = {}  # noqa: RUF012 (PyYAML's own protocol)
+
+
+for _tag, _pattern, _first in (
+    ("bool", r"^(?:true|True|TRUE|false|False|FALSE)$", "tTfF"),
+    ("null", r"^(?:null|Null|NULL|~|)$", "nN~\0"),
+    ("int", r"^[-+]?(?:0|[1-9][0-9]*)$", "-+0123456789"),
+    ("float", r"^[-+]?(?:\.[0-9]+|(?:0|[1-9][0-9]*)(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?$", "-+0123456789."),
+):
+    _Loader.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(_pattern), list(_first))
+# an empty scalar (``key:``) is null; PyYAML looks it up under the empty first character
+_Loader.add_implicit_resolver("tag:yaml.org,2002:null", re.compile(r"^$"), [""])
+
+
+@dataclass(frozen=True)
+class Document:
+    """A YAML file that has been read: its data, and the nodes that remember the lines."""
+
+    path: Path
+    data: Any
+    node: yaml.Node
+
+    def place(self, keys: Iterable[str | int] = ()) -> str:
+        """Return ``file:line: a.b`` for the value under ``keys``; the parent's line where a key is missing."""
+        node, found = self.node, []
+        line = node.start_mark.line
+        for key in keys:
+            child = _child(node, key)
+            if child is None:
+                continue  # a missing key, or a tag that pydantic put into the path
+            line, node = child
+            found.append(str(key))
+        dotted = ".".join(found)
+        return f"{self.path}:{line + 1}: {dotted}" if dotted else f"{self.path}:{line + 1}"
+
+
+def read_document(path: Path) -> Document:
+    """Read one YAML file; InputError where it is missing, is no YAML, is empty, or has a key twice."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        near = [sibling.name for sibling in path.parent.glob("*.y*ml")] if path.parent.is_dir() else []
+        hint = did_you_mean(path.name, near) if near else "check the path"
+        raise InputError(f"{path}: there is no such file; {hint}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: cannot be read ({error}); it must be a UTF-8 text file") from None
+    return parse_document(text, path)
+
+
+def parse_document(text: str, path: Path) -> Document:
+    """Parse YAML text that came from ``path``; errors as in :func:`read_document`."""
+    try:
+        node = yaml.compose(text, Loader=_Loader)
+        if node is None:
+            raise InputError(f"{path}: the file is empty; copy a shipped one and change it")
+        _refuse_doubles(node, path)
+        data = yaml.load(text, Loader=_Loader)  # noqa: S506 (a subclass of the safe loader)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f":{mark.line + 1}" if mark else ""
+        raise InputError(
+            f"{path}{line}: not YAML: {getattr(error, 'problem', error)}; check the indentation "
+            "and the colons of this line and the one above"
+        ) from None
+    return Document(path, data, node)
+
+
+def validated(document: Document, adapter: TypeAdapter[Model], *, within: tuple[str | int, ...] = ()) -> Model:
+    """Return the document's data (or the part ``within``) as the adapter's type; InputError lists every problem."""
+    from pydantic import ValidationError
+
+    data = document.data
+    for key in within:
+        data = data[key]
+    try:
+        return adapter.validate_python(data)
+    except ValidationError as error:
+        sentences = [_sentence(document, within, detail, adapter) for detail in error.errors()]
+        raise InputError("\n".join(dict.fromkeys(sentences))) from None
+
+
+def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, adapter: TypeAdapter[Any]) -> str:
+    keys = (*within, *detail["loc"])
+    kind, last = detail["type"], str(detail["loc"][-1]) if detail["loc"] else ""
+    if kind in ("extra_forbidden", "unexpected_keyword_argument"):
+        return f"{document.place(keys)}: unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
+    if kind in ("missing", "missing_argument"):
+        return f"{document.place(keys)}: the key {last!r} is missing; add it"
+    if kind == "value_error":
+        return f"{document.place(keys)}: {detail['ctx']['error']}"
+    written = detail.get("input")
+    shown = f" (it is {written!r})" if isinstance(written, str | int | float | bool) or written is None else ""
+    return f"{document.place(keys)}: {detail['msg'][0].lower()}{detail['msg'][1:]}{shown}"
+
+
+def _field_names(adapter: TypeAdapter[Any]) -> set[str]:
+    names: set[str] = set()
+
+    def collect(schema: Any) -> None:
+        if isinstance(schema, Mapping):
+            if schema.get("type") in ("model-fields", "typed-dict"):
+                names.update(schema["fields"])
+            if schema.get("type") == "dataclass-args":
+                names.update(field["name"] for field in schema["fields"])
+            for value in schema.values():
+                collect(value)
+        elif isinstance(schema, list | tuple):
+            for value in schema:
+                collect(value)
+
+    collect(adapter.core_schema)
+    return names
+
+
+def _child(node: yaml.Node, key: str | int) -> tuple[int, yaml.Node] | None:
+    if isinstance(node, yaml.MappingNode):
+        for name, value in node.value:
+            if name.value == str(key):
+                return name.start_mark.line, value
+    if isinstance(node, yaml.SequenceNode) and isinstance(key, int) and key < len(node.value):
+        item: yaml.Node = node.value[key]
+        return item.start_mark.line, item
+    return None
+
+
+def _refuse_doubles(node: yaml.Node, path: Path) -> None:
+    if isinstance(node, yaml.MappingNode):
+        seen: dict[str, int] = {}
+        for name, value in node.value:
+            line = name.start_mark.line + 1
+            if name.value in seen:
+                raise InputError(
+                    f"{path}:{line}: the key {name.value!r} stands already in line {seen[name.value]}; keep one of them"
+                )
+            seen[name.value] = line
+            _refuse_doubles(value, path)
+    elif isinstance(node, yaml.SequenceNode):
+        for item in node.value:
+            _refuse_doubles(item, path)

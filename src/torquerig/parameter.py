@@ -1,0 +1,205 @@
+"""What a number in a model is: its unit, bounds and meaning; and what is known of it: value, interval, evidence, source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import exp, inf, isfinite, log, sqrt
+from typing import TYPE_CHECKING, Any
+
+from torquerig.errors import UnitError
+from torquerig.units import in_unit, parse_quantity, written_quantity
+
+if TYPE_CHECKING:
+    import numpy as np
+    from pydantic import GetCoreSchemaHandler
+    from pydantic_core import CoreSchema
+
+EVIDENCE = {
+    "DOC": "printed in the seed report",
+    "SC": "seen in a maker's table for a product of the same class",
+    "MEM": "same-class figure from general knowledge, not read again",
+    "RT": "rule of thumb",
+    "CALC": "computed from tagged numbers",
+    "REF": "the nominal reference rig",
+    "FIT": "fitted to recordings",
+}
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """What is known of one value [SI]: documented, an interval, a choice, or a one-sigma relative spread.
+
+    ``value`` alone is documented; ``low``..``high`` is uniform, log-uniform where high/low > 5 (the catalog's rule);
+    ``choices`` are equally likely; ``rel_sd`` is a log-normal spread around ``value``. All ``None`` is unknown.
+    """
+
+    value: float | None = None
+    low: float | None = None
+    high: float | None = None
+    choices: tuple[float, ...] = ()
+    rel_sd: float = 0.0
+    evidence: str = "RT"
+    source: str = ""
+    unit: str = "1"
+    note: str = ""
+
+    @property
+    def documented(self) -> bool:
+        """Whether the value itself is printed somewhere, so that a table may show it as a number."""
+        return self.value is not None and self.low is None and not self.choices
+
+    @property
+    def unknown(self) -> bool:
+        """Whether nothing at all is known, so that not even a draw is possible."""
+        return self.value is None and self.low is None and not self.choices
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """The lowest and the highest value that it may have [SI]; one sigma where a spread is stated, NaN if unknown."""
+        if self.choices:
+            return min(self.choices), max(self.choices)
+        if self.low is not None and self.high is not None:
+            return self.low, self.high
+        if self.value is None:
+            return float("nan"), float("nan")
+        return self.value * exp(-self.rel_sd), self.value * exp(self.rel_sd)
+
+    def nominal(self) -> float:
+        """Return the stated value, else the middle of the interval (geometric where it is log-uniform) [SI]."""
+        if self.value is not None:
+            return self.value
+        if self.choices:
+            return self.choices[0]
+        low, high = self.bounds
+        return sqrt(low * high) if low > 0 and high / low > 5 else 0.5 * (low + high)
+
+    def draw(self, rng: np.random.Generator) -> float:
+        """Return one value drawn from what is known [SI]; a documented value is returned as it is."""
+        if self.choices:
+            return float(rng.choice(self.choices))
+        if self.low is not None and self.high is not None:
+            if self.low > 0 and self.high / self.low > 5:
+                return float(exp(rng.uniform(log(self.low), log(self.high))))
+            return float(rng.uniform(self.low, self.high))
+        if self.value is None:
+            return float("nan")
+        return float(self.value * exp(self.rel_sd * rng.standard_normal())) if self.rel_sd else self.value
+
+    def shown(self, unit: str | None = None) -> str:
+        """Return the text for a table: the number where documented, else ``?`` with the interval."""
+        unit = unit or self.unit
+        suffix = "" if unit == "1" else f" {unit}"
+        if self.unknown:
+            return "?"
+        if self.documented and self.value is not None:
+            return f"{in_unit(self.value, unit):.4g}{suffix}"
+        if self.choices:
+            return f"? ({' or '.join(f'{in_unit(choice, unit):g}' for choice in self.choices)}{suffix})"
+        low, high = self.bounds
+        return f"? ({in_unit(low, unit):.3g}..{in_unit(high, unit):.3g}{suffix})"
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        raise TypeError("annotate an Estimate field with Parameter(unit, meaning)")
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """The declaration of a numeric field: ``inertia: Annotated[float, Parameter("kg*m^2", "rotor inertia", low=0)]``.
+
+    pydantic reads such a field from text with a unit; a bare number is refused where a unit is possible. On an
+    ``Estimate`` field the YAML holds a mapping with value, or low and high, or one_of, and with evidence and source.
+    """
+
+    unit: str
+    meaning: str
+    low: float = -inf
+    high: float = inf
+    above: float = -inf
+
+    def read(self, written: Any) -> float:
+        """Return the SI number written as ``written``; UnitError or ValueError says what to write instead."""
+        if isinstance(written, bool) or written is None:
+            raise UnitError(f"{written!r} is not a quantity; write for example '1.5 {self.unit}'")
+        if isinstance(written, int | float):
+            if self.unit != "1":
+                raise UnitError(f"{written!r} has no unit; write '{written} {self.unit}'")
+            number = float(written)
+        elif isinstance(written, str):
+            number = parse_quantity(written, self.unit)
+        else:
+            raise UnitError(f"{written!r} is not a quantity; write for example '1.5 {self.unit}'")
+        return self.checked(number)
+
+    def checked(self, number: float) -> float:
+        """Return ``number`` [SI] if it is finite and within the bounds, else raise ValueError with the bound."""
+        if not isfinite(number):
+            raise ValueError(f"{number} is not a finite number")
+        if number < self.low or number > self.high or number <= self.above:
+            bound = f"at least {self.low:g}" if number < self.low else f"at most {self.high:g}"
+            bound = f"more than {self.above:g}" if number <= self.above else bound
+            raise ValueError(f"{written_quantity(number, self.unit)} is out of range: {self.meaning} must be {bound}")
+        return number
+
+    def read_estimate(self, written: Any) -> Estimate:
+        """Return the Estimate that a YAML mapping states; a documented value may not be a guess, a guess needs bounds."""
+        if not isinstance(written, Mapping):
+            raise ValueError(
+                f"{written!r} needs its evidence; write a mapping with value, or low and high, and evidence and source"
+            )
+        extra = set(written) - {"value", "low", "high", "one_of", "rel_sd", "evidence", "source", "note", "unknown"}
+        if extra:
+            raise ValueError(
+                f"unknown key {sorted(extra)[0]!r}; allowed are value, low, high, one_of, rel_sd, "
+                "unknown, evidence, source, note"
+            )
+        evidence, source = str(written.get("evidence", "")), str(written.get("source", ""))
+        if evidence not in EVIDENCE:
+            raise ValueError(f"evidence {evidence!r} is none of {', '.join(EVIDENCE)}")
+        if not source:
+            raise ValueError("a source is missing; add source: with the key of the table or page")
+        low, high = (self.read(written[end]) if end in written else None for end in ("low", "high"))
+        if (low is None) != (high is None) or (low is not None and high is not None and low > high):
+            raise ValueError("an interval needs both low and high, low first")
+        choices = tuple(self.read(choice) for choice in written.get("one_of", ()))
+        value = self.read(written["value"]) if "value" in written else None
+        estimate = Estimate(
+            value,
+            low,
+            high,
+            choices,
+            float(written.get("rel_sd", 0.0)),
+            evidence,
+            source,
+            self.unit,
+            str(written.get("note", "")),
+        )
+        if estimate.unknown and not written.get("unknown"):
+            raise ValueError("nothing is stated; write value, low and high, one_of, or unknown: true")
+        if estimate.documented and evidence not in ("DOC", "REF", "FIT") and not estimate.rel_sd:
+            raise ValueError(f"a value with evidence {evidence} is no document; add low and high")
+        return estimate
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        from pydantic_core import core_schema
+
+        read = self.read_estimate if source is Estimate else self.read
+
+        def validator(written: Any) -> Any:
+            if isinstance(written, source):
+                return written
+            try:
+                return read(written)
+            except UnitError as error:
+                raise ValueError(str(error)) from None
+
+        if source is float:
+
+            def validator(written: Any) -> Any:
+                try:
+                    return self.read(written)
+                except UnitError as error:
+                    raise ValueError(str(error)) from None
+
+        return core_schema.no_info_plain_validator_function(validator)

@@ -1,0 +1,154 @@
+"""What a written quantity is in SI: a closed table of the spellings that data sheets use.
+
+A table instead of a units library, because libraries read the field's spellings wrongly and in silence: ``3 Nm`` as
+newton-metre of textile count, ``5,2 N*m`` as 52, ``600 rpm`` as a frequency (pint 0.25 does all three, see docs/).
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from math import pi
+
+from torquerig.errors import UnitError, did_you_mean
+
+# kind of quantity -> the spellings of its units and what one of each is in SI; the first spelling is the SI unit
+UNITS: dict[str, dict[str, float]] = {
+    "torque": {
+        "N*m": 1,
+        "Nm": 1,
+        "mN*m": 1e-3,
+        "mNm": 1e-3,
+        "N*cm": 1e-2,
+        "Ncm": 1e-2,
+        "kN*m": 1e3,
+        "kNm": 1e3,
+        "ozf*in": 7.0615518333e-3,
+        "lbf*in": 0.1129848290276167,
+        "lbf*ft": 1.3558179483314004,
+    },
+    "inertia": {"kg*m^2": 1, "kgm2": 1, "kg*cm^2": 1e-4, "kgcm2": 1e-4, "g*cm^2": 1e-7, "gcm2": 1e-7},
+    "speed": {
+        "rad/s": 1,
+        "rpm": 2 * pi / 60,
+        "min-1": 2 * pi / 60,
+        "1/min": 2 * pi / 60,
+        "r/min": 2 * pi / 60,
+        "rev/s": 2 * pi,
+        "deg/s": pi / 180,
+    },
+    "frequency": {"Hz": 1, "kHz": 1e3, "MHz": 1e6},
+    "angle": {
+        "rad": 1,
+        "mrad": 1e-3,
+        "urad": 1e-6,
+        "deg": pi / 180,
+        "arcmin": pi / 10800,
+        "arcsec": pi / 648000,
+        "rev": 2 * pi,
+    },
+    "torsional stiffness": {
+        "N*m/rad": 1,
+        "Nm/rad": 1,
+        "kN*m/rad": 1e3,
+        "N*m/deg": 180 / pi,
+        "Nm/deg": 180 / pi,
+        "N*m/arcmin": 10800 / pi,
+        "Nm/arcmin": 10800 / pi,
+    },
+    "rotary damping": {"N*m*s/rad": 1, "Nms/rad": 1, "N*m*s": 1, "Nms": 1, "N*m/rpm": 30 / pi},
+    "quadratic drag": {"N*m*s^2/rad^2": 1, "N*m*s^2": 1, "Nms2": 1},
+    "speed-loop integral gain": {"N*m/rad (integral)": 1},
+    "time": {"s": 1, "ms": 1e-3, "us": 1e-6, "min": 60, "h": 3600},
+    "rate": {"1/s": 1, "1/min (rate)": 1 / 60},
+    "order": {"1/rev": 1},
+    "length": {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "in": 0.0254},
+    "mass": {"kg": 1, "g": 1e-3},
+    "force": {"N": 1, "mN": 1e-3, "kN": 1e3, "lbf": 4.4482216152605, "kip": 4448.2216152605},
+    "linear stiffness": {"N/m": 1, "N/mm": 1e3, "N/um": 1e6},
+    "linear damping": {"N*s/m": 1, "Ns/m": 1},
+    "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254},
+    "voltage": {"V": 1, "mV": 1e-3, "uV": 1e-6, "kV": 1e3},
+    "current": {"A": 1, "mA": 1e-3},
+    "rms current": {"Arms": 1, "A rms": 1, "mArms": 1e-3},
+    "torque constant (per rms ampere)": {"N*m/Arms": 1, "Nm/Arms": 1},
+    "torque constant": {"N*m/A": 1, "Nm/A": 1},
+    "resistance": {"ohm": 1, "Ohm": 1, "mohm": 1e-3, "kohm": 1e3},
+    "inductance": {"H": 1, "mH": 1e-3, "uH": 1e-6},
+    "power": {"W": 1, "kW": 1e3, "hp": 745.6998715822702},
+    "energy": {"J": 1, "kJ": 1e3, "Wh": 3600},
+    "thermal resistance": {"K/W": 1},
+    "temperature difference": {"K": 1},
+    "sensitivity": {"V/(N*m)": 1, "V/Nm": 1, "mV/(N*m)": 1e-3, "mV/Nm": 1e-3},
+    "price": {"EUR": 1},
+    "data": {"bit": 1},
+    "share": {"1": 1, "%": 1e-2, "ppm": 1e-6},
+}
+
+_NUMBER = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+_DECIMAL_COMMA = re.compile(r"^\s*[+-]?\d+,\d+")
+
+
+def kind_of(unit: str) -> str:
+    """Return the kind of quantity that ``unit`` measures, such as ``torque`` for ``N*m``; UnitError if unknown."""
+    kind = _kinds().get(_plain(unit))
+    if kind is None:
+        raise UnitError(f"the unit {unit!r} is not known; {did_you_mean(unit, _kinds())}")
+    return kind
+
+
+def parse_quantity(text: str, unit: str) -> float:
+    """Return the number that ``text`` states, in the SI unit ``unit``: ``parse_quantity("32 N*cm", "N*m")`` is 0.32.
+
+    Raises
+    ------
+    UnitError
+        When the number is missing or has a decimal comma, or the unit is missing, unknown or of another kind.
+    """
+    if _DECIMAL_COMMA.match(text):
+        raise UnitError(f"{text!r} has a decimal comma; write {text.replace(',', '.', 1)!r}")
+    match = _NUMBER.match(text)
+    if match is None:
+        raise UnitError(f"{text!r} does not start with a number; write for example '1.5 {_shown(unit)}'")
+    number, written = float(match[1]), _plain(match[2])
+    wanted = kind_of(unit)
+    factors = UNITS[wanted]
+    if not written and "1" in factors:
+        return number
+    if not written:
+        raise UnitError(f"{text!r} has no unit; write '{match[1]} {_shown(unit)}'")
+    if written in factors:
+        return number * factors[written]
+    other = _kinds().get(written)
+    if other is None:
+        raise UnitError(f"{text!r} has an unknown unit; {did_you_mean(match[2], factors)}")
+    raise UnitError(f"{text!r} is a {other}; a {wanted} is wanted, write '{match[1]} {_shown(unit)}'")
+
+
+def in_unit(value: float, unit: str) -> float:
+    """Return the SI number ``value`` counted in ``unit``: ``in_unit(104.72, "rpm")`` is 1000."""
+    return value / UNITS[kind_of(unit)][_plain(unit)]
+
+
+def si_unit(unit: str) -> str:
+    """Return the SI unit of the kind of quantity that ``unit`` measures."""
+    return next(iter(UNITS[kind_of(unit)]))
+
+
+def written_quantity(value: float, unit: str) -> str:
+    """Return ``value`` (SI) as the shortest text that ``parse_quantity`` reads back to the same float."""
+    return f"{value!r} {unit}" if unit != "1" else repr(value)
+
+
+def _plain(unit: str) -> str:
+    swapped = unit.strip().replace("·", "*").replace("²", "^2").replace("µ", "u").replace("μ", "u").replace("Ω", "ohm")
+    return re.sub(r"(?<=[A-Za-z]) (?=[a-z](\b|/))", "*", swapped) if "rms" not in swapped else swapped
+
+
+def _shown(unit: str) -> str:
+    return "" if unit == "1" else unit
+
+
+@cache
+def _kinds() -> dict[str, str]:
+    return {spelling: kind for kind, spellings in UNITS.items() for spelling in spellings}
