@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pydantic_core import CoreSchema
 
 EVIDENCE = {
-    "DOC": "printed in the seed report",
+    "DOC": "printed in the seed report, or in the maker's own table for this very product",
     "SC": "seen in a maker's table for a product of the same class",
     "MEM": "same-class figure from general knowledge, not read again",
     "RT": "rule of thumb",
@@ -93,11 +93,11 @@ class Estimate:
         if self.unknown:
             return "?"
         if self.documented and self.value is not None:
-            return f"{in_unit(self.value, unit):.4g}{suffix}"
+            return f"{_digits(in_unit(self.value, unit), 4)}{suffix}"
         if self.choices:
-            return f"? ({' or '.join(f'{in_unit(choice, unit):g}' for choice in self.choices)}{suffix})"
-        low, high = self.bounds
-        return f"? ({in_unit(low, unit):.3g}..{in_unit(high, unit):.3g}{suffix})"
+            return f"? ({' or '.join(_digits(in_unit(choice, unit), 4) for choice in self.choices)}{suffix})"
+        low, high = (_digits(in_unit(end, unit), 3) for end in self.bounds)
+        return f"? ({low}{suffix})" if low == high else f"? ({low}..{high}{suffix})"
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -139,7 +139,8 @@ class Parameter:
         if number < self.low or number > self.high or number <= self.above:
             bound = f"at least {self.low:g}" if number < self.low else f"at most {self.high:g}"
             bound = f"more than {self.above:g}" if number <= self.above else bound
-            raise ValueError(f"{written_quantity(number, self.unit)} is out of range: {self.meaning} must be {bound}")
+            shown = written_quantity(float(_digits(in_unit(number, self.unit), 12)), self.unit)
+            raise ValueError(f"{shown} is out of range: {self.meaning} must be {bound}")
         return number
 
     def read_estimate(self, written: Any) -> Estimate:
@@ -203,3 +204,8 @@ class Parameter:
                     raise ValueError(str(error)) from None
 
         return core_schema.no_info_plain_validator_function(validator)
+
+
+def _digits(number: float, digits: int) -> str:
+    text = f"{number:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(number) < 1e7 else text
