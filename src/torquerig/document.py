@@ -91,13 +91,19 @@ def parse_document(text: str, path: Path) -> Document:
     return Document(path, data, node)
 
 
-def validated(document: Document, adapter: TypeAdapter[Model], *, within: tuple[str | int, ...] = ()) -> Model:
-    """Return the document's data (or the part ``within``) as the adapter's type; InputError lists every problem."""
+def validated(
+    document: Document, adapter: TypeAdapter[Model], *, within: tuple[str | int, ...] = (), data: Any = None
+) -> Model:
+    """Return the document's data (or the part ``within``) as the adapter's type; InputError lists every problem.
+
+    ``data`` stands in for the part ``within`` where defaults have been filled in; places are still the document's.
+    """
     from pydantic import ValidationError
 
-    data = document.data
-    for key in within:
-        data = data[key]
+    if data is None:
+        data = document.data
+        for key in within:
+            data = data[key]
     try:
         return adapter.validate_python(data)
     except ValidationError as error:

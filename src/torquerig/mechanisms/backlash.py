@@ -1,0 +1,25 @@
+"""Backlash: a gap in the spring of a gear."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+
+
+@dataclass(frozen=True, kw_only=True)
+class Backlash(Part):
+    """``T = k (twist - g/2)`` beyond the gap and zero inside, damping only in contact, never pulling.
+
+    Source: Nordin & Gutman 2002, Automatica 38 (physical dead-zone model); contact law as in rig/terms.py, Spring.
+    """
+
+    kind: Literal["backlash"] = "backlash"
+    gear: str = "gearbox"
+    gap: Annotated[float, Parameter("rad", "full gap at the output", low=0)]
+
+    def extra_gap(self, gear: str) -> float:
+        """Return the gap if ``gear`` is the one it lives in."""
+        return self.gap if gear == self.gear else 0.0

@@ -1,0 +1,33 @@
+"""Blade pass: the load comes in one pulse per blade."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import BladeTorque, Term
+
+
+@dataclass(frozen=True, kw_only=True)
+class BladePass(Part):
+    """``load torque += A max(0, cos(b theta + phi))^2``, opposing the motion of the shaft of ``at``.
+
+    Real load, not noise: a filter that removes this line removes data. Mean A/4, first harmonic 4 A/(3 pi) (half-wave
+    squared cosine).
+    """
+
+    kind: Literal["blade_pass"] = "blade_pass"
+    at: str = "wear_part"
+    order_output: Annotated[float, Parameter("1", "blades per turn", above=0)]
+    amplitude: Annotated[float, Parameter("N*m", "peak of the pulse", low=0)]
+    phase: float | None = None
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the pulses."""
+        node = rig.node(self.at)
+        return (
+            BladeTorque(name=self.name, on=node, order=self.order_output, amplitude=self.amplitude, phase=self.phase),
+        )

@@ -1,0 +1,33 @@
+"""Torque ripple in proportion to the motor torque: commutation, back-EMF harmonics, unequal current gains."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.terms import Wave
+
+
+@dataclass(frozen=True, kw_only=True)
+class CommutationRipple(Part):
+    """``T = T_motor (1 + d cos(k theta + phi))``: a line of motor order k that grows with the load.
+
+    k = 6p for six-step commutation, dead time and the pair of 5th and 7th back-EMF harmonics (Jahns & Soong 1996,
+    IEEE Trans. Industrial Electronics 43(2)); k = 2p for unequal current gains (Chung & Sul 1998, IEEE Trans. Industry
+    Applications 34(5)).
+    """
+
+    kind: Literal["commutation_ripple"] = "commutation_ripple"
+    at: str = "motor"
+    group: Literal["electrical"] = "electrical"
+    order_motor: Annotated[float, Parameter("1", "order on the motor shaft", above=0)]
+    depth: Annotated[float, Parameter("1", "share of the motor torque, zero to peak", low=0)]
+    phase: float | None = None
+
+    def drive_ripple(self, motor: str) -> tuple[Wave, ...]:
+        """Return the ripple if ``motor`` is the one it lives in."""
+        if motor != self.at or self.depth == 0:
+            return ()
+        return (Wave(order=self.order_motor, amplitude=self.depth, phase=self.phase),)

@@ -1,0 +1,45 @@
+"""Gear mesh: the transmission error of a stage, periodic in its output angle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.terms import Wave
+
+
+@dataclass(frozen=True, kw_only=True)
+class GearMesh(Part):
+    """``e(theta) = sum_h e_h cos(h z theta + phi_h) (1 + m cos(n theta))``, added to the output twist of the gear.
+
+    z = ``order_output`` is the tooth count of the ring (planetary with fixed ring) or of the output wheel. The torque
+    that follows is the gear's stiffness and damping times e, through the shafts. Source: Smith, Gear Noise and
+    Vibration (transmission error as the excitation); McFadden & Smith 1985, Proc. IMechE (planet modulation).
+    Not true where the mesh stiffness varies much over a tooth (heavily loaded spur gears).
+    """
+
+    kind: Literal["gear_mesh"] = "gear_mesh"
+    gear: str = "gearbox"
+    group: Literal["mechanical"] = "mechanical"
+    order_output: Annotated[float, Parameter("1", "mesh order on the output shaft", above=0)]
+    transmission_error: tuple[Annotated[float, Parameter("rad", "zero-to-peak error of a harmonic", low=0)], ...]
+    phases: tuple[float, ...] = ()
+    planets: int = 3
+    planet_modulation: Annotated[float, Parameter("1", "modulation at the planet order", low=0)] = 0.0
+
+    def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
+        """Return the error waves if ``gear`` is the one it lives in; the modulation as its two side lines."""
+        if gear != self.gear:
+            return ()
+        waves = []
+        for harmonic, amplitude in enumerate(self.transmission_error, start=1):
+            order = harmonic * self.order_output
+            phase = self.phases[harmonic - 1] if harmonic <= len(self.phases) else None
+            side = 0.5 * self.planet_modulation * amplitude
+            for shift, share in ((0, amplitude), (self.planets, side), (-self.planets, side)):
+                if share > 0:
+                    key = f"{self.name}.{harmonic}"
+                    waves.append(Wave(order=order + shift, amplitude=share, phase=phase, phase_key=key))
+        return tuple(waves)

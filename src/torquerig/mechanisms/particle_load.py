@@ -1,0 +1,101 @@
+"""The particle bed on the wear part: a mean by occupancy, hits, and slow variation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import exp, sqrt
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Load, Term
+from torquerig.signals.coloured_noise import low_passed_noise
+
+Torque = Annotated[float, Parameter("N*m", "mean load torque", low=0)]
+REFERENCE_SIZE = 0.5e-3  # [m] particle size at which the rate and the pulse of the reference rig are stated
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParticleLoad(Part):
+    """``mean(occupancy) + hits + slow variation``, never negative, opposing the motion of the shaft of ``at``.
+
+    Hits arrive as a Poisson process of rate ``60 (0.5 mm / d)^1.5 (0.3 + occupancy/10 %)`` 1/s; each is a pulse
+    ``a exp(-t / tau)`` with ``tau = 4 ms sqrt(d / 0.5 mm)`` and gamma-distributed a. By Campbell's theorem such shot
+    noise has variance ``rate E[a^2] tau / 2``; it is scaled so that its rms is ``hit_rms`` of the mean, and its own
+    mean is taken out. The slow variation is white noise through a second-order Butterworth low-pass.
+
+    Source: the reference rig; Campbell's theorem as in Rice 1944, Bell System Technical Journal 23, section 1.2.
+    Not true for dense beds, whose drag is rate-invariant (Miller, O'Hern & Behringer 1996, PRL 77).
+    """
+
+    kind: Literal["particle_load"] = "particle_load"
+    at: str = "wear_part"
+    mean_by_occupancy_percent: dict[float, Torque]
+    hit_rate: Annotated[float, Parameter("1/s", "hits per second at 0.5 mm and factor 1", above=0)] = 60.0
+    hit_decay: Annotated[float, Parameter("s", "pulse decay at 0.5 mm", above=0)] = 0.004
+    hit_shape: float = 1.5
+    hit_rms: Annotated[float, Parameter("1", "rms of the hits as a share of the mean", low=0)] = 0.10
+    slow_rms: Annotated[float, Parameter("1", "rms of the slow variation as a share of the mean", low=0)] = 0.06
+    slow_cutoff: Annotated[float, Parameter("Hz", "low-pass of the slow variation", above=0)] = 1.5
+    smoothing: Annotated[float, Parameter("rad/s", "speed over which the direction turns", above=0)] = 0.02
+
+    def mean(self, occupancy_percent: float) -> float:
+        """Return the mean torque [N m], linear between the stated occupancies; outside them it is refused."""
+        stated = sorted(self.mean_by_occupancy_percent)
+        if not stated[0] <= occupancy_percent <= stated[-1]:
+            raise InputError(
+                f"{self.name}: occupancy {occupancy_percent:g} % is outside {stated[0]:g}..{stated[-1]:g} %, where the "
+                "load is known; add a mean torque for it to mean_by_occupancy_percent"
+            )
+        return float(np.interp(occupancy_percent, stated, [self.mean_by_occupancy_percent[key] for key in stated]))
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the load of the run's occupancy and particle size."""
+        occupancy = rig.run.occupancy_percent or 0.0
+        size = (rig.run.particle_size or REFERENCE_SIZE) / REFERENCE_SIZE
+        process = ParticleProcess(
+            mean=self.mean(occupancy),
+            rate=self.hit_rate * size**-1.5 * (0.3 + occupancy / 10),
+            decay=self.hit_decay * sqrt(size),
+            shape=self.hit_shape,
+            hit_rms=self.hit_rms,
+            slow_rms=self.slow_rms,
+            slow_cutoff=self.slow_cutoff,
+        )
+        return (Load(name=self.name, on=rig.node(self.at), process=process, smoothing=self.smoothing),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParticleProcess:
+    """The random torque of one operating point; see ParticleLoad for the equations."""
+
+    mean: float
+    rate: float
+    decay: float
+    shape: float
+    hit_rms: float
+    slow_rms: float
+    slow_cutoff: float
+
+    def sample(self, count: int, rate: float, rng: np.random.Generator) -> NDArray[np.float64]:
+        """Return ``count`` samples [N m] at ``rate`` [Hz]; the process is stationary from the first sample on."""
+        from scipy.signal import lfilter
+
+        warm = int(10 * self.decay * rate) + 1
+        arrivals = rng.poisson(self.rate / rate, count + warm)
+        kicks = np.zeros(count + warm)
+        hit = np.flatnonzero(arrivals)
+        kicks[hit] = rng.gamma(self.shape * arrivals[hit])  # a sum of n gamma variates of one scale is gamma(n shape)
+        pulses = lfilter([1.0], [1.0, -exp(-1 / (rate * self.decay))], kicks)[warm:]
+        mean_square = self.shape * (self.shape + 1)  # E[a^2] of a gamma variate of scale 1
+        remembered = 1 / (1 - exp(-2 / (rate * self.decay)))
+        deviation = sqrt(self.rate / rate * mean_square * remembered)
+        expected = self.rate / rate * self.shape / (1 - exp(-1 / (rate * self.decay)))
+        hits = (pulses - expected) / deviation * self.hit_rms
+        slow = self.slow_rms * low_passed_noise(count, rate, self.slow_cutoff, rng)
+        return np.maximum(0.0, self.mean * (1 + hits + slow))

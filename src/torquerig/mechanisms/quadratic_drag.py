@@ -1,0 +1,24 @@
+"""Quadratic drag: windage and stirring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Friction, Term
+
+
+@dataclass(frozen=True, kw_only=True)
+class QuadraticDrag(Part):
+    """``load torque += c w |w|`` on the shaft of ``at``; turbulent flow round the part, constant drag coefficient."""
+
+    kind: Literal["quadratic_drag"] = "quadratic_drag"
+    at: str = "wear_part"
+    coefficient: Annotated[float, Parameter("N*m*s^2/rad^2", "drag coefficient", low=0)]
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the drag against the frame."""
+        return (Friction(name=self.name, on=rig.node(self.at), quadratic=self.coefficient),)

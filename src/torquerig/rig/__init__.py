@@ -1,0 +1,5 @@
+"""What the machine is.
+
+terms     the closed vocabulary of physics        part   what parts and effects have in common
+parts/    motor, gear, sensor, coupling, body     rig    an immutable tuple of parts; ``rig + part``
+"""

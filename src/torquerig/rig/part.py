@@ -1,0 +1,69 @@
+"""What parts and mechanisms have in common: a name, a place on the shaft, and terms and stages to give."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+if TYPE_CHECKING:
+    from torquerig.rig.rig import Rig
+    from torquerig.rig.terms import Term, Wave
+    from torquerig.signals.stage import Stage
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlacedStage:
+    """A stage of the measuring chain and where in the chain it stands, counted from the shaft to the file."""
+
+    MECHANICAL: ClassVar[int] = 0
+    AMPLIFIER: ClassVar[int] = 1
+    CABLE: ClassVar[int] = 2
+    CONVERTER: ClassVar[int] = 3
+    FILE: ClassVar[int] = 4
+
+    position: int
+    stage: Stage
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """One thing that the machine is made of, or one effect that disturbs it.
+
+    Parameters
+    ----------
+    name : str
+        Unique in the rig; the nodes are known by it.
+    after : str or None
+        The part whose output shaft this one is fixed to; None starts a shaft of its own (or, for an effect, none).
+    """
+
+    name: str
+    after: str | None = None
+    kind: str = ""
+
+    __pydantic_config__: ClassVar[dict[str, str]] = {"extra": "forbid"}
+
+    on_shaft: ClassVar[bool] = False
+    """True for what sits on a shaft: in a scenario it follows the shaft part before it, unless ``after`` is stated."""
+    opens_node: ClassVar[bool] = False
+    """True for what has a spring inside (gear, sensor, coupling): its output shaft is a node of its own."""
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the physics that this part adds to the shafts."""
+        return ()
+
+    def drive_ripple(self, motor: str) -> tuple[Wave, ...]:
+        """Return the ripple in proportion to the torque of the motor ``motor``; none for most parts."""
+        return ()
+
+    def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
+        """Return the kinematic error [rad] that this part gives to the gear ``gear``; none for most parts."""
+        return ()
+
+    def extra_gap(self, gear: str) -> float:
+        """Return the gap [rad] that this part adds to the gear ``gear``; none for most parts."""
+        return 0.0
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return what this part does to the signal on its way to the file."""
+        return ()

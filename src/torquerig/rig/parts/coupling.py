@@ -1,0 +1,30 @@
+"""A shaft coupling or a length of shaft: a spring and damper, ratio 1."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Inertia, Spring, Term
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coupling(Part):
+    """A bellows, jaw or plain shaft; its own inertia, if stated, sits on its output side."""
+
+    on_shaft: ClassVar[bool] = True
+    opens_node: ClassVar[bool] = True
+
+    kind: Literal["coupling"] = "coupling"
+    stiffness: Annotated[float, Parameter("N*m/rad", "torsional stiffness", above=0)]
+    damping: Annotated[float, Parameter("N*m*s/rad", "torsional damping", low=0)]
+    inertia: Annotated[float, Parameter("kg*m^2", "inertia of the output side", low=0)] = 0.0
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the spring and the inertia of the output side."""
+        upstream, node = rig.upstream(self.name), rig.node(self.name)
+        spring = Spring(name=self.name, a=upstream, b=node, stiffness=self.stiffness, damping=self.damping)
+        return Inertia(node=node, inertia=self.inertia), spring

@@ -1,0 +1,46 @@
+"""A motor: rotor inertia, bearing and iron friction, torque limit, and how fast its current follows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Friction, Inertia, Term
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motor(Part):
+    """The rotor and its drive stage; the torque itself comes from a SpeedController.
+
+    Losses: ``viscous w + coulomb tanh(w / 0.5 rad/s)`` on the rotor, as the reference rig states them.
+    Pole pairs and slots are kinematics: the lines follow from them, the torque does not.
+    """
+
+    on_shaft: ClassVar[bool] = True
+
+    kind: Literal["motor"] = "motor"
+    inertia: Annotated[float, Parameter("kg*m^2", "rotor inertia", above=0)]
+    viscous: Annotated[float, Parameter("N*m*s/rad", "viscous friction", low=0)] = 0.0
+    coulomb: Annotated[float, Parameter("N*m", "Coulomb friction", low=0)] = 0.0
+    torque_limit: Annotated[float, Parameter("N*m", "torque limit of the drive", above=0)]
+    current_loop_bandwidth: Annotated[float, Parameter("Hz", "bandwidth of the current loop", above=0)] = 500.0
+    pole_pairs: int | None = None
+    slots: int | None = None
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return rotor inertia and losses."""
+        node = rig.node(self.name)
+        losses = Friction(
+            name=f"{self.name}.losses",
+            on=node,
+            viscous=self.viscous,
+            coulomb_forward=self.coulomb,
+            coulomb_backward=self.coulomb,
+            static_forward=self.coulomb,
+            static_backward=self.coulomb,
+            smoothing=0.5,
+        )
+        return Inertia(node=node, inertia=self.inertia), losses

@@ -1,0 +1,52 @@
+"""A torque sensor: a spring in the shaft, an amplifier, noise and a converter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Inertia, Spring, Term
+from torquerig.signals.stages.amplifier import AmplifierLowPass
+from torquerig.signals.stages.converter import Converter
+from torquerig.signals.stages.noise import WhiteNoise
+
+
+@dataclass(frozen=True, kw_only=True)
+class TorqueSensor(Part):
+    """The reading is the torque in the spring and damper together, through the amplifier's second-order low-pass.
+
+    Noise is white, added after the amplifier and before the converter.
+    """
+
+    on_shaft: ClassVar[bool] = True
+    opens_node: ClassVar[bool] = True
+
+    kind: Literal["torque_sensor"] = "torque_sensor"
+    stiffness: Annotated[float, Parameter("N*m/rad", "torsional stiffness", above=0)]
+    damping: Annotated[float, Parameter("N*m*s/rad", "torsional damping", low=0)]
+    inertia: Annotated[float, Parameter("kg*m^2", "inertia of the output side", low=0)]
+    sensitivity: Annotated[float, Parameter("V/(N*m)", "output per torque", above=0)] = 1.0
+    bandwidth: Annotated[float, Parameter("Hz", "amplifier bandwidth at -3 dB", above=0)]
+    noise_rms: Annotated[float, Parameter("V", "rms of the noise", low=0)] = 0.0
+    converter_range: Annotated[float, Parameter("V", "converter range, plus and minus", above=0)] = 10.0
+    converter_bits: int = 16
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the spring and the inertia of its output side."""
+        upstream, node = rig.upstream(self.name), rig.node(self.name)
+        spring = Spring(name=self.name, a=upstream, b=node, stiffness=self.stiffness, damping=self.damping)
+        return Inertia(node=node, inertia=self.inertia), spring
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return amplifier, noise and converter."""
+        return (
+            PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=self.bandwidth)),
+            PlacedStage(position=PlacedStage.CONVERTER, stage=WhiteNoise(rms=self.noise_rms)),
+            PlacedStage(
+                position=PlacedStage.CONVERTER,
+                stage=Converter(range_V=self.converter_range, bits=self.converter_bits),
+            ),
+        )

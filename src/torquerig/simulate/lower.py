@@ -1,0 +1,214 @@
+"""From a Rig to flat arrays: one function per kind of term; the kernel and the linear twin read the same arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, pi, sin
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import (
+    GROUND,
+    AppliedTorque,
+    BladeTorque,
+    Drive,
+    Friction,
+    HarmonicTorque,
+    Inertia,
+    Load,
+    Spring,
+    Term,
+    Wave,
+)
+from torquerig.signals.recording import random_for
+from torquerig.simulate.kernel import Blades, Drives, Frictions, Harmonics, Loads, Springs, Waves
+from torquerig.simulate.waves import WaveTable
+
+Kind = TypeVar("Kind", bound=Term)
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """A rig as arrays. ``nodes`` names the rows; the ground comes after the last one."""
+
+    nodes: tuple[str, ...]
+    spring_names: tuple[str, ...]
+    drive_names: tuple[str, ...]
+    load_terms: tuple[Load | AppliedTorque, ...]
+    drive_terms: tuple[Drive, ...]
+    inertia: NDArray[np.float64]
+    waves: Waves
+    springs: Springs
+    harmonics: Harmonics
+    frictions: Frictions
+    blades: Blades
+    drives: Drives  # reference still empty: the run fills it
+    loads: Loads  # samples still empty: the run fills them
+
+    def node(self, name: str) -> int:
+        """Return the row of a node; the ground is the last."""
+        return len(self.nodes) if name == GROUND else self.nodes.index(name)
+
+
+def lower(rig: Rig, seed: int) -> Lowered:
+    """Return the rig as arrays; phases that are not stated are drawn from ``seed``, each by its own name."""
+    terms = rig.terms()
+    inertias = _of(terms, Inertia)
+    nodes = tuple(dict.fromkeys(term.node for term in inertias if term.inertia > 0))
+    if not nodes:
+        raise InputError("the rig has no inertia at all; add a motor or a body")
+    number = {name: row for row, name in enumerate(nodes)} | {GROUND: len(nodes)}
+    for name in _named_nodes(terms):
+        if name not in number:
+            raise InputError(f"{name}: no inertia sits on this shaft; give the part one or fix it to one that has")
+    inertia = np.zeros(len(nodes))
+    for term in inertias:
+        if term.inertia > 0:
+            inertia[number[term.node]] += term.inertia
+    springs, harmonics = _of(terms, Spring), _of(terms, HarmonicTorque)
+    blades, drives = _of(terms, BladeTorque), _of(terms, Drive)
+    loads: tuple[Load | AppliedTorque, ...] = (*_of(terms, Load), *_of(terms, AppliedTorque))
+    table = WaveTable.of(
+        [(number[s.b], w.order) for s in springs for w in s.error]
+        + [(number[h.angle], w.order) for h in harmonics for w in h.waves]
+        + [(number[d.on], w.order) for d in drives for w in d.ripple]
+        + [(number[b.on], b.order) for b in blades]
+    )
+    return Lowered(
+        nodes=nodes,
+        spring_names=tuple(spring.name for spring in springs),
+        drive_names=tuple(drive.name for drive in drives),
+        load_terms=loads,
+        drive_terms=drives,
+        inertia=inertia,
+        waves=table.lowered(),
+        springs=_springs(springs, number, table, seed),
+        harmonics=_harmonics(harmonics, number, table, seed),
+        frictions=_frictions(_of(terms, Friction), number),
+        blades=_blades(blades, number, table, seed),
+        drives=_drives(drives, number, table, seed),
+        loads=Loads(
+            _ints(number[t.on] for t in loads),
+            _floats(1 / t.smoothing if isinstance(t, Load) else 0.0 for t in loads),
+            np.zeros((0, 0)),
+        ),
+    )
+
+
+def phase_of(owner: str, wave: Wave, seed: int) -> float:
+    """Return the phase of a wave [rad]: as stated, else drawn uniformly by seed, owner and key (or order)."""
+    if wave.phase is not None:
+        return wave.phase
+    key = wave.phase_key or f"{owner}.{wave.order:g}"
+    return float(random_for(seed, f"phase {key}").uniform(0, 2 * pi))
+
+
+def _springs(springs: Sequence[Spring], number: dict[str, int], table: WaveTable, seed: int) -> Springs:
+    waves = [[(number[s.b], w, phase_of(s.name, w, seed)) for w in s.error] for s in springs]
+    flat = [item for group in waves for item in group]
+    return Springs(
+        a=_ints(number[s.a] for s in springs),
+        b=_ints(number[s.b] for s in springs),
+        stiffness=_floats(s.stiffness for s in springs),
+        damping=_floats(s.damping for s in springs),
+        half_gap=_floats(0.5 * s.gap for s in springs),
+        inverse_ratio=_floats(1 / s.ratio for s in springs),
+        loss_mean=_floats(0.5 * (1 / s.efficiency + s.efficiency) for s in springs),
+        loss_half=_floats(0.5 * (1 / s.efficiency - s.efficiency) for s in springs),
+        e_first=_starts(waves),
+        e_slot=_ints(table.slots[(node, w.order)] for node, w, _ in flat),
+        e_order=_floats(w.order for _, w, _ in flat),
+        e_cos=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
+        e_sin=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
+    )
+
+
+def _harmonics(terms: Sequence[HarmonicTorque], number: dict[str, int], table: WaveTable, seed: int) -> Harmonics:
+    flat = [(term, wave, phase_of(term.name, wave, seed)) for term in terms for wave in term.waves]
+    return Harmonics(
+        on=_ints(number[t.on] for t, _, _ in flat),
+        against=_ints(number[t.against] for t, _, _ in flat),
+        slot=_ints(table.slots[(number[t.angle], w.order)] for t, w, _ in flat),
+        c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
+        s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
+    )
+
+
+def _frictions(terms: Sequence[Friction], number: dict[str, int]) -> Frictions:
+    coulomb = [(t.coulomb_backward, t.coulomb_forward) for t in terms]
+    excess = [(t.static_backward - t.coulomb_backward, t.static_forward - t.coulomb_forward) for t in terms]
+    return Frictions(
+        on=_ints(number[t.on] for t in terms),
+        against=_ints(number[t.against] for t in terms),
+        coulomb=np.array(coulomb, dtype=np.float64).reshape(-1, 2),
+        excess=np.array(excess, dtype=np.float64).reshape(-1, 2),
+        inverse_stribeck=_floats(1 / t.stribeck for t in terms),
+        viscous=_floats(t.viscous for t in terms),
+        quadratic=_floats(t.quadratic for t in terms),
+        inverse_smoothing=_floats(1 / t.smoothing for t in terms),
+    )
+
+
+def _blades(terms: Sequence[BladeTorque], number: dict[str, int], table: WaveTable, seed: int) -> Blades:
+    phases = [phase_of(t.name, Wave(order=t.order, amplitude=1.0, phase=t.phase), seed) for t in terms]
+    return Blades(
+        on=_ints(number[t.on] for t in terms),
+        slot=_ints(table.slots[(number[t.on], t.order)] for t in terms),
+        c=_floats(cos(phase) for phase in phases),
+        s=_floats(sin(phase) for phase in phases),
+        amplitude=_floats(t.amplitude for t in terms),
+        inverse_smoothing=_floats(1 / t.smoothing for t in terms),
+    )
+
+
+def _drives(terms: Sequence[Drive], number: dict[str, int], table: WaveTable, seed: int) -> Drives:
+    waves = [[(number[t.on], w, phase_of(t.name, w, seed)) for w in t.ripple] for t in terms]
+    flat = [item for group in waves for item in group]
+    return Drives(
+        on=_ints(number[t.on] for t in terms),
+        against=_ints(number[t.against] for t in terms),
+        kp=_floats(t.kp for t in terms),
+        ki=_floats(t.ki for t in terms),
+        limit=_floats(t.torque_limit for t in terms),
+        inverse_lag=_floats(1 / t.lag for t in terms),
+        r_first=_starts(waves),
+        r_slot=_ints(table.slots[(node, w.order)] for node, w, _ in flat),
+        r_c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
+        r_s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
+        reference=np.zeros((0, 0)),
+    )
+
+
+def _of(terms: Sequence[Term], kind: type[Kind]) -> tuple[Kind, ...]:
+    return tuple(term for term in terms if isinstance(term, kind))
+
+
+def _named_nodes(terms: Sequence[Term]) -> list[str]:
+    names: list[str] = []
+    for term in terms:
+        if isinstance(term, Spring):
+            names += [term.a, term.b]
+        elif isinstance(term, HarmonicTorque):
+            names += [term.on, term.against, term.angle]
+        elif isinstance(term, Friction | Drive):
+            names += [term.on, term.against]
+        elif isinstance(term, Load | AppliedTorque | BladeTorque):
+            names.append(term.on)
+    return names
+
+
+def _ints(values: object) -> NDArray[np.int64]:
+    return np.array(list(values), dtype=np.int64)  # type: ignore[call-overload]
+
+
+def _floats(values: object) -> NDArray[np.float64]:
+    return np.array(list(values), dtype=np.float64)  # type: ignore[call-overload]
+
+
+def _starts(groups: Sequence[Sequence[object]]) -> NDArray[np.int64]:
+    return np.concatenate([[0], np.cumsum([len(group) for group in groups])]).astype(np.int64)
