@@ -1,0 +1,96 @@
+"""What angle the motor turned through, by its encoder or by any other channel that knows it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import RecordingError
+from torquerig.signals.filters.moving_mean import moving_mean
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.signals.recording import Channel, Recording
+
+# smoothing spans this many encoder counts, but never more than this long, so that real speed ripple stays
+_COUNTS_SPANNED, _LONGEST_SMOOTHING = 16, 2e-3
+
+
+@dataclass(frozen=True)
+class MotorAngle:
+    """The angle of the motor shaft at each sample [rad], shape (samples,), and where it comes from, in words."""
+
+    values: NDArray[np.float64]
+    origin: str
+
+    def mean_speed(self, rate: float) -> float:
+        """Return the mean motor speed [rad/s] at ``rate`` samples per second."""
+        if self.values.size < 2:
+            raise RecordingError("a speed needs at least two samples; take a longer recording")
+        return float((self.values[-1] - self.values[0]) / (self.values.size - 1) * rate)
+
+
+def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAngle | None:
+    """Return the motor's angle from an angle or speed channel, or None where the recording has none.
+
+    Parameters
+    ----------
+    recording : Recording
+        Channels of quantity motor_angle, angle, motor_speed and speed serve, in this order.
+    ratio : float
+        Motor turns per output turn [1]; angle and speed channels belong to the output shaft.
+
+    Notes
+    -----
+    Counts are unwrapped where the counter runs over, and smoothed over about 16 counts, at most 2 ms.
+    """
+    readers = (
+        ("motor_angle", 1.0, _angle_of),
+        ("angle", ratio, _angle_of),
+        ("motor_speed", 1.0, _integral_of),
+        ("speed", ratio, _integral_of),
+    )
+    for quantity, factor, read in readers:
+        name = recording.find(quantity)
+        if name is not None:
+            angle = read(recording.channels[name], recording.sample_rate) * factor
+            return MotorAngle(angle, f"from the channel {name}")
+    return None
+
+
+def _integral_of(channel: Channel, rate: float) -> NDArray[np.float64]:
+    speed = channel.in_si()
+    steps = 0.5 * (speed[1:] + speed[:-1]) / rate
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def _angle_of(channel: Channel, rate: float) -> NDArray[np.float64]:
+    values = channel.values
+    if values.size < 3:
+        return channel.in_si()
+    if channel.unit == "count":
+        values = _smoothed(_unwrapped(values, counts_per_rev=2 * np.pi / channel.si_per_unit), rate)
+    return values * channel.si_per_unit
+
+
+def _unwrapped(counts: NDArray[np.float64], *, counts_per_rev: float) -> NDArray[np.float64]:
+    """Undo the overflow of a counter that starts again at the turn, or at 16 or 32 bit."""
+    steps = np.diff(counts)
+    largest = np.abs(steps).max()
+    span = counts.max() - counts.min()
+    moduli = [round(counts_per_rev), 2**16, 2**32]
+    modulus = next((m for m in moduli if largest > 0.5 * m and span <= m), None)
+    if modulus is None:
+        return counts
+    return np.concatenate([counts[:1], counts[0] + np.cumsum(steps - modulus * np.round(steps / modulus))])
+
+
+def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+    per_sample = np.abs(counts[-1] - counts[0]) / (counts.size - 1)
+    window = int(min(np.ceil(_COUNTS_SPANNED / max(per_sample, 1e-9)), _LONGEST_SMOOTHING * rate))
+    trend = counts[0] + (counts[-1] - counts[0]) * np.linspace(0.0, 1.0, counts.size)
+    # an odd window has no half-sample shift; without its trend the counts keep their ends
+    return np.asarray(trend + moving_mean(counts - trend, max(window | 1, 5)))

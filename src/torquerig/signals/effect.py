@@ -1,0 +1,173 @@
+"""What a filter chain did to a recording: spread, mean, energy and the level of each line, before and after."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import RecordingError
+from torquerig.signals.angle import measured_motor_angle
+from torquerig.signals.set_point import set_point_profile
+from torquerig.signals.spectrum import band_amplitude
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.signals.kinematics import Family, KinematicLine
+    from torquerig.signals.recording import Recording
+
+LINE_HALF_WIDTH = 0.5  # Hz, as wide as the seed's band-stops
+
+
+@dataclass(frozen=True, kw_only=True)
+class LineLevel:
+    """The amplitude of one line before and after [N m]: the sine with the power within 0.5 Hz of ``frequency`` [Hz]."""
+
+    line: KinematicLine
+    frequency: float
+    before: float
+    after: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilterEffect:
+    """The difference between two recordings of the same torque.
+
+    Parameters
+    ----------
+    std_before, std_after : float
+        Standard deviation of the torque [N m].
+    mean_before, mean_after : float
+        [N m].
+    energy_before, energy_after : float or None
+        Integral of torque times output speed [J]; None where neither a channel nor the set-point gives a speed.
+    speed_origin : str
+        Where the speed of the energy and of the lines comes from, in words.
+    levels : tuple of LineLevel
+        Empty for a run that is not steady, whose lines have no one frequency.
+    """
+
+    std_before: float
+    std_after: float
+    mean_before: float
+    mean_after: float
+    energy_before: float | None
+    energy_after: float | None
+    speed_origin: str
+    levels: tuple[LineLevel, ...]
+
+    @property
+    def std_reduction_percent(self) -> float:
+        """By how much the standard deviation fell [%]."""
+        return _reduction(self.std_before, self.std_after)
+
+    @property
+    def variance_reduction_percent(self) -> float:
+        """By how much the variance fell [%]."""
+        return _reduction(self.std_before**2, self.std_after**2)
+
+    @property
+    def mean_change_percent(self) -> float:
+        """By how much the mean rose [%]; 0 by construction for a chain that puts the mean back."""
+        return -_reduction(self.mean_before, self.mean_after)
+
+    @property
+    def energy_change_percent(self) -> float | None:
+        """By how much the energy rose [%], or None where no speed is known."""
+        if self.energy_before is None or self.energy_after is None:
+            return None
+        return -_reduction(self.energy_before, self.energy_after)
+
+    def family_levels(self) -> dict[Family, tuple[float, float]]:
+        """Return the amplitude of each family before and after: root of the summed squares of its lines [N m]."""
+        families = dict.fromkeys(level.line.family for level in self.levels)
+        return {
+            family: (
+                float(np.sqrt(sum(level.before**2 for level in self.levels if level.line.family == family))),
+                float(np.sqrt(sum(level.after**2 for level in self.levels if level.line.family == family))),
+            )
+            for family in families
+        }
+
+
+def chain_effect(
+    before: Recording, after: Recording, *, ratio: float, lines: Sequence[KinematicLine] = ()
+) -> FilterEffect:
+    """Return what changed in the torque between ``before`` and ``after`` a chain.
+
+    Parameters
+    ----------
+    before, after : Recording
+        Of equal length and rate.
+    ratio : float
+        Motor turns per output turn [1].
+    lines : sequence of KinematicLine
+        The lines to give levels of, for example ``chain.lines``.
+
+    Raises
+    ------
+    RecordingError
+        For fewer than two samples, or recordings of different length.
+
+    Notes
+    -----
+    A lower standard deviation is no proof of less noise: any notches lower it (seed-audit.md A, "std as merit").
+    """
+    first, last = before.torque(), after.torque()
+    if first.size != last.size or first.size < 2:
+        raise RecordingError(
+            f"{before.name}: {first.size} samples before and {last.size} after a chain cannot be compared; "
+            "both must be of the same run and have two samples or more"
+        )
+    speed, origin = _motor_speed(before, ratio)
+    energies = (None, None) if speed is None else tuple(_energy(each, speed / ratio, before) for each in (first, last))
+    steady = speed is not None and before.run.profile == "steady"
+    levels = (
+        _levels(first, last, before.sample_rate, float(np.mean(speed)), lines) if steady and speed is not None else ()
+    )
+    return FilterEffect(
+        std_before=float(first.std()),
+        std_after=float(last.std()),
+        mean_before=float(first.mean()),
+        mean_after=float(last.mean()),
+        energy_before=energies[0],
+        energy_after=energies[1],
+        speed_origin=origin,
+        levels=levels,
+    )
+
+
+def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64] | None, str]:
+    """Motor speed at each sample [rad/s] and where it comes from."""
+    angle = measured_motor_angle(recording, ratio=ratio)
+    if angle is not None:
+        return np.gradient(angle.values) * recording.sample_rate, angle.origin
+    if recording.run.speed:
+        return set_point_profile(recording, "energies"), "from the set-point; the real speed may differ"
+    return None, "no speed: neither a channel nor a set-point"
+
+
+def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], recording: Recording) -> float:
+    return float(np.trapezoid(torque * output_speed) / recording.sample_rate)
+
+
+def _levels(
+    first: NDArray[np.float64], last: NDArray[np.float64], rate: float, speed: float, lines: Sequence[KinematicLine]
+) -> tuple[LineLevel, ...]:
+    before, after = (np.fft.rfft(each - each.mean()) * 2 / each.size for each in (first, last))
+    width = rate / first.size
+    levels = []
+    for line in lines:
+        centre = line.frequency(speed)
+        low, high = centre - LINE_HALF_WIDTH, centre + LINE_HALF_WIDTH
+        amplitudes = (band_amplitude(spectrum, width, low, high) for spectrum in (before, after))
+        levels.append(LineLevel(line=line, frequency=centre, before=next(amplitudes), after=next(amplitudes)))
+    return tuple(levels)
+
+
+def _reduction(before: float, after: float) -> float:
+    """Fall from ``before`` to ``after`` [%]; 0 where there was nothing."""
+    return 100 * (before - after) / before if before else 0.0

@@ -1,0 +1,61 @@
+"""What is left when fitted sines of the known lines, following the motor's angle, are subtracted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from torquerig.errors import InputError, RecordingError
+from torquerig.signals.angle import measured_motor_angle
+from torquerig.signals.line_fit import fitted_lines
+from torquerig.signals.speed_from_torque import motor_angle_from_torque
+
+if TYPE_CHECKING:
+    from torquerig.signals.kinematics import KinematicLine
+    from torquerig.signals.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class HarmonicRegression:
+    """Subtracts the least-squares sines of ``lines`` from the torque and keeps everything else, the mean included.
+
+    The angle is that of an encoder or another angle or speed channel; without one, that of the set-point speed,
+    corrected until the comb of the lines fits the torque best.
+
+    Parameters
+    ----------
+    lines : tuple of KinematicLine
+        The lines to subtract.
+    block : float
+        Length over which a line's amplitude and phase are taken as one [s], > 0; blocks overlap by half.
+
+    Notes
+    -----
+    Source: signatures.md 0 (order-locked lines need order tracking; Fyfe & Munck 1997). Where it stops being true:
+    load within about 1 / block of a line is subtracted with it, and an amplitude that changes faster than a block is
+    followed only in part. Without an encoder nothing follows faster than some tenths of a second.
+    """
+
+    lines: tuple[KinematicLine, ...]
+    block: float = 2.0
+
+    def __post_init__(self) -> None:
+        if not self.block > 0:
+            raise InputError(f"blocks of {self.block} s cannot be fitted; write for example 2 s")
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` without the lines; RecordingError where it is too short or no angle can be had."""
+        if not self.lines:
+            return recording
+        name = recording.torque_name()
+        values, rate = recording.channels[name].values, recording.sample_rate
+        block = round(self.block * rate)
+        if values.size < max(block, 4):
+            raise RecordingError(
+                f"{recording.name}: {recording.duration:.3g} s are too short to fit lines in blocks of "
+                f"{self.block:g} s; take a longer recording or shorter blocks"
+            )
+        ratio = self.lines[0].output_order / self.lines[0].motor_order
+        angle = measured_motor_angle(recording, ratio=ratio) or motor_angle_from_torque(recording, self.lines)
+        orders = [line.motor_order for line in self.lines]
+        return recording.with_values(name, values - fitted_lines(values, angle.values, orders, block=block))

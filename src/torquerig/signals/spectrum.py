@@ -1,0 +1,65 @@
+"""What sines a signal is made of: its one-sided amplitude spectrum."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import RecordingError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+def amplitude_spectrum(values: NDArray[np.float64], rate: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the frequencies [Hz] and the zero-to-peak amplitude of the sine on each bin, shape (samples // 2 + 1,).
+
+    A sine on a bin shows its amplitude there and nothing elsewhere; between two bins it shows as little as 64 % and
+    leaks. The first bin is the mean.
+
+    Parameters
+    ----------
+    values : ndarray, shape (samples,)
+        In any unit; the amplitudes have the same.
+    rate : float
+        Sample rate [Hz].
+    """
+    return _spectrum(values, rate, np.ones(values.size))
+
+
+def hann_spectrum(values: NDArray[np.float64], rate: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return frequencies and amplitudes as :func:`amplitude_spectrum`, through a Hann window.
+
+    The window is corrected for: a sine on a bin shows its amplitude, half of it on either neighbour and nothing else;
+    between two bins it shows 85 %, and leaks far less than without a window (Harris 1978, Proc IEEE 66).
+    """
+    angle = 2 * np.pi * np.arange(values.size) / max(values.size, 1)
+    return _spectrum(values, rate, 0.5 - 0.5 * np.cos(angle))
+
+
+def band_amplitude(spectrum: NDArray[np.complex128], bin_width: float, low: float, high: float) -> float:
+    """Return the amplitude of the sine that has the power between ``low`` and ``high`` [Hz].
+
+    Parameters
+    ----------
+    spectrum : ndarray, shape (bins,)
+        One-sided complex amplitudes, ``rfft(values) * 2 / samples``.
+    bin_width : float
+        [Hz].
+    """
+    first, last = max(int(np.ceil(low / bin_width - 1e-6)), 0), int(np.floor(high / bin_width + 1e-6))
+    return float(np.sqrt((np.abs(spectrum[first : last + 1]) ** 2).sum()))
+
+
+def _spectrum(
+    values: NDArray[np.float64], rate: float, window: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    if values.size < 2:
+        raise RecordingError(f"{values.size} samples have no spectrum; take a longer recording")
+    mean = values.mean()
+    amplitude = np.abs(np.fft.rfft((values - mean) * window)) * 2 / window.sum()
+    amplitude[0] = abs(mean)
+    if values.size % 2 == 0:
+        amplitude[-1] /= 2  # half the sample rate has no mirror image
+    return np.arange(amplitude.size) * (rate / values.size), amplitude
