@@ -152,7 +152,7 @@ class Parameter:
         extra = set(written) - {"value", "low", "high", "one_of", "rel_sd", "evidence", "source", "note", "unknown"}
         if extra:
             raise ValueError(
-                f"unknown key {sorted(extra)[0]!r}; allowed are value, low, high, one_of, rel_sd, "
+                f"unknown key {sorted(map(str, extra))[0]!r}; allowed are value, low, high, one_of, rel_sd, "
                 "unknown, evidence, source, note"
             )
         evidence, source = str(written.get("evidence", "")), str(written.get("source", ""))
@@ -163,14 +163,16 @@ class Parameter:
         low, high = (self.read(written[end]) if end in written else None for end in ("low", "high"))
         if (low is None) != (high is None) or (low is not None and high is not None and low > high):
             raise ValueError("an interval needs both low and high, low first")
-        choices = tuple(self.read(choice) for choice in written.get("one_of", ()))
+        choices = tuple(self.read(choice) for choice in _listed(written.get("one_of", [])))
         value = self.read(written["value"]) if "value" in written else None
+        if value is not None and low is not None and high is not None and not low <= value <= high:
+            raise ValueError("the value lies outside its own low and high; correct one of them")
         estimate = Estimate(
             value,
             low,
             high,
             choices,
-            float(written.get("rel_sd", 0.0)),
+            _spread(written.get("rel_sd", 0.0)),
             evidence,
             source,
             self.unit,
@@ -204,6 +206,18 @@ class Parameter:
                     raise ValueError(str(error)) from None
 
         return core_schema.no_info_plain_validator_function(validator)
+
+
+def _listed(written: Any) -> list[Any]:
+    if not isinstance(written, list):
+        raise ValueError(f"one_of is {written!r}; write a list of the possible values, such as one_of: [4, 5]")
+    return written
+
+
+def _spread(written: Any) -> float:
+    if isinstance(written, bool) or not isinstance(written, int | float) or not 0 <= written < inf:
+        raise ValueError(f"rel_sd is {written!r}; write the one-sigma relative spread as a number, such as 0.1")
+    return float(written)
 
 
 def _digits(number: float, digits: int) -> str:
