@@ -1,0 +1,180 @@
+"""Numbers in rows of text: which separator and decimal sign they use, and in which line a broken one stands."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import RecordingError
+
+_NO_NUMBER = ("", "nan", "na", "n/a", "#n/a", "null")
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """The separator of the cells and the decimal sign of the numbers."""
+
+    separator: str
+    decimal: str
+
+    def cells(self, line: str) -> list[str]:
+        """Return the cells of one line, without blanks and quotes around them."""
+        row = next(csv.reader([line.strip("\r\n")], delimiter=self.separator, skipinitialspace=True), [""])
+        return [cell.strip() for cell in row]
+
+    def number(self, cell: str) -> float | None:
+        """Return the number in a cell, NaN where it is empty, None where it is no number."""
+        if cell.lower() in _NO_NUMBER:
+            return float("nan")
+        if self.decimal == "," and "." in cell:
+            return None
+        try:
+            return float(cell.replace(self.decimal, ".")) if "_" not in cell else None
+        except ValueError:
+            return None
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text file, split where its numbers begin.
+
+    Parameters
+    ----------
+    path : Path
+        For messages.
+    names : list of str
+        The header's cells; empty where the first row is numbers.
+    dialect : Dialect
+        Of header and body.
+    body : bytes
+        The rows of numbers.
+    first_line : int
+        The line of the body's first row in the file, from 1.
+    """
+
+    path: Path
+    names: list[str]
+    dialect: Dialect
+    body: bytes
+    first_line: int
+
+
+def read_delimited(path: Path) -> Text:
+    """Read a text file of rows; lines at the top that start with # or % are skipped, and a header may follow.
+
+    Blanks separate the cells where no semicolon, tab or comma does. A comma is the decimal sign where something else
+    separates the cells.
+    """
+    data = path.read_bytes()
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise RecordingError(f"{path}: the text is UTF-16; save it as UTF-8")
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    start = re.match(rb"(?:[ \t]*(?:[#%][^\n]*)?\r?\n)*", data)
+    skipped = start.end() if start else 0
+    first, _, rest = data[skipped:].partition(b"\n")
+    header, line = _decoded(first), data.count(b"\n", 0, skipped) + 1
+    unquoted = re.sub(r'"[^"]*"', "", header)
+    separator = next((sign for sign in ";\t" if sign in unquoted), None)
+    if separator is None:
+        separator = _comma_or_blank(header, rest)
+    if separator == " ":
+        header, rest = " ".join(header.split()), _single_blanks(rest)
+    decimal = "," if separator != "," and (b"," in rest or "," in header) else "."
+    dialect = Dialect(separator, decimal)
+    if all(dialect.number(cell) is not None for cell in dialect.cells(header)):
+        return Text(path, [], dialect, header.encode() + b"\n" + rest, line)
+    return Text(path, dialect.cells(header), dialect, rest, line + 1)
+
+
+def numbers(text: Text, names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
+    """Return the columns of numbers under ``names``; columns of words are left out.
+
+    Raises
+    ------
+    RecordingError
+        With the line and the remedy, for a row of more or fewer cells or a cell that is no number.
+    """
+    if not text.body.strip():
+        return {name: np.empty(0) for name in names}
+    first = text.dialect.cells(_decoded(text.body.lstrip().partition(b"\n")[0]))
+    words = [name for name, cell in zip(names, first, strict=False) if _is_word(text.dialect, cell)]
+    kept = [name for name in names if name not in words]
+    quick = _parsed_quickly(text, names, kept) if kept and text.dialect.separator else None
+    return quick if quick is not None else _parsed_by_line(text, names, kept)
+
+
+def _parsed_quickly(text: Text, names: Sequence[str], kept: Sequence[str]) -> dict[str, NDArray[np.float64]] | None:
+    import pyarrow as pa
+    from pyarrow import csv
+
+    try:
+        table = csv.read_csv(
+            pa.BufferReader(text.body),
+            read_options=csv.ReadOptions(column_names=list(names)),
+            parse_options=csv.ParseOptions(delimiter=text.dialect.separator),
+            convert_options=csv.ConvertOptions(
+                column_types={name: pa.float64() for name in kept},
+                include_columns=list(kept),
+                decimal_point=text.dialect.decimal,
+            ),
+        )
+    except pa.ArrowInvalid:
+        return None
+    return {name: np.asarray(table[name].to_numpy(), dtype=np.float64) for name in kept}
+
+
+def _parsed_by_line(text: Text, names: Sequence[str], kept: Sequence[str]) -> dict[str, NDArray[np.float64]]:
+    columns: dict[str, list[float]] = {name: [] for name in kept}
+    for count, line in enumerate(_decoded(text.body).splitlines()):
+        if not line.strip():
+            continue
+        place = f"{text.path}:{text.first_line + count}"
+        cells = text.dialect.cells(line)
+        if len(cells) != len(names):
+            raise RecordingError(
+                f"{place}: the row has {len(cells)} cell{'s' * (len(cells) != 1)} and the table {len(names)} columns; "
+                f"complete or delete the row{_comma_hint(text.dialect, cells)}"
+            )
+        for name, cell in zip(names, cells, strict=True):
+            if name in columns:
+                number = text.dialect.number(cell)
+                if number is None:
+                    raise RecordingError(f"{place}: {name}: {cell!r} is no number; correct the cell or delete the row")
+                columns[name].append(number)
+    return {name: np.array(values, dtype=np.float64) for name, values in columns.items()}
+
+
+def _comma_or_blank(header: str, rest: bytes) -> str:
+    """Return what separates the cells of a line that has neither semicolon nor tab."""
+    second = _decoded(rest.lstrip().partition(b"\n")[0])
+    blanks = len(header.split()) == len(second.split() or header.split()) > 1
+    if blanks and ("," not in header or header.count(",") != len(header.split()) - 1):
+        return " "
+    # one column: a comma in a row below a header without one is the decimal sign
+    return ";" if "," not in header else ","
+
+
+def _comma_hint(dialect: Dialect, cells: Sequence[str]) -> str:
+    commas = dialect.separator == "," and len(cells) > 1 and all(cell.lstrip("+-").isdigit() for cell in cells)
+    return " (if the commas are decimal signs, separate the cells by semicolons)" if commas else ""
+
+
+def _is_word(dialect: Dialect, cell: str) -> bool:
+    return dialect.number(cell) is None and not any(sign.isdigit() for sign in cell)
+
+
+def _single_blanks(data: bytes) -> bytes:
+    return re.sub(rb"[ \t]+", b" ", re.sub(rb"(?m)^[ \t]+|[ \t\r]+$", b"", data))
+
+
+def _decoded(data: bytes) -> str:
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")

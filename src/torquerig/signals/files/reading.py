@@ -1,0 +1,107 @@
+"""Any recording file to a checked Recording: the format by its ending, the meaning by its sidecar or its names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from torquerig.errors import InputError, RecordingError, did_you_mean
+from torquerig.signals.files.checks import check_finite, check_lengths
+from torquerig.signals.files.csv import read_csv
+from torquerig.signals.files.lvm import read_lvm
+from torquerig.signals.files.mat import read_mat
+from torquerig.signals.files.naming import sheet_by_name
+from torquerig.signals.files.parquet import read_parquet
+from torquerig.signals.files.sidecar import ChannelSheet, Sidecar, read_sidecar, sidecar_path
+from torquerig.signals.files.table import Table
+from torquerig.signals.files.tdms import read_tdms
+from torquerig.signals.files.text import read_text
+from torquerig.signals.files.timebase import sample_rate_of
+from torquerig.signals.files.wav import read_wav
+from torquerig.signals.recording import Channel, Recording
+from torquerig.signals.run import Run
+
+READERS: Mapping[str, Callable[[Path], Table]] = {
+    ".parquet": read_parquet,
+    ".csv": read_csv,
+    ".tsv": read_csv,
+    ".txt": read_text,
+    ".dat": read_text,
+    ".mat": read_mat,
+    ".tdms": read_tdms,
+    ".lvm": read_lvm,
+    ".wav": read_wav,
+}
+
+
+def read_recording(path: Path) -> Recording:
+    """Read a recording, with its sidecar where there is one; all channels become float64.
+
+    With ``channels`` in the sidecar, exactly these columns are read. Without, the columns' names tell quantity and
+    unit, and a ``time_s`` column the rate.
+
+    Raises
+    ------
+    InputError
+        A missing file, an unknown ending, a sidecar that cannot be read.
+    RecordingError
+        A damaged file; no or one sample; channels of unequal length or other names than the sidecar's; samples that
+        are no numbers; a rate that nothing states, or that two statements contradict.
+    """
+    path = Path(path)
+    reader = _reader_of(path)
+    beside = sidecar_path(path)
+    sidecar = read_sidecar(beside) if beside.is_file() else None
+    table = reader(path)
+    sheets = _sheets(table, sidecar, path)
+    time = table.time_name()
+    check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(sheets)}, str(path))
+    rate = sample_rate_of(table, sheets, sidecar=sidecar, where=str(path))
+    channels = {
+        name: Channel(
+            values=table.columns[name],
+            quantity=sheet.quantity,
+            unit=sheet.unit,
+            si_per_unit=sheet.si_per_unit,
+            truth=sheet.truth,
+        )
+        for name, sheet in sheets.items()
+    }
+    return check_finite(
+        Recording(
+            sample_rate=rate,
+            channels=channels,
+            run=sidecar.run if sidecar else Run(),
+            origin=sidecar.origin if sidecar else {},
+            name=path.name,
+        )
+    )
+
+
+def _reader_of(path: Path) -> Callable[[Path], Table]:
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder; name a recording in it")
+    if not path.exists():
+        near = [one.name for one in path.parent.iterdir() if one.suffix in READERS] if path.parent.is_dir() else []
+        hint = did_you_mean(path.name, near[:20]) if near else "check the path"
+        raise InputError(f"{path}: there is no such file; {hint}")
+    ending = path.suffix.lower()
+    if ending == ".yaml":
+        raise InputError(f"{path}: is a sidecar; name the table beside it ({path.stem}.parquet, {path.stem}.csv, ...)")
+    if ending not in READERS:
+        raise InputError(f"{path}: the ending {ending!r} is no format of a recording; read are {', '.join(READERS)}")
+    return READERS[ending]
+
+
+def _sheets(table: Table, sidecar: Sidecar | None, path: Path) -> Mapping[str, ChannelSheet]:
+    names = table.signal_names()
+    if sidecar is None or not sidecar.channels:
+        if not names:
+            raise RecordingError(f"{path}: there is no channel of numbers in it; add one, for example torque_V")
+        return {name: sheet_by_name(name, unit=table.units.get(name), where=str(path)) for name in names}
+    for name in sidecar.channels:
+        if name not in names:
+            raise RecordingError(
+                f"{path}: there is no column {name!r}, which {sidecar.path.name} names; {did_you_mean(name, names)}"
+            )
+    return sidecar.channels

@@ -1,0 +1,91 @@
+"""A Recording to a table file and its sidecar: both whole, or neither, and nothing overwritten unasked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from torquerig.errors import InputError
+from torquerig.signals.files.checks import check_finite, check_lengths
+from torquerig.signals.files.csv import write_csv
+from torquerig.signals.files.mat import write_mat
+from torquerig.signals.files.parquet import write_parquet
+from torquerig.signals.files.sidecar import read_sidecar, sidecar_path
+from torquerig.signals.files.sidecar_text import sidecar_text
+from torquerig.signals.files.table import TIME_NAMES
+from torquerig.signals.files.tdms import write_tdms
+from torquerig.signals.recording import Recording
+
+WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
+    ".parquet": write_parquet,
+    ".csv": write_csv,
+    ".mat": write_mat,
+    ".tdms": write_tdms,
+}
+
+
+def write_recording(recording: Recording, path: Path, *, overwrite: bool = False) -> list[Path]:
+    """Write a recording and its sidecar; return the two paths. The same recording gives the same bytes.
+
+    Both are first written under another name in the same folder and then renamed, so that a break leaves no half file.
+
+    Raises
+    ------
+    InputError
+        An ending that is not written, a missing folder, a channel called like the time, a file that is there
+        already (with ``overwrite``: a file in the sidecar's place that is no sidecar).
+    RecordingError
+        A recording that could not be read back: no samples, unequal lengths, samples that are no numbers.
+    """
+    path = Path(path)
+    write = _writer_of(path)
+    sidecar = sidecar_path(path)
+    _refuse_overwriting(path, sidecar, overwrite=overwrite)
+    _refuse_names(recording, path)
+    check_lengths({name: channel.values for name, channel in recording.channels.items()}, str(path))
+    check_finite(recording)
+    partial, partial_sidecar = _partial(path), _partial(sidecar)
+    try:
+        write(recording, partial)
+        partial_sidecar.write_bytes(sidecar_text(recording).encode())
+        partial.replace(path)
+        partial_sidecar.replace(sidecar)
+    finally:
+        partial.unlink(missing_ok=True)
+        partial_sidecar.unlink(missing_ok=True)
+    return [path, sidecar]
+
+
+def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
+    ending = path.suffix.lower()
+    if ending not in WRITERS:
+        raise InputError(f"{path}: the ending {ending!r} is no format that is written; use {', '.join(WRITERS)}")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    return WRITERS[ending]
+
+
+def _refuse_names(recording: Recording, path: Path) -> None:
+    for name in recording.channels:
+        if name.strip().lower() in (*TIME_NAMES, "sample_rate_hz"):
+            raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")
+        if not name.strip() or not name.isprintable():
+            raise InputError(f"{path}: {name!r} cannot name a channel; use letters, digits and _")
+
+
+def _refuse_overwriting(path: Path, sidecar: Path, *, overwrite: bool) -> None:
+    for one in (path, sidecar):
+        if one.exists() and not overwrite:
+            raise InputError(f"{one}: is there already; choose another name, or ask for it to be overwritten")
+    if sidecar.exists():
+        try:
+            read_sidecar(sidecar)
+        except InputError:
+            raise InputError(
+                f"{sidecar}: is there already and is no sidecar of a recording; choose another name for {path.name}"
+            ) from None
+
+
+def _partial(path: Path) -> Path:
+    return path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")
