@@ -1,0 +1,211 @@
+"""What is asked of each alternative: a direction, maybe a limit, maybe points on an absolute scale."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from itertools import pairwise
+from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+
+
+class Better(StrEnum):
+    """Which values are wanted."""
+
+    MORE = "more"
+    LESS = "less"
+    BAND = "band"
+
+
+class Kind(StrEnum):
+    """Which of the two ratings of VDI 2225 a criterion belongs to; a price is economic."""
+
+    TECHNICAL = "technical"
+    ECONOMIC = "economic"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Demand:
+    """A limit that must be met.
+
+    Parameters
+    ----------
+    low, high : float or None
+        The allowed range, ends included [unit of the criterion].
+    in_question : str
+        Why the limit itself must be checked; a failing alternative then gets ``!`` and is not eliminated.
+    """
+
+    low: float | None = None
+    high: float | None = None
+    in_question: str = ""
+
+    def __post_init__(self) -> None:
+        if self.low is None and self.high is None:
+            raise InputError("a demand needs a limit; write min or max, or leave the demand out")
+        if self.low is not None and self.high is not None and self.low > self.high:
+            raise InputError(f"the demand's min {self.low:g} is above its max {self.high:g}; swap them")
+
+    def rule(self, name: str, unit: str) -> str:
+        """Return the rule as a sentence part: ``price <= 600 EUR``."""
+        suffix = "" if unit == "1" else f" {unit}"
+        if self.low is None:
+            return f"{name} <= {self.high:g}{suffix}"
+        if self.high is None:
+            return f"{name} >= {self.low:g}{suffix}"
+        return f"{self.low:g} <= {name} <= {self.high:g}{suffix}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Indifference:
+    """How far two values may lie apart and still count as the same: the larger of both bands.
+
+    Parameters
+    ----------
+    absolute : float
+        Half-width [unit of the criterion], >= 0.
+    relative : float
+        Half-width as a share of the larger of the two magnitudes [1], 0 <= relative < 1. Taken so, "a beats b" and
+        "b loses to a" are one statement, whichever of the two is the datum.
+    """
+
+    absolute: float = 0.0
+    relative: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.absolute < 0 or not isfinite(self.absolute):
+            raise InputError(f"the indifference band {self.absolute:g} must be a number of at least 0")
+        if not 0 <= self.relative < 1:
+            raise InputError(f"the relative indifference band {self.relative:g} must be at least 0 and below 1")
+
+
+@dataclass(frozen=True)
+class ValueFunction:
+    """How many points a value is worth: straight lines between knots, level outside them.
+
+    The points depend on the value alone and never on the other alternatives, so that adding or removing an
+    alternative cannot reorder the rest.
+
+    Parameters
+    ----------
+    knots : tuple of (value, points)
+        Values ascending [unit of the criterion, points].
+    """
+
+    knots: tuple[tuple[float, float], ...]
+
+    def __post_init__(self) -> None:
+        if len(self.knots) < 2:
+            raise InputError("a value function needs at least two (value, points) pairs")
+        if not all(isfinite(number) for knot in self.knots for number in knot):
+            raise InputError("a value function holds only finite numbers")
+        for (left, _), (right, _) in pairwise(self.knots):
+            if right <= left:
+                raise InputError(f"the values of a value function must ascend; {right:g} follows {left:g}")
+
+    def points(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the points of each value, same shape."""
+        return np.interp(values, [value for value, _ in self.knots], [points for _, points in self.knots])
+
+    def span(self, low: float, high: float) -> tuple[float, float]:
+        """Return the fewest and the most points that a value between ``low`` and ``high`` may get."""
+        inside = [points for value, points in self.knots if low < value < high]
+        candidates = [*inside, *(float(end) for end in self.points(np.array([low, high])))]
+        return min(candidates), max(candidates)
+
+    def check(self, better: Better) -> None:
+        """Raise InputError where the points do not run the way that ``better`` says."""
+        steps = [(left, right[1] - left[1], right) for left, right in pairwise(self.knots)]
+        fell = False
+        for left, step, right in steps:
+            wrong = (better is Better.MORE and step < 0) or (better is Better.LESS and step > 0) or (fell and step > 0)
+            if wrong:
+                wanted = {
+                    Better.MORE: "more is better, so the points may not fall",
+                    Better.LESS: "less is better, so the points may not rise",
+                    Better.BAND: "a band is best, so the points may not rise again after they fell",
+                }[better]
+                raise InputError(
+                    f"the value function is not monotone: from {left[0]:g} to {right[0]:g} the points go from "
+                    f"{left[1]:g} to {right[1]:g}; {wanted}"
+                )
+            fell = fell or (better is Better.BAND and step < 0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Criterion:
+    """One row of a matrix.
+
+    Parameters
+    ----------
+    name : str
+        Worded as a merit or with its direction plain.
+    unit : str
+        The unit in which cells, limits and knots are written; ``1`` for a bare number.
+    better : Better
+        ``MORE``, ``LESS``, or ``BAND`` with ``band`` the wanted range.
+    band : (float, float) or None
+        The wanted range [unit], only with ``BAND``.
+    demand : Demand or None
+        The limit that must be met; None makes the criterion a wish, and a wish never eliminates.
+    indifference : Indifference
+        When two values count as the same (Pugh).
+    value : ValueFunction or None
+        The points of a value (Kesselring); needed where ``weight`` is positive.
+    weight : float
+        Raw weight [1], >= 0; 0 leaves the criterion out of Kesselring.
+    kind : Kind
+        Technical or economic.
+    purpose : str
+        What it is asked for.
+    """
+
+    name: str
+    unit: str = "1"
+    better: Better = Better.MORE
+    band: tuple[float, float] | None = None
+    demand: Demand | None = None
+    indifference: Indifference = field(default_factory=Indifference)
+    value: ValueFunction | None = None
+    weight: float = 0.0
+    kind: Kind = Kind.TECHNICAL
+    purpose: str = ""
+
+    def __post_init__(self) -> None:
+        if not isfinite(self.weight) or self.weight < 0:
+            raise InputError(f"{self.name}: the weight {self.weight:g} must be at least 0; turn the criterion round")
+        if (self.better is Better.BAND) != (self.band is not None):
+            raise InputError(f"{self.name}: band limits and better: band belong together; write both or neither")
+        if self.band is not None and self.band[0] > self.band[1]:
+            raise InputError(
+                f"{self.name}: the band's lower limit {self.band[0]:g} is above {self.band[1]:g}; swap them"
+            )
+        if self.value is not None:
+            try:
+                self.value.check(self.better)
+            except InputError as error:
+                raise InputError(f"{self.name}: {error}") from None
+
+    @property
+    def wish(self) -> bool:
+        """Whether nothing is demanded, so that the criterion may rank but never eliminate."""
+        return self.demand is None
+
+    def merit(
+        self, low: NDArray[np.float64], high: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return the values turned so that more is better, as ends of intervals [unit]; NaN stays NaN.
+
+        For a band the merit is minus the distance from the band, 0 inside it.
+        """
+        if self.better is Better.MORE:
+            return low, high
+        if self.better is Better.LESS or self.band is None:
+            return -high, -low
+        at_low, at_high = (-np.maximum(0, np.maximum(self.band[0] - end, end - self.band[1])) for end in (low, high))
+        touches = (low <= self.band[1]) & (high >= self.band[0])
+        return np.minimum(at_low, at_high), np.where(touches, 0.0, np.maximum(at_low, at_high))

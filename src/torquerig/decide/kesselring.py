@@ -1,0 +1,236 @@
+"""How many weighted points each alternative gets, as an interval where data is missing.
+
+Points come from absolute value functions, never from the other candidates: with column-sum or min-max scaling the
+addition of a dominated alternative changes the winner in 4 to 7 % of random 4 x 6 cases (measured for the project);
+here it cannot. Source: Kesselring 1951; VDI 2225 sheet 3 (1998), whose conformity is not claimed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.decide.matrix import Criterion, DecisionMatrix
+from torquerig.decide.ranks import competition_ranks, rank_intervals
+from torquerig.errors import InputError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Profile:
+    """A points scale: from ``p_min`` (worst) to ``p_max`` (ideal), and when a rating counts as high.
+
+    ``high`` is the T/T_max from which a result counts as high, so that a low cell in it is worth a warning; 0.6 is
+    the textbook limit below which a rating is unsatisfactory.
+    """
+
+    name: str
+    p_min: float
+    p_max: float
+    high: float = 0.6
+
+    def __post_init__(self) -> None:
+        if not self.p_min < self.p_max or self.p_max <= 0:
+            raise InputError(
+                f"profile {self.name}: the scale {self.p_min:g}..{self.p_max:g} must run upwards to above 0"
+            )
+
+    @property
+    def weak(self) -> float:
+        """The most points that still count as a weak spot: one step above the worst (1 on the scale 0-4)."""
+        return self.p_min + 1
+
+
+TEACHING = Profile(name="Scandinavian teaching variant, 1-5", p_min=1, p_max=5)
+VDI_2225 = Profile(name="VDI 2225 scale, 0-4", p_min=0, p_max=4)
+
+
+@dataclass(frozen=True, kw_only=True)
+class WeakSpot:
+    """A low cell that a high total hides."""
+
+    alternative: str
+    criterion: str
+    points: float
+    share: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class KesselringResult:
+    """Points, totals and ranks.
+
+    Parameters
+    ----------
+    alternatives, criteria : tuple of str
+        Only criteria with a positive weight.
+    weights : ndarray, shape (criteria,)
+        As given; see ``normalised``.
+    low, high : ndarray, shape (alternatives, criteria)
+        Fewest and most points that the cells allow; the whole scale where nothing is known.
+    middle : ndarray, shape (alternatives, criteria)
+        Points of the stated value, else the middle of low and high.
+    """
+
+    profile: Profile
+    alternatives: tuple[str, ...]
+    criteria: tuple[str, ...]
+    weights: Array
+    low: Array
+    high: Array
+    middle: Array
+
+    @cached_property
+    def normalised(self) -> Array:
+        """The weights divided by their sum, shape (criteria,)."""
+        return np.asarray(self.weights / self.weights.sum())
+
+    @property
+    def weight_sum(self) -> float:
+        """The sum of the raw weights; anything but 1 deserves a warning."""
+        return float(self.weights.sum())
+
+    @property
+    def warning(self) -> str:
+        """A sentence if the raw weights do not sum to 1, else empty; T/T_max does not depend on it."""
+        if abs(self.weight_sum - 1) < 1e-9:
+            return ""
+        return f"the weights sum to {self.weight_sum:g}, not 1; compare T/T_max, which does not depend on the sum"
+
+    @cached_property
+    def total_low(self) -> Array:
+        """T if every unknown turns out badly, shape (alternatives,)."""
+        return self.low @ self.weights
+
+    @cached_property
+    def total_high(self) -> Array:
+        """T if every unknown turns out well, shape (alternatives,)."""
+        return self.high @ self.weights
+
+    @cached_property
+    def total(self) -> Array:
+        """T from the stated values and the middles of intervals, shape (alternatives,)."""
+        return self.middle @ self.weights
+
+    @property
+    def ideal(self) -> float:
+        """T of the ideal alternative, p_max everywhere."""
+        return self.profile.p_max * self.weight_sum
+
+    @property
+    def share(self) -> Array:
+        """T/T_max, shape (alternatives,)."""
+        return np.asarray(self.total / self.ideal)
+
+    @property
+    def ranks(self) -> NDArray[np.int64]:
+        """Shared competition ranks by ``total``, shape (alternatives,)."""
+        return competition_ranks(self.total)
+
+    @property
+    def rank_range(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """The best and the worst rank that the total intervals allow."""
+        return rank_intervals(self.total_low, self.total_high)
+
+    @property
+    def weak_spots(self) -> tuple[WeakSpot, ...]:
+        """The cells with surely few points in alternatives whose T/T_max is high."""
+        return tuple(
+            WeakSpot(
+                alternative=self.alternatives[row],
+                criterion=self.criteria[column],
+                points=float(self.high[row, column]),
+                share=float(self.share[row]),
+            )
+            for row, column in np.argwhere(self.high <= self.profile.weak + 1e-9).tolist()
+            if self.share[row] >= self.profile.high - 1e-9
+        )
+
+
+def kesselring(matrix: DecisionMatrix, *, profile: Profile = TEACHING) -> KesselringResult:
+    """Give every alternative its weighted points; a missing cell gives the whole scale, never zero.
+
+    Raises
+    ------
+    InputError
+        When no weight is positive, or a weighted criterion has no value function or one outside the scale.
+    """
+    rated = rated_criteria(matrix, profile)
+    low, high, middle = (np.empty((len(matrix.alternatives), len(rated))) for _ in range(3))
+    for column, criterion in enumerate(rated):
+        for row, alternative in enumerate(matrix.alternatives):
+            low[row, column], high[row, column], middle[row, column] = _points(matrix, alternative, criterion, profile)
+    return KesselringResult(
+        profile=profile,
+        alternatives=matrix.alternatives,
+        criteria=tuple(criterion.name for criterion in rated),
+        weights=np.array([criterion.weight for criterion in rated]),
+        low=low,
+        high=high,
+        middle=middle,
+    )
+
+
+def kesselring_from_points(
+    points: Mapping[str, Sequence[float | None]], *, weights: Mapping[str, float], profile: Profile = TEACHING
+) -> KesselringResult:
+    """Weigh given points, ``points[alternative]`` one per criterion in the order of ``weights``; None is unknown.
+
+    Raises
+    ------
+    InputError
+        When a weight is negative, all are zero, points lie outside the scale, or a row has the wrong length.
+    """
+    if any(weight < 0 for weight in weights.values()) or not any(weights.values()):
+        raise InputError("the weights must be at least 0 and not all 0")
+    for name, given in points.items():
+        if len(given) != len(weights):
+            raise InputError(f"{name}: points for {len(given)} of {len(weights)} criteria; write ? for an unknown one")
+        for one in given:
+            if one is not None and not profile.p_min <= one <= profile.p_max:
+                raise InputError(f"{name}: {one:g} points are outside the scale {profile.p_min:g}..{profile.p_max:g}")
+    known = np.array([[np.nan if one is None else one for one in given] for given in points.values()], dtype=float)
+    low, high = np.where(np.isnan(known), profile.p_min, known), np.where(np.isnan(known), profile.p_max, known)
+    return KesselringResult(
+        profile=profile,
+        alternatives=tuple(points),
+        criteria=tuple(weights),
+        weights=np.array(list(weights.values()), dtype=float),
+        low=low,
+        high=high,
+        middle=(low + high) / 2,
+    )
+
+
+def rated_criteria(matrix: DecisionMatrix, profile: Profile) -> tuple[Criterion, ...]:
+    """Return the criteria with a positive weight, each checked for points inside the scale of ``profile``."""
+    rated = tuple(criterion for criterion in matrix.criteria if criterion.weight > 0)
+    if not rated:
+        raise InputError(f"{matrix.name}: all weights are 0; give at least one criterion a positive weight")
+    for criterion in rated:
+        if criterion.value is None:
+            raise InputError(
+                f"{criterion.name}: it has a weight but no value function; add points: [[value, points], ...]"
+            )
+        for _, points in criterion.value.knots:
+            if not profile.p_min <= points <= profile.p_max:
+                raise InputError(
+                    f"{criterion.name}: {points:g} points are outside the scale {profile.p_min:g}..{profile.p_max:g}"
+                )
+    return rated
+
+
+def _points(
+    matrix: DecisionMatrix, alternative: str, criterion: Criterion, profile: Profile
+) -> tuple[float, float, float]:
+    cell = matrix.cell(alternative, criterion.name)
+    if cell.unknown or criterion.value is None:
+        return profile.p_min, profile.p_max, (profile.p_min + profile.p_max) / 2
+    low, high = criterion.value.span(*cell.bounds)
+    if cell.value is None:
+        return low, high, (low + high) / 2
+    return low, high, float(criterion.value.points(np.array([cell.value]))[0])

@@ -1,0 +1,219 @@
+"""Better, worse or same than a datum: Pugh's controlled convergence, and the same against every datum in turn.
+
+Signs are derived from values, so that a new datum needs no new judging. Pugh counts ``+``, ``-`` and ``S`` side by
+side; the net of pluses and minuses is a habit of screening courses, offered here as an option and labelled as one.
+Source: Pugh, Concept selection - a method that works, ICED 1981; net score: Ulrich and Eppinger, Product Design and
+Development, concept screening. One datum is never enough: in random 5 x 6 cases the net winner differs between datums
+in 84 % (measured for the project).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.decide.matrix import Criterion, DecisionMatrix
+from torquerig.decide.ranks import competition_ranks, rank_intervals
+from torquerig.errors import InputError, UnknownNameError, did_you_mean
+
+Signs = NDArray[np.int8]
+
+
+class Sign(StrEnum):
+    """How an alternative compares with the datum under one criterion."""
+
+    BETTER = "+"
+    WORSE = "-"
+    SAME = "S"
+    UNKNOWN = "?"
+
+
+_RANGE = {Sign.BETTER: (1, 1), Sign.WORSE: (-1, -1), Sign.SAME: (0, 0), Sign.UNKNOWN: (-1, 1)}
+_CERTAIN = {1: Sign.BETTER, -1: Sign.WORSE, 0: Sign.SAME}
+
+
+@dataclass(frozen=True, kw_only=True)
+class PughResult:
+    """Signs of all alternatives against one datum, which stands among them and is ``S`` throughout.
+
+    Parameters
+    ----------
+    datum : str
+    alternatives, criteria : tuple of str
+    low, high : ndarray of int8, shape (alternatives, criteria)
+        The worst and the best sign (-1, 0, +1) that the cells allow; where they differ the sign is ``?``.
+    """
+
+    datum: str
+    alternatives: tuple[str, ...]
+    criteria: tuple[str, ...]
+    low: Signs
+    high: Signs
+
+    def signs(self, alternative: str) -> tuple[Sign, ...]:
+        """Return the signs of one alternative, one per criterion."""
+        row = self.alternatives.index(alternative)
+        pairs = zip(self.low[row].tolist(), self.high[row].tolist(), strict=True)
+        return tuple(_CERTAIN[low] if low == high else Sign.UNKNOWN for low, high in pairs)
+
+    def counts(self, alternative: str) -> Mapping[Sign, int]:
+        """Return how many ``+``, ``-``, ``S`` and ``?`` one alternative has: the result as Pugh meant it."""
+        signs = self.signs(alternative)
+        return {sign: signs.count(sign) for sign in Sign}
+
+    @cached_property
+    def net_low(self) -> NDArray[np.int64]:
+        """The net of pluses and minuses if every ``?`` turns out badly, shape (alternatives,)."""
+        return np.asarray(self.low.sum(axis=1), dtype=np.int64)
+
+    @cached_property
+    def net_high(self) -> NDArray[np.int64]:
+        """The net of pluses and minuses if every ``?`` turns out well, shape (alternatives,)."""
+        return np.asarray(self.high.sum(axis=1), dtype=np.int64)
+
+    @cached_property
+    def net_certain(self) -> NDArray[np.int64]:
+        """Pluses minus minuses with every ``?`` left out, as published tables add up; shape (alternatives,)."""
+        return np.asarray(np.where(self.low == self.high, self.low, 0).sum(axis=1), dtype=np.int64)
+
+    @property
+    def ranks(self) -> NDArray[np.int64]:
+        """Shared competition ranks by ``net_certain``, the datum included; shape (alternatives,)."""
+        return competition_ranks(self.net_certain)
+
+    @property
+    def rank_range(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """The best and the worst rank that the net intervals allow; the datum included."""
+        return rank_intervals(self.net_low, self.net_high)
+
+
+def pugh(matrix: DecisionMatrix, datum: str) -> PughResult:
+    """Compare every alternative of ``matrix`` with ``datum``; from intervals a sign is given only where it is certain.
+
+    Raises
+    ------
+    UnknownNameError
+        When the datum is not in the matrix.
+    """
+    place = matrix.index(datum)
+    low, high = _signs_against(matrix, np.array([place]))
+    return PughResult(
+        datum=datum,
+        alternatives=matrix.alternatives,
+        criteria=tuple(criterion.name for criterion in matrix.criteria),
+        low=low[:, 0],
+        high=high[:, 0],
+    )
+
+
+def pugh_from_signs(signs: Mapping[str, Sequence[Sign]], *, datum: str, criteria: Sequence[str]) -> PughResult:
+    """Add up given signs; the datum may be left out of ``signs`` and is ``S`` by construction.
+
+    Raises
+    ------
+    InputError
+        When a row has another number of signs than there are criteria, or the datum is given another sign than ``S``.
+    """
+    for name, given in signs.items():
+        if len(given) != len(criteria):
+            raise InputError(f"{name}: {len(given)} signs for {len(criteria)} criteria; give one for each")
+    if any(sign is not Sign.SAME for sign in signs.get(datum, ())):
+        raise InputError(f"{datum}: the datum is S against itself; leave its signs out")
+    full = {datum: (Sign.SAME,) * len(criteria), **signs}
+    ends = np.array([[_RANGE[sign] for sign in given] for given in full.values()], dtype=np.int8)
+    ends = ends.reshape(len(full), len(criteria), 2)
+    return PughResult(
+        datum=datum, alternatives=tuple(full), criteria=tuple(criteria), low=ends[..., 0], high=ends[..., 1]
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class DatumSweep:
+    """Every alternative against every other as datum.
+
+    Parameters
+    ----------
+    alternatives, criteria : tuple of str
+    low, high : ndarray of int8, shape (alternatives, datums, criteria)
+        Worst and best sign of the row against the datum of the column; the diagonal is ``S``.
+    """
+
+    alternatives: tuple[str, ...]
+    criteria: tuple[str, ...]
+    low: Signs
+    high: Signs
+
+    @cached_property
+    def wins(self) -> NDArray[np.int64]:
+        """On how many criteria the row certainly beats the column, shape (alternatives, alternatives)."""
+        return np.asarray((self.low > 0).sum(axis=2), dtype=np.int64)
+
+    @cached_property
+    def beats(self) -> NDArray[np.bool_]:
+        """Whether the row has more pluses than minuses against the column whatever the ``?`` turn out to be."""
+        return np.asarray(self.low.sum(axis=2, dtype=np.int64) > 0)
+
+    @property
+    def condorcet_winner(self) -> str | None:
+        """The alternative that surely beats each other one; None where there is none (a cycle, ties, or unknowns)."""
+        others = len(self.alternatives) - 1
+        hits = np.flatnonzero(self.beats.sum(axis=1) == others)
+        return self.alternatives[int(hits[0])] if hits.size and others else None
+
+    @property
+    def winners(self) -> Mapping[str, tuple[str, ...]]:
+        """Who has the highest net of certain signs under each datum, ties together."""
+        nets = np.where(self.low == self.high, self.low, 0).sum(axis=2, dtype=np.int64)
+        names = np.array(self.alternatives)
+        return {
+            datum: tuple(names[column == column.max()].tolist())
+            for datum, column in zip(self.alternatives, nets.T, strict=True)
+        }
+
+    def against(self, datum: str) -> PughResult:
+        """Return the result with one of the alternatives as datum."""
+        if datum not in self.alternatives:
+            raise UnknownNameError(f"{datum!r} is no alternative; {did_you_mean(datum, self.alternatives)}")
+        place = self.alternatives.index(datum)
+        return PughResult(
+            datum=datum,
+            alternatives=self.alternatives,
+            criteria=self.criteria,
+            low=self.low[:, place],
+            high=self.high[:, place],
+        )
+
+
+def sweep_datums(matrix: DecisionMatrix) -> DatumSweep:
+    """Let every alternative be the datum once: who beats whom, and whether the winner depends on it."""
+    low, high = _signs_against(matrix, np.arange(len(matrix.alternatives)))
+    names = tuple(criterion.name for criterion in matrix.criteria)
+    return DatumSweep(alternatives=matrix.alternatives, criteria=names, low=low, high=high)
+
+
+def _signs_against(matrix: DecisionMatrix, datums: NDArray[np.intp]) -> tuple[Signs, Signs]:
+    low, high = matrix.bounds
+    shape = (len(matrix.alternatives), datums.size, len(matrix.criteria))
+    worst, best = np.empty(shape, np.int8), np.empty(shape, np.int8)
+    for column, criterion in enumerate(matrix.criteria):
+        poor, good = criterion.merit(low[:, column], high[:, column])
+        worst[..., column] = _sign(poor[:, None], good[datums][None, :], criterion, unknown=-1)
+        best[..., column] = _sign(good[:, None], poor[datums][None, :], criterion, unknown=1)
+    itself = (datums, np.arange(datums.size))
+    worst[itself], best[itself] = 0, 0
+    return worst, best
+
+
+def _sign(ours: NDArray[np.float64], datum: NDArray[np.float64], criterion: Criterion, *, unknown: int) -> Signs:
+    """Sign of ours - datum outside the indifference band; monotone in both, so interval ends give the extremes."""
+    size = np.maximum(np.abs(ours), np.abs(datum))
+    rounding = 1e-12 * size
+    band = np.maximum(criterion.indifference.absolute, criterion.indifference.relative * size) + rounding
+    difference = ours - datum
+    sign = np.where(difference > band, 1, np.where(difference < -band, -1, 0))
+    return np.where(np.isnan(difference), unknown, sign).astype(np.int8)

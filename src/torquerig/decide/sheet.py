@@ -1,0 +1,175 @@
+"""A filled-in table as its readers see it: names, marks or points, and what somebody printed under them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from torquerig.decide.criterion import Kind
+from torquerig.decide.kesselring import TEACHING, Profile
+
+UNKNOWN = "?"
+SAME = ("0", "S", "s")
+_SIGN = {"+": 1.0, "-": -1.0, "0": 0.0, "S": 0.0, "s": 0.0}
+
+Entry = str | float
+
+
+class Method(Enum):
+    """Which of the three matrices a sheet is."""
+
+    ELIMINATION = "elimination"
+    PUGH = "pugh"
+    KESSELRING = "kesselring"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One criterion of a sheet.
+
+    Parameters
+    ----------
+    criterion : str
+        The name as printed.
+    entries : tuple of str or float
+        One per alternative: a mark as printed (``+ - 0 S ? !``), points, or ``?``.
+    place : str
+        ``file:line: key`` where the row stands, for findings; empty if it was computed.
+    weight : float or None
+        As printed (Kesselring).
+    products : tuple of float or None
+        Weight times points as printed, one per alternative; empty if none are.
+    kind : Kind
+        Technical or economic.
+    datum_has : bool
+        The datum itself has the asked property, so that nobody can be better.
+    follows_rating : bool
+        The answer follows from the rating, so that equal ratings must get equal marks.
+    note : str
+    """
+
+    criterion: str
+    entries: tuple[Entry, ...]
+    place: str = ""
+    weight: float | None = None
+    products: tuple[float | None, ...] = ()
+    kind: Kind = Kind.TECHNICAL
+    datum_has: bool = False
+    follows_rating: bool = False
+    note: str = ""
+
+    @property
+    def numbers(self) -> tuple[float | None, ...]:
+        """The entries as numbers: points, or +1, 0, -1 for marks; None where unknown or not yet asked."""
+        return tuple(_SIGN.get(entry) if isinstance(entry, str) else entry for entry in self.entries)
+
+    @property
+    def varies(self) -> bool:
+        """Whether at least two alternatives are judged differently."""
+        return len({canonical(entry) for entry in self.entries}) > 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sheet:
+    """One table.
+
+    Parameters
+    ----------
+    name, title, section, place : str
+    method : Method
+    alternatives : tuple of str
+        As printed, without the datum and the ideal column.
+    rows : tuple of Row
+    datum : str
+        The reference column (Pugh).
+    sums, ranks, passed : tuples, one per alternative, or empty
+        What was printed under the table; ``passed`` is the decision of an elimination.
+    spare_sums : tuple of float
+        Printed sums that no column claims.
+    ideal_sum : float or None
+        The printed sum of the ideal column.
+    profile : Profile
+        The points scale (Kesselring).
+    reading_of : str
+        The table that this sheet is a proposed reading of; such a sheet is shown but not blamed.
+    printed : str
+        The table as it stands in the source, where columns moved.
+    note : str
+    """
+
+    name: str
+    method: Method
+    alternatives: tuple[str, ...]
+    rows: tuple[Row, ...]
+    title: str = ""
+    section: str = ""
+    place: str = ""
+    datum: str = ""
+    sums: tuple[float | None, ...] = ()
+    ranks: tuple[int | None, ...] = ()
+    passed: tuple[bool | None, ...] = ()
+    spare_sums: tuple[float, ...] = ()
+    ideal_sum: float | None = None
+    profile: Profile = TEACHING
+    reading_of: str = ""
+    printed: str = ""
+    note: str = ""
+
+    def column(self, alternative: str) -> tuple[Entry, ...]:
+        """Return the entries of one alternative, one per row."""
+        place = self.alternatives.index(alternative)
+        return tuple(row.entries[place] for row in self.rows)
+
+    @property
+    def weights(self) -> tuple[float, ...]:
+        """The printed weights, 0 where a row has none."""
+        return tuple(row.weight or 0.0 for row in self.rows)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Alias:
+    """Several names of one thing, the first being the one to use."""
+
+    names: tuple[str, ...]
+    reason: str = ""
+    place: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Book:
+    """All tables of one decision, with what they were made for.
+
+    Parameters
+    ----------
+    sheets : tuple of Sheet
+    goal : str
+        The stated goal; empty if none is stated.
+    goal_words : tuple of str
+        A row whose name holds one of these (any case) asks for the goal.
+    ratings : mapping of str to str
+        Rated power or the like of each alternative, as text; equal texts are equal ratings.
+    aliases : tuple of Alias
+    source : str
+    """
+
+    sheets: tuple[Sheet, ...]
+    goal: str = ""
+    goal_words: tuple[str, ...] = ()
+    ratings: Mapping[str, str] = field(default_factory=dict)
+    aliases: tuple[Alias, ...] = ()
+    source: str = ""
+
+    @property
+    def audited(self) -> tuple[Sheet, ...]:
+        """The sheets that are somebody's work, without the proposed readings."""
+        return tuple(sheet for sheet in self.sheets if not sheet.reading_of)
+
+    def sheet(self, name: str) -> Sheet:
+        """Return the sheet of this name."""
+        return next(sheet for sheet in self.sheets if sheet.name == name)
+
+
+def canonical(entry: Entry) -> Entry:
+    """Return the entry with the spellings of "same" made one: ``0`` and ``S`` are ``S``."""
+    return "S" if entry in SAME else entry
