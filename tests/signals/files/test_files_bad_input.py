@@ -156,6 +156,8 @@ def test_unequal_lengths(tmp_path: Path) -> None:
         ("time_s,torque_V\n0,5,1,2\n0,6,1,3\n", "(if the commas are decimal signs, separate the cells by semicolons)"),
         ("time_s;torque_V\n0,1;1.5\n0,2;1,5\n", "run1.csv:2: torque_V: '1.5' is no number"),
         ("0,1,2\n0.1,1,2\n", "run1.csv:1: the table has 3 columns and no header; put a line with the names"),
+        ("time_s,torque_V\n0,#REF!\n1,2\n", "run1.csv:2: torque_V: '#REF!' is no number"),
+        ("\0\1\2", "run1.csv: is no text but binary"),
         ("time_s,date_x,torque_V\n0,2020-01-01,1\n", "run1.csv:2: date_x: '2020-01-01' is no number"),
     ],
 )
@@ -228,6 +230,11 @@ def test_broken_lvm(tmp_path: Path, text: str, told: str) -> None:
     path = tmp_path / "run1.lvm"
     path.write_text(text)
     assert told in refusal(path)
+
+
+def test_a_wav_header_without_chunks(tmp_path: Path) -> None:
+    (tmp_path / "run1.wav").write_bytes(b"RIFF\x00\x00\x00\x00WAVE")
+    assert "not a whole WAV file" in refusal(tmp_path / "run1.wav")
 
 
 def test_a_bare_wav_asks_for_its_full_scale(tmp_path: Path) -> None:

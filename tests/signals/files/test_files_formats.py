@@ -81,11 +81,9 @@ def test_text_tables(tmp_path: Path, kind: str, ending: str) -> None:
     np.testing.assert_allclose(channel.values, torque, rtol=0, atol=1e-11)
 
 
-def test_csv_with_a_column_of_words_and_several_units(tmp_path: Path) -> None:
+def test_csv_with_words_several_units_and_a_separator_at_the_end(tmp_path: Path) -> None:
     path = tmp_path / "run1.csv"
-    path.write_text(
-        "time_s,torque_mNm,speed_rpm,motor_speed_rad_s,remark\n0,1,60,1,idle\n0.01,2,60,1,idle, \n"[:-3] + "\n"
-    )
+    path.write_text("time_s,torque_mNm,speed_rpm,motor_speed_rad_s,remark,\n0,1,60,1,idle,\n0.01,2,60,1,idle,\n")
     recording = read_recording(path)
     assert list(recording.channels) == ["torque_mNm", "speed_rpm", "motor_speed_rad_s"]
     assert recording.sample_rate == 100.0

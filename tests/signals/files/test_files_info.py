@@ -35,6 +35,14 @@ def test_noise_from_an_honest_converter_is_not_suspicious(step: float | None) ->
     assert info_of(values).suspicions() == []
 
 
+@pytest.mark.parametrize("step", [0.5, 0.1, 0.01])
+def test_a_sine_rests_on_its_extremes_unclipped(step: float) -> None:
+    # the top level of a sampled sine is sqrt(s) wide, the next one sqrt(3 s) - sqrt(s): 1.37 times as often, not twice
+    values = step * np.round(np.sin(2 * np.pi * 49.3 * np.arange(COUNT) / RATE) / step)
+    assert info_of(values)["x"].longest_repeat > 3
+    assert info_of(values).suspicions() == []
+
+
 @pytest.mark.parametrize("step", [None, 0.01])
 def test_clipping_is_counted_on_the_side_where_it_is(step: float | None) -> None:
     values = noise() if step is None else step * np.round(noise() / step)

@@ -9,6 +9,8 @@ from torquerig.signals.files.delimited import Text, numbers, read_delimited
 from torquerig.signals.files.table import Table, distinct
 from torquerig.signals.recording import Recording
 
+_UNNAMED = "(unnamed)"
+
 
 def read_csv(path: Path) -> Table:
     """Read a CSV file; without a header it must be the bare table of time and volts (or volts alone).
@@ -19,8 +21,10 @@ def read_csv(path: Path) -> Table:
         With file and line: a broken row, a cell that is no number, three or more columns without a header.
     """
     text = read_delimited(path)
-    names = text.names or _bare_names(text)
-    return Table(columns=numbers(text, distinct(names)))
+    # a separator at the end of each row makes a column without a name, which is left out
+    names = distinct([name or _UNNAMED for name in text.names] or _bare_names(text))
+    columns = numbers(text, names)
+    return Table(columns={name: values for name, values in columns.items() if not name.startswith(_UNNAMED)})
 
 
 def write_csv(recording: Recording, path: Path) -> None:

@@ -74,6 +74,8 @@ def read_delimited(path: Path) -> Text:
     data = path.read_bytes()
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise RecordingError(f"{path}: the text is UTF-16; save it as UTF-8")
+    if b"\0" in data[:4096]:
+        raise RecordingError(f"{path}: is no text but binary; give it the ending of its format (.tdms, .mat, ...)")
     data = data.removeprefix(b"\xef\xbb\xbf")
     start = re.match(rb"(?:[ \t]*(?:[#%][^\n]*)?\r?\n)*", data)
     skipped = start.end() if start else 0
@@ -93,7 +95,7 @@ def read_delimited(path: Path) -> Text:
 
 
 def numbers(text: Text, names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
-    """Return the columns of numbers under ``names``; columns of words are left out.
+    """Return the columns of numbers under ``names``; those that begin and end with a word are left out.
 
     Raises
     ------
@@ -103,7 +105,9 @@ def numbers(text: Text, names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
     if not text.body.strip():
         return {name: np.empty(0) for name in names}
     first = text.dialect.cells(_decoded(text.body.lstrip().partition(b"\n")[0]))
-    words = [name for name, cell in zip(names, first, strict=False) if _is_word(text.dialect, cell)]
+    last = text.dialect.cells(_decoded(text.body.rstrip().rpartition(b"\n")[2]))
+    ends = zip(names, first, last, strict=False)
+    words = [name for name, *cells in ends if all(_is_word(text.dialect, cell) for cell in cells)]
     kept = [name for name in names if name not in words]
     quick = _parsed_quickly(text, names, kept) if kept and text.dialect.separator else None
     return quick if quick is not None else _parsed_by_line(text, names, kept)

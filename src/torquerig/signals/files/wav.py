@@ -27,8 +27,9 @@ def read_wav(path: Path) -> Table:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
+            # scipy stumbles over its own unset variable (a NameError) where a file has no chunks
             rate, samples = wavfile.read(path)
-        except (ValueError, EOFError, OSError, TypeError) as error:
+        except (ValueError, EOFError, OSError, TypeError, NameError) as error:
             raise RecordingError(f"{path}: not a whole WAV file ({error}); copy it again from its source") from None
     # other warnings tell of text chunks that are skipped
     if any("prematurely" in str(warning.message) for warning in caught):
