@@ -1,0 +1,113 @@
+"""Numbers for a simulation from what the catalog knows, and a list of those that had to be assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from torquerig.catalog.entry import Entry, counts_of, estimates
+from torquerig.catalog.gearbox import Gearbox
+from torquerig.catalog.motor import Motor
+from torquerig.catalog.winding import winding_pairs
+from torquerig.errors import InputError
+from torquerig.parameter import Estimate
+from torquerig.signals.recording import random_for
+from torquerig.signals.teeth import Teeth
+
+AnyEntry = TypeVar("AnyEntry", bound=Entry)
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """A value that no document states: the one that was taken [SI], and what is known of it, as a table shows it."""
+
+    value: float
+    known: str
+
+
+@dataclass(frozen=True)
+class Drawn(Generic[AnyEntry]):
+    """One possible copy of a catalog entry.
+
+    Parameters
+    ----------
+    entry : Motor, Gearbox, Sensor or Coupling
+        Where the values come from.
+    values : mapping of str to float
+        Every value that is not unknown [SI], by dotted name: ``rotor_inertia``, ``ripple.cogging_native``.
+    assumed : mapping of str to Assumed
+        Those of the values that are not the documented number.
+    """
+
+    entry: AnyEntry
+    values: Mapping[str, float]
+    assumed: Mapping[str, Assumed]
+
+    def value(self, field: str) -> float:
+        """Return one value [SI]; InputError where the catalog knows nothing of it."""
+        if field not in self.values:
+            raise InputError(
+                f"{self.entry.name}: nothing is known of {field}; state low and high with their evidence in its file"
+            )
+        return self.values[field]
+
+    def count(self, field: str) -> int:
+        """Return one whole value, such as ``pole_pairs``; InputError where the catalog knows nothing of it."""
+        return round(self.value(field))
+
+
+def drawn(entry: AnyEntry, seed: int) -> Drawn[AnyEntry]:
+    """Draw every value of ``entry`` once.
+
+    Each value has a random generator of its own, fixed by the seed, the entry and the name of the value: adding a
+    value to a file changes no other draw. Under an alias the same numbers come out as under the motor's own name.
+    Pole pairs and slots are drawn as a pair that has a winding.
+    """
+    values = {field: estimate.draw(random_for(seed, f"{_origin(entry)}.{field}")) for field, estimate in _known(entry)}
+    if pairs := _pairs(entry):
+        at = int(random_for(seed, f"{_origin(entry)}.winding").integers(len(pairs)))
+        values |= _as_values(pairs[at])
+    return Drawn(entry, values, _assumed(entry, values))
+
+
+def nominal(entry: AnyEntry) -> Drawn[AnyEntry]:
+    """Take the stated or middle value of everything, and the first pair of pole pairs and slots that has a winding."""
+    values = {field: estimate.nominal() for field, estimate in _known(entry)}
+    if pairs := _pairs(entry):
+        values |= _as_values(pairs[0])
+    return Drawn(entry, values, _assumed(entry, values))
+
+
+def drawn_teeth(gearbox: Gearbox, seed: int) -> Teeth | None:
+    """Draw one of the tooth sets that the gearbox may have; None where nothing is known of its teeth."""
+    sets = gearbox.tooth_sets()
+    return sets[int(random_for(seed, f"{gearbox.name}.teeth").integers(len(sets)))] if sets else None
+
+
+def _known(entry: Entry) -> Iterator[tuple[str, Estimate]]:
+    return ((field, estimate) for field, estimate in estimates(entry) if not estimate.unknown)
+
+
+def _origin(entry: Entry) -> str:
+    return (entry.stands_for if isinstance(entry, Motor) else "") or entry.name
+
+
+def _pairs(entry: Entry) -> list[tuple[int, int]]:
+    return winding_pairs(counts_of(entry.pole_pairs), counts_of(entry.slots)) if isinstance(entry, Motor) else []
+
+
+def _as_values(pair: tuple[int, int]) -> dict[str, float]:
+    return {"pole_pairs": float(pair[0]), "slots": float(pair[1])}
+
+
+def _assumed(entry: Entry, values: Mapping[str, float]) -> dict[str, Assumed]:
+    return {
+        field: Assumed(values[field], _spoken(estimate))
+        for field, estimate in _known(entry)
+        if not estimate.documented or values[field] != estimate.value
+    }
+
+
+def _spoken(estimate: Estimate) -> str:
+    return f"{estimate.shown()} ± {estimate.rel_sd:.0%}" if estimate.rel_sd else estimate.shown()

@@ -1,0 +1,103 @@
+"""What every catalog entry shares: a name, a title, notes, and counts that must be whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StrictBool, StringConstraints, field_validator
+
+from torquerig.parameter import EVIDENCE, Estimate
+
+UNKNOWN = Estimate(note="not stated in the file")
+Text = Annotated[str, StringConstraints(strict=True, strip_whitespace=True, min_length=1)]
+
+
+class Record(BaseModel):
+    """A frozen part of a YAML file; a key that it does not know is refused."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Evidenced(Record):
+    """A record that says where it comes from.
+
+    Parameters
+    ----------
+    evidence : str
+        One of the tags of ``torquerig.parameter.EVIDENCE``.
+    source : str
+        Page or table, with its key in docs/sources.md.
+    """
+
+    evidence: Text
+    source: Text
+
+    @field_validator("evidence")
+    @classmethod
+    def _known_tag(cls, tag: str) -> str:
+        if tag not in EVIDENCE:
+            raise ValueError(f"evidence {tag!r} is none of {', '.join(EVIDENCE)}")
+        return tag
+
+
+class Fact(Evidenced):
+    """A yes or no with its evidence."""
+
+    value: StrictBool
+
+
+class Entry(Record):
+    """One thing that can be bought.
+
+    Parameters
+    ----------
+    name : str
+        The id by which scenarios and the command line name it.
+    title : str
+        One line for people.
+    note : str
+        What a reader of the file should know before relying on it.
+    """
+
+    name: Text
+    title: Text
+    note: str = ""
+
+
+def whole_choices(estimate: Estimate) -> Estimate:
+    """Return ``estimate`` of a count if its value or each of its choices is whole, else raise ValueError."""
+    if estimate.low is not None or estimate.rel_sd:
+        raise ValueError("a count has no interval or spread; write one_of: [4, 5]")
+    counts = estimate.choices or (() if estimate.value is None else (estimate.value,))
+    for count in counts:
+        if count != int(count):
+            raise ValueError(f"{count:g} is not a whole number; a count must be")
+    return estimate
+
+
+Whole = AfterValidator(whole_choices)
+Order = Annotated[int, Field(gt=0, strict=True)]
+
+
+def counts_of(estimate: Estimate) -> tuple[int, ...]:
+    """Return the counts that ``estimate`` allows, likeliest first; empty where it is unknown."""
+    if estimate.choices:
+        return tuple(int(choice) for choice in estimate.choices)
+    return () if estimate.value is None else (int(estimate.value),)
+
+
+def estimates(record: Record, prefix: str = "") -> Iterator[tuple[str, Estimate]]:
+    """Yield each value of an entry with its dotted name, such as ``ripple.cogging_native``, in schema order."""
+    for field in type(record).model_fields:
+        yield from _within(getattr(record, field), f"{prefix}{field}")
+
+
+def _within(value: Any, name: str) -> Iterator[tuple[str, Estimate]]:
+    if isinstance(value, Estimate):
+        yield name, value
+    elif isinstance(value, Record):
+        yield from estimates(value, f"{name}.")
+    elif isinstance(value, Mapping):
+        for key, part in value.items():
+            yield from _within(part, f"{name}.{key}")

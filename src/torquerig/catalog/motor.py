@@ -1,0 +1,130 @@
+"""The schema of a motor file: what one motor is, each value with unit, interval, evidence and source."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import ValidationInfo, field_validator, model_validator
+
+from torquerig.catalog.entry import UNKNOWN, Entry, Fact, Record, Text, Whole, counts_of
+from torquerig.catalog.ripple import Ripple
+from torquerig.catalog.winding import winding_pairs
+from torquerig.parameter import Estimate, Parameter
+
+KT_TOLERANCE = 0.10  # rated torque and current are rounded and taken at another temperature than the constant
+
+
+class Alias(Record):
+    """Another name under which the motor stands somewhere, where, and why it is taken to be the same."""
+
+    name: Text
+    table: Text
+    reason: Text
+
+
+class Motor(Entry):
+    """One motor with its drive.
+
+    What a simulation needs must be stated, if only as an interval; what is left out is unknown and shown as ``?``.
+
+    Raises
+    ------
+    ValueError
+        When a rating contradicts another one, the pole pairs and slots have no winding, or the torque constant does
+        not agree with rated torque over rated current within 10 %.
+    """
+
+    kind: Literal["bldc", "pmsm", "induction"]
+    aliases: tuple[Alias, ...] = ()
+    stands_for: str = ""
+    warnings: tuple[Text, ...] = ()
+    servo: Fact | None = None
+    a_series_adapter: Fact | None = None
+
+    rated_torque: Annotated[Estimate, Parameter("N*m", "rated torque", above=0)]
+    stall_torque: Annotated[Estimate, Parameter("N*m", "continuous stall torque", above=0)] = UNKNOWN
+    peak_torque: Annotated[Estimate, Parameter("N*m", "largest torque of motor and drive", above=0)]
+    rated_speed: Annotated[Estimate, Parameter("rpm", "rated speed", above=0)]
+    max_speed: Annotated[Estimate, Parameter("rpm", "largest speed", above=0)]
+    min_speed: Annotated[Estimate, Parameter("rpm", "smallest speed of continuous duty", low=0)] = UNKNOWN
+
+    supply_voltage: Annotated[Estimate, Parameter("V", "rms voltage of the drive's supply", above=0)] = UNKNOWN
+    rated_current: Annotated[Estimate, Parameter("Arms", "rated current", above=0)] = UNKNOWN
+    torque_constant: Annotated[Estimate, Parameter("N*m/Arms", "torque per phase current", above=0)] = UNKNOWN
+    phase_resistance: Annotated[Estimate, Parameter("ohm", "resistance of one phase at 20 C", above=0)] = UNKNOWN
+    phase_inductance: Annotated[Estimate, Parameter("H", "inductance of one phase", above=0)] = UNKNOWN
+    current_loop_bandwidth: Annotated[Estimate, Parameter("Hz", "lag from commanded to real torque", above=0)]
+
+    pole_pairs: Annotated[Estimate, Parameter("1", "pole pairs", low=1), Whole]
+    slots: Annotated[Estimate, Parameter("1", "stator slots", low=3), Whole] = UNKNOWN
+    rotor_bars: Annotated[Estimate, Parameter("1", "bars of the cage", low=3), Whole] = UNKNOWN
+
+    rotor_inertia: Annotated[Estimate, Parameter("kg*m^2", "rotor inertia", above=0)]
+    coulomb_friction: Annotated[Estimate, Parameter("N*m", "dry friction", low=0)]
+    viscous_friction: Annotated[Estimate, Parameter("N*m*s/rad", "friction that grows with speed", low=0)]
+    mass: Annotated[Estimate, Parameter("kg", "mass", above=0)] = UNKNOWN
+    shaft_diameter: Annotated[Estimate, Parameter("mm", "shaft diameter", above=0)] = UNKNOWN
+    encoder_bits: Annotated[Estimate, Parameter("bit", "encoder resolution", low=1)] = UNKNOWN
+
+    thermal_resistance: Annotated[Estimate, Parameter("K/W", "winding to ambient", above=0)] = UNKNOWN
+    thermal_time_constant: Annotated[Estimate, Parameter("min", "time constant of the winding", above=0)] = UNKNOWN
+
+    ripple: Ripple
+
+    price: Annotated[Estimate, Parameter("EUR", "price of the motor without drive", low=0)] = UNKNOWN
+    drive_price: Annotated[Estimate, Parameter("EUR", "price of the drive", low=0)] = UNKNOWN
+
+    @field_validator("stands_for", mode="before")
+    @classmethod
+    def _only_by_lookup(cls, written: object) -> str:
+        raise ValueError("this is set when an alias is looked up; write the other name under aliases")
+
+    @field_validator("peak_torque")
+    @classmethod
+    def _peak_reaches_rated(cls, peak: Estimate, info: ValidationInfo) -> Estimate:
+        return _not_below(peak, info, "rated_torque")
+
+    @field_validator("max_speed")
+    @classmethod
+    def _max_reaches_rated(cls, top: Estimate, info: ValidationInfo) -> Estimate:
+        return _not_below(top, info, "rated_speed")
+
+    @field_validator("torque_constant")
+    @classmethod
+    def _agrees_with_rating(cls, constant: Estimate, info: ValidationInfo) -> Estimate:
+        torque, current = (info.data.get(field, UNKNOWN) for field in ("rated_torque", "rated_current"))
+        if torque.unknown or current.unknown or constant.unknown:
+            return constant
+        low, high = torque.bounds[0] / current.bounds[1], torque.bounds[1] / current.bounds[0]
+        if constant.bounds[1] * (1 + KT_TOLERANCE) < low or constant.bounds[0] > high * (1 + KT_TOLERANCE):
+            raise ValueError(
+                f"{constant.shown()} does not agree within 10 % with rated torque / rated current, which gives "
+                f"{low:.3g}..{high:.3g} N*m/Arms; check whether one of them is per peak ampere"
+            )
+        return constant
+
+    @field_validator("slots")
+    @classmethod
+    def _has_winding(cls, slots: Estimate, info: ValidationInfo) -> Estimate:
+        poles = counts_of(info.data.get("pole_pairs", UNKNOWN))
+        if poles and not slots.unknown and not winding_pairs(poles, counts_of(slots)):
+            wound = f"slots {slots.shown()} and pole pairs {' or '.join(map(str, poles))}"
+            raise ValueError(
+                f"no three-phase winding exists for {wound}; slots / (3 x greatest common divisor) must be whole"
+            )
+        return slots
+
+    @model_validator(mode="after")
+    def _has_what_its_kind_needs(self) -> Self:
+        needed = "rotor_bars" if self.kind == "induction" else "slots"
+        for field in ("pole_pairs", needed):
+            if getattr(self, field).unknown:
+                raise ValueError(f"a {self.kind} motor needs {field} for its ripple orders; write one_of where unknown")
+        return self
+
+
+def _not_below(upper: Estimate, info: ValidationInfo, field: str) -> Estimate:
+    lower: Estimate = info.data.get(field, UNKNOWN)
+    if not lower.unknown and not upper.unknown and upper.bounds[1] < lower.bounds[0]:
+        raise ValueError(f"{upper.shown()} lies below {field} {lower.shown()}; correct one of them")
+    return upper

@@ -1,0 +1,137 @@
+"""Reading catalog folders into one catalog, in which motors are found by name or alias."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import TypeAdapter
+
+from torquerig.catalog.coupling import Coupling
+from torquerig.catalog.entry import Entry
+from torquerig.catalog.gearbox import Gearbox
+from torquerig.catalog.motor import Alias, Motor
+from torquerig.catalog.sensor import Sensor
+from torquerig.document import read_document, validated
+from torquerig.errors import InputError, UnknownNameError, did_you_mean
+
+AnyEntry = TypeVar("AnyEntry", bound=Entry)
+SHELVES: dict[str, type[Entry]] = {"motors": Motor, "gearboxes": Gearbox, "sensors": Sensor, "couplings": Coupling}
+
+
+@dataclass(frozen=True)
+class Catalog:
+    """Everything that can be bought, by name."""
+
+    motors: Mapping[str, Motor] = field(default_factory=dict)
+    gearboxes: Mapping[str, Gearbox] = field(default_factory=dict)
+    sensors: Mapping[str, Sensor] = field(default_factory=dict)
+    couplings: Mapping[str, Coupling] = field(default_factory=dict)
+
+    def motor(self, name: str) -> Motor:
+        """Return the motor ``name``; under an alias it keeps that name, with ``stands_for`` naming the real one."""
+        if name in self.motors:
+            return self.motors[name]
+        real, _ = self._aliases().get(name, ("", None))
+        if not real:
+            raise _unknown("motor", name, [*self.motors, *self._aliases()])
+        return self.motors[real].model_copy(update={"name": name, "stands_for": real})
+
+    def resolved(self, name: str) -> Alias | None:
+        """Return why and from where ``name`` is another motor's alias; None where it is a motor's own name."""
+        self.motor(name)
+        return None if name in self.motors else self._aliases()[name][1]
+
+    def gearbox(self, name: str) -> Gearbox:
+        """Return the gearbox ``name``; UnknownNameError with the close matches where there is none."""
+        return _found(self.gearboxes, name, "gearbox")
+
+    def sensor(self, name: str) -> Sensor:
+        """Return the torque sensor ``name``; UnknownNameError with the close matches where there is none."""
+        return _found(self.sensors, name, "sensor")
+
+    def coupling(self, name: str) -> Coupling:
+        """Return the coupling ``name``; UnknownNameError with the close matches where there is none."""
+        return _found(self.couplings, name, "coupling")
+
+    def _aliases(self) -> dict[str, tuple[str, Alias]]:
+        return {alias.name: (motor.name, alias) for motor in self.motors.values() for alias in motor.aliases}
+
+
+def load_catalog(*folders: Path) -> Catalog:
+    """Read catalog folders, each with any of motors/, gearboxes/, sensors/, couplings/, one YAML file per entry.
+
+    A later folder adds to the earlier ones, and its entries replace theirs of the same name.
+
+    Raises
+    ------
+    InputError
+        When a folder is missing or has none of the four, when a file cannot be read, and when a name or alias stands
+        twice within one folder; with file, line and key.
+    """
+    shelves: dict[str, dict[str, Any]] = {shelf: {} for shelf in SHELVES}
+    for folder in folders:
+        _check_folder(folder)
+        for shelf, kind in SHELVES.items():
+            for name, entry in _read_shelf(folder / shelf, kind).items():
+                shelves[shelf].pop(name, None)
+                shelves[shelf][name] = entry
+    return Catalog(**shelves)
+
+
+def read_entry(path: Path, kind: type[AnyEntry]) -> AnyEntry:
+    """Read one catalog file as an entry of ``kind``; InputError with file, line and key."""
+    adapter: TypeAdapter[AnyEntry] = _adapter(kind)
+    return validated(read_document(path), adapter)
+
+
+def _check_folder(folder: Path) -> None:
+    if not folder.is_dir():
+        raise InputError(f"{folder}: there is no such catalog folder; check the path")
+    below = sorted(child.name for child in folder.iterdir() if child.is_dir() and any(child.glob("*.y*ml")))
+    strange = next((name for name in below if name not in SHELVES), None)
+    if strange:
+        raise InputError(f"{folder / strange}: not a catalog folder; {did_you_mean(strange, SHELVES)}")
+    loose = next(iter(sorted(folder.glob("*.y*ml"))), None)
+    if loose or not below:
+        where = loose or folder
+        raise InputError(f"{where}: a catalog file belongs into one of the folders {', '.join(SHELVES)}; put it there")
+
+
+def _read_shelf(folder: Path, kind: type[AnyEntry]) -> dict[str, AnyEntry]:
+    entries: dict[str, AnyEntry] = {}
+    seen: dict[str, Path] = {}
+    for path in sorted(folder.glob("*.y*ml"), key=lambda file: file.name.lower()):
+        entry = read_entry(path, kind)
+        for name, keys in _names(entry):
+            if name in seen:
+                place = read_document(path).place(keys)
+                raise InputError(f"{place}: the name {name!r} stands already in {seen[name]}; rename one of them")
+            seen[name] = path
+        entries[entry.name] = entry
+    return entries
+
+
+def _names(entry: Entry) -> Iterable[tuple[str, tuple[str | int, ...]]]:
+    yield entry.name, ("name",)
+    if isinstance(entry, Motor):
+        for at, alias in enumerate(entry.aliases):
+            yield alias.name, ("aliases", at, "name")
+
+
+def _found(entries: Mapping[str, AnyEntry], name: str, kind: str) -> AnyEntry:
+    if name not in entries:
+        raise _unknown(kind, name, entries)
+    return entries[name]
+
+
+def _unknown(kind: str, name: str, known: Iterable[str]) -> UnknownNameError:
+    return UnknownNameError(f"there is no {kind} {name!r} in the catalog; {did_you_mean(name, known)}")
+
+
+@cache
+def _adapter(kind: type[AnyEntry]) -> TypeAdapter[AnyEntry]:
+    return TypeAdapter(kind)
