@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -107,13 +108,15 @@ def validated(
     try:
         return adapter.validate_python(data)
     except ValidationError as error:
-        sentences = [_sentence(document, within, detail, adapter) for detail in error.errors()]
+        sentences = [_sentence(document, within, detail, adapter) for detail in _without_misspelt(error.errors())]
         raise InputError("\n".join(dict.fromkeys(sentences))) from None
 
 
 def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, adapter: TypeAdapter[Any]) -> str:
     keys = (*within, *detail["loc"])
     kind, last = detail["type"], str(detail["loc"][-1]) if detail["loc"] else ""
+    if kind == "misspelt":
+        return f"{document.place(keys)}: unknown key; did you mean {detail['meant']!r}?"
     if kind in ("extra_forbidden", "unexpected_keyword_argument"):
         return f"{document.place(keys)}: unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
     if kind in ("missing", "missing_argument"):
@@ -123,6 +126,22 @@ def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, ad
     written = detail.get("input")
     shown = f" (it is {written!r})" if isinstance(written, str | int | float | bool) or written is None else ""
     return f"{document.place(keys)}: {detail['msg'][0].lower()}{detail['msg'][1:]}{shown}"
+
+
+def _without_misspelt(details: Iterable[Any]) -> list[Any]:
+    """Return the problems with an unknown key and the missing one that it is a misspelling of told as one."""
+    told = list(details)
+    missing = [detail["loc"] for detail in told if detail["type"] in ("missing", "missing_argument")]
+    for at, detail in enumerate(told):
+        if detail["type"] not in ("extra_forbidden", "unexpected_keyword_argument"):
+            continue
+        beside = {str(loc[-1]): loc for loc in missing if loc[:-1] == detail["loc"][:-1]}
+        for meant in get_close_matches(str(detail["loc"][-1]), beside, n=1, cutoff=0.8):
+            told[at] = {"type": "misspelt", "loc": detail["loc"], "meant": meant}
+            missing.remove(beside[meant])
+    return [
+        detail for detail in told if detail["type"] not in ("missing", "missing_argument") or detail["loc"] in missing
+    ]
 
 
 def _field_names(adapter: TypeAdapter[Any]) -> set[str]:

@@ -1,0 +1,113 @@
+"""Draws stay in their bounds, do not depend on each other, and say what they assumed."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from torquerig.catalog.drawing import drawn, drawn_teeth, nominal
+from torquerig.catalog.entry import estimates
+from torquerig.catalog.lines import ripple_lines
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder
+from torquerig.catalog.winding import has_winding, winding_pairs
+from torquerig.errors import InputError
+from torquerig.parameter import Estimate
+
+CATALOG = load_catalog(shipped_folder())
+SEEDS = st.integers(0, 2**31)
+SERVOS = [name for name, motor in CATALOG.motors.items() if motor.kind != "induction"]
+
+
+@settings(max_examples=40, deadline=None)
+@given(name=st.sampled_from([*CATALOG.motors]), seed=SEEDS)
+def test_every_drawn_value_lies_in_its_interval(name, seed):
+    motor = CATALOG.motor(name)
+    values = drawn(motor, seed).values
+    for field, estimate in estimates(motor):
+        if estimate.low is not None:
+            assert estimate.low <= values[field] <= estimate.high
+        elif estimate.choices:
+            assert values[field] in estimate.choices
+
+
+@settings(max_examples=40, deadline=None)
+@given(name=st.sampled_from(SERVOS), seed=SEEDS)
+def test_drawn_pole_pairs_and_slots_have_a_winding(name, seed):
+    motor = drawn(CATALOG.motor(name), seed)
+    assert has_winding(motor.count("pole_pairs"), motor.count("slots"))
+
+
+@settings(max_examples=40, deadline=None)
+@given(seed=SEEDS)
+def test_pairs_without_a_winding_are_never_drawn(seed):
+    motor = CATALOG.motor("HDS6A-0104A")
+    choices = {"pole_pairs": Estimate(choices=(3.0, 4.0)), "slots": Estimate(choices=(12.0, 9.0))}
+    pair = drawn(motor.model_copy(update=choices), seed)
+    assert (pair.count("pole_pairs"), pair.count("slots")) in [(3, 9), (4, 12), (4, 9)]
+
+
+def test_a_winding_exists_where_the_star_of_slots_says_so():
+    # 12 slots and 14 magnets exist, 14 slots and 12 magnets do not; 9/8, 12/10 are common, 12/6 is not balanced
+    assert winding_pairs([7], [12, 14]) == [(7, 12)]
+    assert has_winding(4, 9)
+    assert has_winding(5, 12)
+    assert not has_winding(3, 12)
+
+
+def test_the_same_seed_draws_the_same_and_another_seed_does_not():
+    motor = CATALOG.motor("HDS6A-0104A")
+    assert drawn(motor, 3) == drawn(motor, 3)
+    assert drawn(motor, 3).value("rotor_inertia") != drawn(motor, 4).value("rotor_inertia")
+
+
+def test_a_draw_does_not_depend_on_what_else_the_file_states():
+    motor = CATALOG.motor("HDS6A-0104A")
+    fewer = motor.model_copy(update={"mass": Estimate(), "rated_current": Estimate()})
+    more, less = drawn(motor, 3).values, drawn(fewer, 3).values
+    assert set(more) - set(less) == {"mass", "rated_current"}
+    assert all(more[field] == less[field] for field in less)
+
+
+def test_an_alias_draws_the_numbers_of_the_motor_that_it_stands_for():
+    assert drawn(CATALOG.motor("HDS5C-102A"), 5).values == drawn(CATALOG.motor("HDS6A-0102A"), 5).values
+
+
+def test_what_is_documented_is_not_assumed_and_everything_else_is():
+    chosen = nominal(CATALOG.motor("HDS6A-0104A"))
+    documented = {"rated_torque", "stall_torque", "peak_torque", "rated_speed", "max_speed", "supply_voltage"}
+    assert set(chosen.values) - set(chosen.assumed) == documented
+    assert chosen.assumed["pole_pairs"].known == "? (4 or 5)"
+    assert chosen.assumed["rotor_inertia"].value == pytest.approx(0.48e-4)
+
+
+def test_a_spread_is_assumed_only_where_it_was_drawn():
+    motor = CATALOG.motor("bldc-12n14p")
+    assert "rotor_inertia" not in nominal(motor).assumed
+    assert drawn(motor, 1).assumed["rotor_inertia"].known == "0.00015 kg*m^2 ± 8%"
+
+
+def test_an_unknown_value_is_named_with_the_remedy():
+    with pytest.raises(InputError, match="GP-71M: nothing is known of torque_constant; state low and high"):
+        nominal(CATALOG.motor("GP-71M")).value("torque_constant")
+
+
+def test_teeth_are_drawn_among_the_possible_sets():
+    box = CATALOG.gearbox("economy-5-1")
+    rings = {drawn_teeth(box, seed).mesh_order_out for seed in range(60)}
+    assert rings <= {stage.mesh_order_out for stage in box.tooth_sets()}
+    assert len(rings) > 3
+    assert drawn_teeth(CATALOG.gearbox("reference-5-1"), 0) is None
+
+
+def test_the_rig_motor_has_the_published_lines_and_a_servo_those_of_its_class():
+    rig = {(line.family, line.order): line.torque for line in ripple_lines(nominal(CATALOG.motor("bldc-12n14p")))}
+    assert len(rig) == 12
+    assert rig["cogging_as_published", 6] == pytest.approx(0.020)
+    # pole pairs 4, slots 9: handbook 1.1 gives cogging at LCM(9, 8) = 72, 1.4 six pulses at 24
+    servo = {(line.family, line.order) for line in ripple_lines(nominal(CATALOG.motor("HDS6A-0104A")))}
+    assert {("cogging", 72), ("six_pulse", 24), ("cogging_tolerance_slots", 9), ("cogging_tolerance_poles", 8)} <= servo
+
+
+def test_an_induction_motor_does_not_cog():
+    families = {line.family for line in ripple_lines(drawn(CATALOG.motor("GP-71M"), 2))}
+    assert families == {"motor", "electrical"}
