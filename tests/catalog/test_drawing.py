@@ -111,3 +111,14 @@ def test_the_rig_motor_has_the_published_lines_and_a_servo_those_of_its_class():
 def test_an_induction_motor_does_not_cog():
     families = {line.family for line in ripple_lines(drawn(CATALOG.motor("GP-71M"), 2))}
     assert families == {"motor", "electrical"}
+
+
+def test_two_values_and_two_motors_are_drawn_independently():
+    # equal quantiles would mean a shared generator: the chance of two uniform draws within 1e-9 is 2e-9
+    def quantile(motor, field):
+        known = getattr(motor, field)
+        return (drawn(motor, 7).value(field) - known.low) / (known.high - known.low)
+
+    one, other = CATALOG.motor("HDS60-0104A"), CATALOG.motor("ESM06X-401-302")
+    assert abs(quantile(one, "rated_current") - quantile(one, "torque_constant")) > 1e-9
+    assert abs(quantile(one, "rated_current") - quantile(other, "rated_current")) > 1e-9
