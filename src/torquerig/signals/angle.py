@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.signals.filters.moving_mean import moving_mean
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -92,5 +91,12 @@ def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
     per_sample = np.abs(counts[-1] - counts[0]) / (counts.size - 1)
     window = int(min(np.ceil(_COUNTS_SPANNED / max(per_sample, 1e-9)), _LONGEST_SMOOTHING * rate))
     trend = counts[0] + (counts[-1] - counts[0]) * np.linspace(0.0, 1.0, counts.size)
-    # an odd window has no half-sample shift; without its trend the counts keep their ends
-    return np.asarray(trend + moving_mean(counts - trend, max(window | 1, 5)))
+    return np.asarray(trend + _even_mean(counts - trend, max(window // 2, 2)))
+
+
+def _even_mean(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
+    """Mean over ``reach`` samples either way, over as many on both sides near the ends: a slope is not bent there."""
+    at = np.arange(values.size)
+    reaches = np.minimum(reach, np.minimum(at, at[::-1]))
+    sums = np.concatenate([[0.0], np.cumsum(values)])
+    return np.asarray((sums[at + reaches + 1] - sums[at - reaches]) / (2 * reaches + 1))

@@ -82,7 +82,7 @@ class HarmonicRegressionText(_StageText):
 
     type: Literal["harmonic_regression"]
     lines: Lines
-    block: Annotated[float, Parameter("s", "length of a block", above=0)] = 2.0
+    block: Annotated[float, Parameter("s", "length of a block", above=0)] = 4.0
 
     def made_for(self, kinematics: Kinematics) -> Made:
         """Return the regression for one drive."""

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 # a line must turn so often within a block to be told from the load, and stand so far below half the sample rate
-_FEWEST_PERIODS, _HIGHEST_SHARE_OF_RATE = 2.0, 0.45
+FEWEST_PERIODS, _HIGHEST_SHARE_OF_RATE = 2.0, 0.45
 _RIDGE = 1e-9
 
 
@@ -31,7 +31,7 @@ def fitted_lines(
     orders : sequence of float
         n [1/rev of that angle]; equal ones count once.
     block : int
-        Samples per block, >= 4.
+        Samples per block, >= 4; a shorter signal is one block.
 
     Notes
     -----
@@ -40,7 +40,7 @@ def fitted_lines(
     """
     unique = tuple(sorted({float(f"{order:.9g}") for order in orders}))
     answer = np.zeros_like(values)
-    if not unique or values.size < block:
+    if not unique or values.size < 4:
         return answer
     plan = _product_plan(unique)
     halves = max(2, round(2 * values.size / block))
@@ -84,7 +84,7 @@ def _segment(values: NDArray[np.float64], angle: NDArray[np.float64], plan: _Pla
 def _solved(left: _Segment, right: _Segment, orders: tuple[float, ...]) -> NDArray[np.float64]:
     """Coefficients of the block made of two segments, shape (2 lines,); zero for lines that are left alone."""
     each = np.array(orders)
-    active = (each * (left.turns + right.turns) >= _FEWEST_PERIODS) & (
+    active = (each * (left.turns + right.turns) >= FEWEST_PERIODS) & (
         each * max(left.fastest, right.fastest) <= _HIGHEST_SHARE_OF_RATE
     )
     rows = np.flatnonzero(np.repeat(active, 2))

@@ -52,6 +52,8 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
             f"{recording.name}: a reversal has no comb of lines to find the speed from; record an encoder channel"
         )
     speed = set_point_profile(recording, "lines that follow the speed")
+    if recording.samples < 4:
+        raise RecordingError(f"{recording.name}: {recording.samples} samples hold no line; take a longer recording")
     nominal = np.cumsum(speed) / recording.sample_rate
     torque = recording.torque()
     orders = np.array(sorted({float(f"{line.motor_order:.9g}") for line in lines}))

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from torquerig.errors import InputError, RecordingError
 from torquerig.signals.angle import measured_motor_angle
-from torquerig.signals.line_fit import fitted_lines
+from torquerig.signals.line_fit import FEWEST_PERIODS, fitted_lines
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
 
 if TYPE_CHECKING:
@@ -27,7 +29,8 @@ class HarmonicRegression:
     lines : tuple of KinematicLine
         The lines to subtract.
     block : float
-        Length over which a line's amplitude and phase are taken as one [s], > 0; blocks overlap by half.
+        Length over which a line's amplitude and phase are taken as one [s], > 0; blocks overlap by half, and a
+        shorter recording is one block.
 
     Notes
     -----
@@ -37,11 +40,11 @@ class HarmonicRegression:
     """
 
     lines: tuple[KinematicLine, ...]
-    block: float = 2.0
+    block: float = 4.0
 
     def __post_init__(self) -> None:
         if not self.block > 0:
-            raise InputError(f"blocks of {self.block} s cannot be fitted; write for example 2 s")
+            raise InputError(f"blocks of {self.block} s cannot be fitted; write for example 4 s")
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` without the lines; RecordingError where it is too short or no angle can be had."""
@@ -49,13 +52,14 @@ class HarmonicRegression:
             return recording
         name = recording.torque_name()
         values, rate = recording.channels[name].values, recording.sample_rate
-        block = round(self.block * rate)
-        if values.size < max(block, 4):
-            raise RecordingError(
-                f"{recording.name}: {recording.duration:.3g} s are too short to fit lines in blocks of "
-                f"{self.block:g} s; take a longer recording or shorter blocks"
-            )
         ratio = self.lines[0].output_order / self.lines[0].motor_order
         angle = measured_motor_angle(recording, ratio=ratio) or motor_angle_from_torque(recording, self.lines)
         orders = [line.motor_order for line in self.lines]
+        turns = np.abs(np.diff(angle.values)).sum() / (2 * np.pi)
+        if turns * max(orders) < FEWEST_PERIODS:
+            raise RecordingError(
+                f"{recording.name}: no line passes {FEWEST_PERIODS:g} periods in the {turns:.3g} motor turns of this "
+                "recording; take a longer one"
+            )
+        block = max(round(self.block * rate), 4)
         return recording.with_values(name, values - fitted_lines(values, angle.values, orders, block=block))
