@@ -1,1 +1,19 @@
-"""What is seen: recordings, their files, the stages that change them, and the lines that stand in them."""
+"""What is seen: recordings, their files, the stages that change them, and the lines that stand in them.
+
+recording          equally sampled channels of one run
+run                the conditions on the test sheet; set_point: the speed that it promises, over time
+files              recordings in and out of every format
+stage              the one verb of sensor stages and filters: Recording -> Recording
+stages             what the sensor and its electronics do, one effect per file
+filters            what takes disturbance out, one filter per file
+chain              stages by one name, and the seed's two chains; chain_file reads them from YAML by chain_schema
+effect             what a chain did: spread, mean, energy, line levels
+teeth              what tooth counts fix
+kinematics         the order lines of a motor and gearbox
+coincidences       lines that stand on the mains or on each other, and a better speed
+orders             the report of all that; orders_telling puts it into words
+angle              the motor's angle from its channels; speed_from_torque: from the comb of lines
+line_fit           sines of given orders, fitted block by block
+spectrum           amplitude spectra
+coloured_noise     random signals with a given colour
+"""

@@ -62,24 +62,24 @@ class FilterEffect:
     @property
     def std_reduction_percent(self) -> float:
         """By how much the standard deviation fell [%]."""
-        return _reduction(self.std_before, self.std_after)
+        return _reduction(self.std_before, self.std_after, of=self.std_before)
 
     @property
     def variance_reduction_percent(self) -> float:
         """By how much the variance fell [%]."""
-        return _reduction(self.std_before**2, self.std_after**2)
+        return _reduction(self.std_before**2, self.std_after**2, of=self.std_before**2)
 
     @property
     def mean_change_percent(self) -> float:
         """By how much the mean rose [%]; 0 by construction for a chain that puts the mean back."""
-        return -_reduction(self.mean_before, self.mean_after)
+        return _reduction(self.mean_after, self.mean_before, of=self.mean_before)
 
     @property
     def energy_change_percent(self) -> float | None:
         """By how much the energy rose [%], or None where no speed is known."""
         if self.energy_before is None or self.energy_after is None:
             return None
-        return -_reduction(self.energy_before, self.energy_after)
+        return _reduction(self.energy_after, self.energy_before, of=self.energy_before)
 
     def family_levels(self) -> dict[Family, tuple[float, float]]:
         """Return the amplitude of each family before and after: root of the summed squares of its lines [N m]."""
@@ -168,6 +168,6 @@ def _levels(
     return tuple(levels)
 
 
-def _reduction(before: float, after: float) -> float:
-    """Fall from ``before`` to ``after`` [%]; 0 where there was nothing."""
-    return 100 * (before - after) / before if before else 0.0
+def _reduction(larger: float, smaller: float, *, of: float) -> float:
+    """Difference as a share ``of`` [%]; 0 where there was nothing."""
+    return 100 * (larger - smaller) / of if of else 0.0
