@@ -109,6 +109,14 @@ def test_without_an_encoder_a_ramp_follows_its_profile():
     assert decibel(left[steady], lines[steady]) < -20
 
 
+def test_an_angle_of_the_output_shaft_serves_as_well():
+    angle = wandering_angle(0.02)
+    lines = disturbance(angle)
+    output = Channel(values=angle / 5, quantity="angle", unit="rad")
+    source = recording(1.0 + lines).with_channel("output_angle_rad", output)
+    assert decibel(HarmonicRegression(lines=LINES).apply(source).torque(), lines) < -40
+
+
 def test_a_recording_shorter_than_a_block_is_one_block():
     angle = wandering_angle(0.02)[:7500]
     lines = disturbance(angle)
