@@ -14,5 +14,6 @@ fillings        which lost cells would give a printed sum
 matrix_file     one's own matrix read from YAML (``scenarios/matrix_example.yaml``)
 lints           what is wrong with a table: one check per file
 telling         charts, matrices and findings as plain text
+telling_printed published tables beside what their cells give
 matrix_report   the whole text of ``torquerig matrix``
 """

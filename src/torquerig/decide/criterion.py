@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 
+YES_NO = "yes/no"
+
 
 class Better(StrEnum):
     """Which values are wanted."""
@@ -52,6 +54,8 @@ class Demand:
 
     def rule(self, name: str, unit: str) -> str:
         """Return the rule as a sentence part: ``price <= 600 EUR``."""
+        if unit == YES_NO:
+            return f"{name} must be {'yes' if self.low is not None and self.low > 0 else 'no'}"
         suffix = "" if unit == "1" else f" {unit}"
         if self.low is None:
             return f"{name} <= {self.high:g}{suffix}"
@@ -145,7 +149,7 @@ class Criterion:
     name : str
         Worded as a merit or with its direction plain.
     unit : str
-        The unit in which cells, limits and knots are written; ``1`` for a bare number.
+        The unit in which cells, limits and knots are written; ``1`` for a bare number, ``yes/no`` for 1 and 0.
     better : Better
         ``MORE``, ``LESS``, or ``BAND`` with ``band`` the wanted range.
     band : (float, float) or None

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from torquerig.decide.criterion import Criterion
+from torquerig.decide.criterion import YES_NO, Criterion
 from torquerig.decide.matrix import Cell, DecisionMatrix
 
 
@@ -182,7 +182,7 @@ def _mark(alternative: str, cell: Cell, criterion: Criterion) -> tuple[Mark, Rem
         mark=mark,
         rule=rule,
         limit=limit,
-        miss=miss,
+        miss=None if criterion.unit == YES_NO else miss,
         value=cell.shown(),
         unit="1" if cell.unknown or cell.text else criterion.unit,
         source=cell.source,

@@ -104,17 +104,17 @@ class KesselringResult:
     @cached_property
     def total_low(self) -> Array:
         """T if every unknown turns out badly, shape (alternatives,)."""
-        return self.low @ self.weights
+        return _weighted(self.low, self.weights)
 
     @cached_property
     def total_high(self) -> Array:
         """T if every unknown turns out well, shape (alternatives,)."""
-        return self.high @ self.weights
+        return _weighted(self.high, self.weights)
 
     @cached_property
     def total(self) -> Array:
         """T from the stated values and the middles of intervals, shape (alternatives,)."""
-        return self.middle @ self.weights
+        return _weighted(self.middle, self.weights)
 
     @property
     def ideal(self) -> float:
@@ -222,6 +222,11 @@ def rated_criteria(matrix: DecisionMatrix, profile: Profile) -> tuple[Criterion,
                     f"{criterion.name}: {points:g} points are outside the scale {profile.p_min:g}..{profile.p_max:g}"
                 )
     return rated
+
+
+def _weighted(points: Array, weights: Array) -> Array:
+    """Return the row sums; not a matrix product, whose last bits depend on how many rows there are."""
+    return np.asarray((points * weights).sum(axis=1))
 
 
 def _points(

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Mark, SelectionChart, chart_from_marks
 from torquerig.decide.kesselring import KesselringResult, kesselring_from_points
 from torquerig.decide.pugh import PughResult, Sign, pugh_from_signs
@@ -44,6 +47,15 @@ def recomputed_kesselring(sheet: Sheet) -> KesselringResult:
     points = {name: points_of(sheet, name) for name in sheet.alternatives}
     weights = {row.criterion: row.weight or 0.0 for row in sheet.rows}
     return kesselring_from_points(points, weights=weights, profile=sheet.profile)
+
+
+def technical_shares(sheet: Sheet) -> tuple[float, ...]:
+    """Return T/T_max of each alternative without the economic rows; the middle of the scale where unknown."""
+    technical = [place for place, row in enumerate(sheet.rows) if row.kind is Kind.TECHNICAL and row.weight]
+    result = recomputed_kesselring(sheet)
+    weights = result.weights[technical]
+    shares = result.middle[:, technical] @ weights / (sheet.profile.p_max * np.sum(weights))
+    return tuple(shares.tolist())
 
 
 def points_of(sheet: Sheet, alternative: str) -> tuple[float | None, ...]:

@@ -176,6 +176,7 @@ def _by_columns(document: Document, keys: Keys, table: _Table) -> Sheet:
             _fail(document, (*keys, printed), f"{len(given)} values for {len(table.columns)} columns; write ~ for none")
     kept = [column for column, name in enumerate(table.columns) if name != apart]
     ideal = table.columns.index(apart) if apart in table.columns else None
+    profile = _profile(document, keys, table)
     if table.method is Method.KESSELRING:
         _check_weights(document, keys, table)
     return Sheet(
@@ -188,7 +189,7 @@ def _by_columns(document: Document, keys: Keys, table: _Table) -> Sheet:
         ranks=tuple(table.ranks[column] for column in kept) if table.ranks else (),
         spare_sums=table.spare_sums,
         ideal_sum=table.sums[ideal] if table.sums and ideal is not None else None,
-        profile=_profile(document, keys, table),
+        profile=profile,
         title=table.title,
         section=table.section,
         place=document.place(keys),

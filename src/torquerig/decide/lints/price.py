@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from torquerig.decide.criterion import Kind
 from torquerig.decide.lints.finding import Finding, about, quoted
-from torquerig.decide.recompute import recomputed_kesselring
+from torquerig.decide.recompute import technical_shares
 from torquerig.decide.sheet import Book, Method, Sheet
 
 
@@ -14,11 +14,8 @@ def price_in_technical_rating(sheet: Sheet, book: Book) -> list[Finding]:
     economic = [row for row in weighted if row.kind is Kind.ECONOMIC]
     if sheet.method is not Method.KESSELRING or not economic or len(economic) == len(weighted):
         return []
-    result = recomputed_kesselring(sheet)
-    technical = [place for place, row in enumerate(sheet.rows) if row.kind is Kind.TECHNICAL]
-    weights = result.weights[technical]
-    share = result.middle[:, technical] @ weights / (sheet.profile.p_max * weights.sum())
-    alone = ", ".join(f"{name} {x:.2f}" for name, x in zip(sheet.alternatives, share.tolist(), strict=True))
+    shares = zip(sheet.alternatives, technical_shares(sheet), strict=True)
+    alone = ", ".join(f"{name} {share:.2f}" for name, share in shares)
     return [
         about(
             economic[0],

@@ -1,0 +1,164 @@
+"""Charts, matrices and findings as plain text: no colour, nothing computed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from textwrap import fill
+
+from torquerig.decide.criterion import Criterion
+from torquerig.decide.eliminate import SelectionChart
+from torquerig.decide.kesselring import KesselringResult
+from torquerig.decide.lints.finding import Finding
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.pugh import DatumSweep, PughResult, Sign
+from torquerig.decide.ranks import shown_rank
+from torquerig.decide.robustness import BestShares, FlipWeight
+
+WIDTH = 120
+
+
+def heading(text: str) -> str:
+    """Return a heading with a line under it."""
+    return f"{text}\n{'=' * len(text)}"
+
+
+def grid(rows: Sequence[Sequence[str]]) -> str:
+    """Return rows as aligned columns, the first row ruled off."""
+    widths = [max(len(row[place]) for row in rows) for place in range(len(rows[0]))]
+    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
+    return "\n".join([lines[0], "-" * max(len(line) for line in lines), *lines[1:]])
+
+
+def wrapped(text: str, *, first: str = "", rest: str = "  ") -> str:
+    """Return one paragraph at most ``WIDTH`` wide."""
+    return fill(
+        text, WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def span(low: float, high: float) -> str:
+    """Return ``2.85`` or ``1.15..3.35``."""
+    return f"{low:.4g}" if abs(high - low) < 1e-9 else f"{low:.4g}..{high:.4g}"
+
+
+def tell_matrix(matrix: DecisionMatrix) -> str:
+    """Return what is known, one line per alternative, with units in the head."""
+    head = ["", *(_with_unit(criterion) for criterion in matrix.criteria)]
+    body = [
+        [name, *(matrix.cell(name, criterion.name).shown() for criterion in matrix.criteria)]
+        for name in matrix.alternatives
+    ]
+    return grid([head, *body])
+
+
+def tell_chart(chart: SelectionChart, *, remarks: bool = True) -> str:
+    """Return the selection chart with its decisions, and under it a remark for every cell that is not ``+``."""
+    head = ["", *chart.criteria, "decision"]
+    body = [
+        [row.alternative, *(str(row.marks.get(name, "")) for name in chart.criteria), str(row.decision)]
+        for row in chart.rows
+    ]
+    told = [
+        wrapped(f"{row.alternative}: {remark.sentence()}", rest="    ")
+        for row in chart.rows
+        for remark in (row.remarks if remarks else ())
+    ]
+    return "\n".join([grid([head, *body]), *told])
+
+
+def tell_pugh(result: PughResult) -> str:
+    """Return the signs with their counts side by side, and the net with its interval as an option."""
+    best, worst = result.rank_range
+    columns = {name: result.signs(name) for name in result.alternatives}
+    head = ["", *(f"{name} (datum)" if name == result.datum else name for name in result.alternatives)]
+    body = [
+        [criterion, *(str(columns[name][place]) for name in columns)] for place, criterion in enumerate(result.criteria)
+    ]
+    body += [[f"count {sign}", *(str(result.counts(name)[sign]) for name in columns)] for sign in Sign]
+    body.append(["net (optional)", *(span(*ends) for ends in zip(result.net_low, result.net_high, strict=True))])
+    body.append(["rank by net", *(shown_rank(*ends) for ends in zip(best.tolist(), worst.tolist(), strict=True))])
+    return grid([head, *body])
+
+
+def tell_sweep(sweep: DatumSweep) -> str:
+    """Return on how many criteria the row certainly beats the column, and who wins under which datum."""
+    body = [
+        [name, *(("." if name == other else str(count)) for other, count in zip(sweep.alternatives, row, strict=True))]
+        for name, row in zip(sweep.alternatives, sweep.wins.tolist(), strict=True)
+    ]
+    told = [f"datum {datum}: best net {', '.join(names)}" for datum, names in sweep.winners.items()]
+    winner = sweep.condorcet_winner
+    told.append(f"surely beats every other one: {winner}" if winner else "nobody surely beats every other one")
+    return "\n".join([grid([["row beats column on", *sweep.alternatives], *body]), *told])
+
+
+def tell_kesselring(result: KesselringResult) -> str:
+    """Return points with raw and normalised weights, the ideal column, T, T/T_max, ranks and weak spots."""
+    best, worst = result.rank_range
+    head = ["", "weight", "normalised", "ideal", *result.alternatives]
+    body = [
+        [
+            criterion,
+            f"{result.weights[column]:.4g}",
+            f"{result.normalised[column]:.3f}",
+            f"{result.profile.p_max:g}",
+            *(span(*ends) for ends in zip(result.low[:, column], result.high[:, column], strict=True)),
+        ]
+        for column, criterion in enumerate(result.criteria)
+    ]
+    totals = list(zip(result.total_low.tolist(), result.total_high.tolist(), strict=True))
+    ideal = result.ideal
+    body.append(["T", f"{result.weight_sum:.4g}", "1", f"{ideal:.4g}", *(span(*ends) for ends in totals)])
+    body.append(
+        ["T/T_max", "", "", "1", *(f"{span(round(low / ideal, 3), round(high / ideal, 3))}" for low, high in totals)]
+    )
+    body.append(["rank", "", "", "", *(shown_rank(*ends) for ends in zip(best.tolist(), worst.tolist(), strict=True))])
+    told = [f"warning: {result.warning}"] if result.warning else []
+    told += [
+        f"weak spot: {spot.alternative} gets at most {spot.points:g} for {spot.criterion!r}, "
+        f"hidden by T/T_max = {spot.share:.2f}"
+        for spot in result.weak_spots
+    ]
+    return "\n".join([grid([head, *body]), *told])
+
+
+def tell_ratings(technical: KesselringResult, economic: KesselringResult) -> str:
+    """Return the technical rating x and the economic rating y of each alternative apart, as VDI 2225 looks at them."""
+    body = []
+    for row, name in enumerate(technical.alternatives):
+        x, y = (
+            span(round(one.total_low[row] / one.ideal, 3), round(one.total_high[row] / one.ideal, 3))
+            for one in (technical, economic)
+        )
+        body.append([name, x, y])
+    return grid([["", "technical x", "economic y"], *body])
+
+
+def tell_robustness(shares: BestShares, flips: Iterable[FlipWeight]) -> str:
+    """Return how often each is best, and the weights at which the runner-up catches up."""
+    told = [
+        f"best in {share:.1%} of {shares.draws} joint draws (seed {shares.seed}): {name}"
+        for name, share in zip(shares.alternatives, shares.p_best.tolist(), strict=True)
+    ]
+    for flip in flips:
+        ends = "no weight makes them tie" if flip.flip is None else f"they tie at {flip.flip:.3g}"
+        told.append(f"{flip.winner} against {flip.rival}, weight of {flip.criterion!r} is {flip.weight:g}: {ends}")
+    return "\n".join(told)
+
+
+def tell_findings(findings: Sequence[Finding]) -> str:
+    """Return the audit as a numbered list: what, why it matters, remedy, place."""
+    if not findings:
+        return "nothing found"
+    told = []
+    for number, finding in enumerate(findings, start=1):
+        told.append(wrapped(f"{number}. {finding.table}: {finding.lint}: {finding.what}.", rest="   "))
+        told.append(wrapped(f"why: {finding.why}.", first="   ", rest="   "))
+        told.append(wrapped(f"remedy: {finding.remedy}.", first="   ", rest="   "))
+        if finding.place:
+            told.append(f"   at {finding.place}")
+    return "\n".join(told)
+
+
+def _with_unit(criterion: Criterion) -> str:
+    return criterion.name if criterion.unit in ("1", "yes/no") else f"{criterion.name} [{criterion.unit}]"
