@@ -1,3 +1,3 @@
-"""torquerig: what a torque sensor will read, what disturbs it, which drive to buy, and which physics a model left out."""
+"""What a torque sensor will read, what disturbs it, which drive to buy, and which physics a model left out."""
 
 __version__ = "0.1.0"

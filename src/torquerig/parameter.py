@@ -1,4 +1,4 @@
-"""What a number in a model is: its unit, bounds and meaning; and what is known of it: value, interval, evidence, source."""
+"""What a number in a model is: unit, bounds, meaning; and what is known of it: value, interval, evidence, source."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Estimate:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The lowest and the highest value that it may have [SI]; one sigma where a spread is stated, NaN if unknown."""
+        """The lowest and the highest value it may have [SI]; one sigma where a spread is stated, NaN if unknown."""
         if self.choices:
             return min(self.choices), max(self.choices)
         if self.low is not None and self.high is not None:
@@ -144,7 +144,7 @@ class Parameter:
         return number
 
     def read_estimate(self, written: Any) -> Estimate:
-        """Return the Estimate that a YAML mapping states; a documented value may not be a guess, a guess needs bounds."""
+        """Return the Estimate that a mapping states; a documented value may not be a guess, a guess needs bounds."""
         if not isinstance(written, Mapping):
             raise ValueError(
                 f"{written!r} needs its evidence; write a mapping with value, or low and high, and evidence and source"

@@ -20,6 +20,7 @@ class BladePass(Part):
     """
 
     kind: Literal["blade_pass"] = "blade_pass"
+    group: Literal["load"] = "load"
     at: str = "wear_part"
     order_output: Annotated[float, Parameter("1", "blades per turn", above=0)]
     amplitude: Annotated[float, Parameter("N*m", "peak of the pulse", low=0)]

@@ -34,6 +34,7 @@ class ParticleLoad(Part):
     """
 
     kind: Literal["particle_load"] = "particle_load"
+    group: Literal["load"] = "load"
     at: str = "wear_part"
     mean_by_occupancy_percent: dict[float, Torque]
     hit_rate: Annotated[float, Parameter("1/s", "hits per second at 0.5 mm and factor 1", above=0)] = 60.0

@@ -16,6 +16,7 @@ class QuadraticDrag(Part):
     """``load torque += c w |w|`` on the shaft of ``at``; turbulent flow round the part, constant drag coefficient."""
 
     kind: Literal["quadratic_drag"] = "quadratic_drag"
+    group: Literal["load"] = "load"
     at: str = "wear_part"
     coefficient: Annotated[float, Parameter("N*m*s^2/rad^2", "drag coefficient", low=0)]
 

@@ -22,6 +22,7 @@ class StribeckFriction(Part):
     """
 
     kind: Literal["stribeck_friction"] = "stribeck_friction"
+    group: Literal["load"] = "load"
     at: str = "wear_part"
     coulomb: Torque
     static: Torque

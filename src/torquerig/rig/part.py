@@ -35,11 +35,16 @@ class Part:
         Unique in the rig; the nodes are known by it.
     after : str or None
         The part whose output shaft this one is fixed to; None starts a shaft of its own (or, for an effect, none).
+    kind : str
+        The word by which a scenario calls this class.
+    group : str
+        Which share of the reading it is counted to: mechanical, cogging, electrical or load; empty for parts.
     """
 
     name: str
     after: str | None = None
     kind: str = ""
+    group: str = ""
 
     __pydantic_config__: ClassVar[dict[str, str]] = {"extra": "forbid"}
 

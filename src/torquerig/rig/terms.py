@@ -115,6 +115,11 @@ class Friction:
 class LoadProcess(Protocol):
     """A random torque over time; the simulator asks it for samples."""
 
+    @property
+    def mean(self) -> float:
+        """What it is on average [N m]."""
+        ...
+
     def sample(self, count: int, rate: float, rng: np.random.Generator) -> NDArray[np.float64]:
         """Return ``count`` samples [N m] at ``rate`` [Hz], shape (count,)."""
         ...

@@ -109,7 +109,7 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     effects: tuple[Filled, ...] = ()
     if isinstance(found, Motor):
         counts = {key: copy.count(key) for key in ("pole_pairs", "slots") if key in copy.values}
-        values |= counts
+        values |= {"model": found.name, **counts}
         assumed |= {key: f"{counts[key]} of {copy.assumed[key].known}" for key in counts if key in copy.assumed}
         effects = tuple(_motor_effects(replace_entry(copy, found), name))
         assumed |= {key: f"{copy.values[key]:.3g} of {text.known}" for key, text in copy.assumed.items()

@@ -71,5 +71,5 @@ def run_at(point: OperatingPoint, rig: Rig) -> Run:
     turned = abs(rig.speed_ratios(rig.node(drive.motor))[rig.node(rig.measured)])
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     ratio = round(1 / turned) if isclose(1 / turned, round(1 / turned), rel_tol=1e-9) else 1 / turned
-    return Run(motor=motor.name, gear_ratio=float(ratio), speed=speed, profile=point.profile,
+    return Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed, profile=point.profile,
                occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size)  # fmt: skip

@@ -16,12 +16,14 @@ class Motor(Part):
     """The rotor and its drive stage; the torque itself comes from a SpeedController.
 
     Losses: ``viscous w + coulomb tanh(w / 0.5 rad/s)`` on the rotor, as the reference rig states them.
-    Pole pairs and slots are kinematics: the lines follow from them, the torque does not.
+    ``model`` is its name in the catalog. Pole pairs and slots are kinematics: the lines follow from them, the torque
+    does not.
     """
 
     on_shaft: ClassVar[bool] = True
 
     kind: Literal["motor"] = "motor"
+    model: str = ""
     inertia: Annotated[float, Parameter("kg*m^2", "rotor inertia", above=0)]
     viscous: Annotated[float, Parameter("N*m*s/rad", "viscous friction", low=0)] = 0.0
     coulomb: Annotated[float, Parameter("N*m", "Coulomb friction", low=0)] = 0.0

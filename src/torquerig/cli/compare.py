@@ -1,0 +1,112 @@
+"""``torquerig compare``: which motor, gearbox and filter to buy."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from torquerig.cli.inputs import catalog_beside, catalog_option, set_option
+from torquerig.cli.progress import drive_progress
+from torquerig.cli.tables import grid
+from torquerig.document import read_document
+from torquerig.errors import InputError
+from torquerig.report.study_report import write_study_report
+from torquerig.report.study_text import ranked_text, shares_text
+from torquerig.scenario.overrides import overridden
+from torquerig.study.points import Point, points_of
+from torquerig.study.results import StudyRuns
+from torquerig.study.run_study import run_study
+from torquerig.study.scoring import Decided, decide
+from torquerig.study.study import Study, open_study
+from torquerig.study.verdict import Verdict, verdict
+from torquerig.study.what_if import Change, changes
+
+
+@click.command("compare")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--out", type=click.Path(path_type=Path), default=None,
+              help="Folder of the report; default reports/NAME-OF-SCENARIO.")  # fmt: skip
+@click.option(
+    "--all-points", is_flag=True, help="Every occupancy and particle size that the study lists, one report each."
+)
+@click.option("--workers", type=click.IntRange(1), default=None, help="Runs at a time; default: one per core.")
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
+    catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
+
+    With --set the unedited study is run beside the edited one, and what the edit changes is shown.
+    """
+    document = read_document(scenario)
+    study = open_study(overridden(document, settings), catalog_beside(scenario, catalogs))
+    folder = out or Path("reports") / scenario.stem
+    if all_points:
+        _every_point(study, folder, workers)
+        return
+    runs = _run(study, "edited study" if settings else "study", workers)
+    found: tuple[Change, ...] = ()
+    if settings:
+        unedited = _run(open_study(document, study.catalog), "unedited study", workers)
+        found = changes(unedited, runs)
+    decided, answer = _tell(runs)
+    _tell_changes(found, settings)
+    written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
+    click.echo(f"\n{answer.sentence}\n\nreport: {written[0]}")
+
+
+def _run(study: Study, title: str, workers: int | None) -> StudyRuns:
+    with drive_progress(title) as progress:
+        return run_study(study, progress=progress, workers=workers)
+
+
+def _tell(runs: StudyRuns) -> tuple[Decided, Verdict]:
+    decided = decide(runs)
+    answer = verdict(decided)
+    click.echo(ranked_text(decided) + "\n")
+    click.echo(shares_text(runs))
+    for drive in runs.drives:
+        if drive.out_of_reach:
+            click.echo(f"{drive.candidate.name}: {drive.out_of_reach}")
+    return decided, answer
+
+
+def _tell_changes(found: tuple[Change, ...], settings: tuple[str, ...]) -> None:
+    if not found:
+        return
+    rows = [["unedited", "edited", "error N*m", "edited", "change %", "disturbance N*m", "edited"]]
+    for change in found:
+        before, after = change.error_before, change.error_after
+        moved = "-" if before is None or after is None or before == 0 else f"{100 * (after / before - 1):+.1f}"
+        rows.append([change.before, change.after, _number(before), _number(after), moved,
+                     _number(change.disturbance_before), _number(change.disturbance_after)])  # fmt: skip
+    click.echo(f"\nWhat {' and '.join(settings)} changes (reading error with the best filter of each drive):")
+    click.echo(grid(rows))
+
+
+def _every_point(study: Study, folder: Path, workers: int | None) -> None:
+    points: tuple[Point, ...] = points_of(study)
+    if not points:
+        raise InputError(
+            f"{study.document.place(('study',))}: there is no all_points:; list occupancy or particle_size"
+        )
+    rows = [["occupancy %", "particle mm", "winner", "error N*m", "verdict"]]
+    quick = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
+    for number, point in enumerate(points, start=1):
+        runs = _run(point.applied(quick), f"point {number} of {len(points)}", workers)
+        decided = decide(runs)
+        answer = verdict(decided)
+        write_study_report(runs, decided, answer, folder / point.name)
+        made = decided.alternatives.get(answer.winner)
+        error = made.drive.chains[made.chain].truth_error.value if made else None
+        rows.append([f"{point.occupancy_percent:g}", f"{1e3 * point.particle_size:g}", answer.winner or "-",
+                     _number(error), answer.word])  # fmt: skip
+    click.echo(grid(rows) + f"\n\none report per point in {folder}")
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4f}"

@@ -1,0 +1,24 @@
+"""``torquerig init``: catalogs and scenarios of one's own."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import click
+
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.errors import InputError
+
+
+@click.command("init")
+@click.argument("folder", type=click.Path(path_type=Path), default=Path())
+def command(folder: Path) -> None:
+    """Copy the shipped catalogs and scenarios into FOLDER (default: here); nothing is overwritten."""
+    sources = {"catalogs": shipped_folder(), "scenarios": shipped_scenarios()}
+    there = [str(folder / name) for name in sources if (folder / name).exists()]
+    if there:
+        raise InputError(f"{there[0]}: is there already and stays as it is; choose another folder or move it away")
+    for name, source in sources.items():
+        shutil.copytree(source, folder / name)
+    click.echo(f"catalogs and scenarios are in {folder.resolve()}; now: torquerig compare scenarios/wear_rig.yaml")

@@ -1,0 +1,58 @@
+"""``torquerig orders``: where the lines of a motor and gearbox stand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
+from torquerig.cli.tables import grid
+from torquerig.errors import InputError, UnitError
+from torquerig.signals.kinematics import Kinematics
+from torquerig.signals.orders import orders_report
+from torquerig.signals.orders_telling import ORDERS_HEADER, orders_rows, orders_sentences
+from torquerig.signals.teeth import Planetary
+from torquerig.units import parse_quantity
+
+
+@click.command("orders")
+@click.option("--motor", default="bldc-12n14p", show_default=True, help="Motor of the catalog.")
+@click.option("--gearbox", default=None, help="Gearbox of the catalog; gives ratio and teeth.")
+@click.option("--ratio", type=float, default=None, help="Motor turns per output turn, instead of a gearbox.")
+@click.option("--sun", type=int, default=None, help="Teeth of a planetary stage's sun, with --ring.")
+@click.option("--ring", type=int, default=None, help="Teeth of its ring.")
+@click.option("--speed", default="1000 rpm", show_default=True, help="Speed of the motor, with its unit.")
+@click.option("--harmonics", type=click.IntRange(1, 20), default=4, show_default=True, help="Lines of each family.")
+@click.option("--mains", default="50 Hz", show_default=True, help="Frequency of the grid.")
+@catalog_option
+def command(
+    *, motor: str, gearbox: str | None, ratio: float | None, sun: int | None, ring: int | None, speed: str,
+    harmonics: int, mains: str, catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Show each line's frequency, its order on motor and output shaft, its cause, and what it coincides with."""
+    catalog = catalog_beside(None, catalogs)
+    pole_pairs, slots, assumed = winding_of(catalog.motor(motor))
+    teeth: tuple[Planetary, ...] = ()
+    if (sun is None) != (ring is None):
+        raise InputError("--sun and --ring belong together; write both, for example --sun 21 --ring 84")
+    if sun is not None and ring is not None:
+        teeth = (Planetary(sun, ring),)
+    box = catalog.gearbox(gearbox) if gearbox else None
+    sets = box.tooth_sets() if box else ()
+    known_ratio = ratio or (teeth[0].ratio if teeth else box.ratio if box else 5.0)
+    kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=known_ratio, teeth=teeth or sets[:1])
+    report = orders_report(
+        kinematics, _read(speed, "rad/s", "--speed"), harmonics=harmonics, mains=_read(mains, "Hz", "--mains")
+    )
+    click.echo(f"{motor}, {known_ratio:g}:1, motor at {speed}" + (f"; assumed {assumed}" if assumed else ""))
+    click.echo(grid([list(ORDERS_HEADER), *[list(row) for row in orders_rows(report)]]) + "\n")
+    for sentence in orders_sentences(report):
+        click.echo(sentence)
+
+
+def _read(text: str, unit: str, option: str) -> float:
+    try:
+        return parse_quantity(text, unit)
+    except UnitError as error:
+        raise UnitError(f"{option}: {error}") from None

@@ -1,0 +1,70 @@
+"""What a motor on a gearbox can do without a simulation: speed, torque, what it does to the sensor, what it costs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from torquerig.catalog.gearbox import Gearbox
+from torquerig.catalog.motor import Motor
+from torquerig.metrics.figure import Figure, scaled, total
+
+
+@dataclass(frozen=True, kw_only=True)
+class Duty:
+    """What is asked of a drive.
+
+    Parameters
+    ----------
+    output_speed : float
+        [rad/s]
+    mean_torque : float
+        Mean torque at the output [N m].
+    ratio, efficiency : float
+        Of the gearbox as simulated [1].
+    torque_limit : float
+        Of the drive as set [N m].
+    """
+
+    output_speed: float
+    mean_torque: float
+    ratio: float
+    efficiency: float
+    torque_limit: float
+
+
+def drive_margins(
+    motor: Motor, gearbox: Gearbox, duty: Duty, *, new_motor: bool, new_gearbox: bool
+) -> Mapping[str, Figure]:
+    """Return the figures of a drive by the names that a study's criteria use.
+
+    ``speed_reserve`` max. speed / needed speed; ``speed_use`` needed / rated speed; ``continuous_output_torque`` rated
+    torque x ratio x efficiency [N m]; ``torque_reserve`` that over the mean torque; ``sensor_peak`` the drive's limit
+    at the sensor [N m]; ``servo`` 1 or 0; ``new_parts`` how many of motor, drive, gearbox, adapter must be changed
+    (what stands there already is not new); ``price`` of what is new [EUR].
+    """
+    name = motor.stands_for or motor.name
+    needed = duty.output_speed * duty.ratio
+    gain = duty.ratio * duty.efficiency
+    prices = [Figure(value=0.0, unit="EUR", source="what is there costs nothing")]
+    if new_motor:
+        prices += [scaled(motor.price, 1.0, unit="EUR", missing=f"price of {name}"),
+                   scaled(motor.drive_price, 1.0, unit="EUR", missing=f"price of the drive of {name}")]  # fmt: skip
+    if new_gearbox:
+        prices.append(scaled(gearbox.price, 1.0, unit="EUR", missing=f"price of {gearbox.name}"))
+    servo = motor.servo
+    return {
+        "speed_reserve": scaled(motor.max_speed, 1 / needed, unit="1", missing=f"maximum speed of {name}"),
+        "speed_use": scaled(motor.rated_speed, needed, unit="1", inverse=True, missing=f"rated speed of {name}"),
+        "continuous_output_torque": scaled(motor.rated_torque, gain, unit="N*m", missing=f"rated torque of {name}"),
+        "torque_reserve": scaled(
+            motor.rated_torque, gain / duty.mean_torque, unit="1", missing=f"rated torque of {name}"
+        ),
+        "sensor_peak": Figure(value=duty.torque_limit * gain, unit="N*m", source="drive's limit x ratio x efficiency"),
+        "servo": Figure(missing=f"whether {name} is a servo motor")
+        if servo is None
+        else Figure(value=float(servo.value), source=f"{servo.source} ({servo.evidence})"),
+        # a new motor brings its drive and an adapter plate with it
+        "new_parts": Figure(value=float(3 * new_motor + new_gearbox), source="motor, drive and adapter; gearbox"),
+        "price": total(prices, unit="EUR"),
+    }

@@ -1,0 +1,71 @@
+"""A number to quote: the value, the interval it lies in, its unit, and where it comes from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from torquerig.parameter import Estimate
+
+
+@dataclass(frozen=True, kw_only=True)
+class Figure:
+    """One metric of one alternative.
+
+    Parameters
+    ----------
+    value : float or None
+        [unit]; None where only the interval, or nothing, is known.
+    low, high : float or None
+        The interval [unit]; None where the value is certain or nothing is known.
+    unit : str
+    source : str
+        A catalog field with its source, or the simulation that gave it.
+    missing : str
+        What to ask for, where the figure is unknown or an interval.
+    """
+
+    value: float | None = None
+    low: float | None = None
+    high: float | None = None
+    unit: str = "1"
+    source: str = ""
+    missing: str = ""
+
+    @property
+    def unknown(self) -> bool:
+        """Whether nothing is known."""
+        return self.value is None and self.low is None
+
+    def shown(self) -> str:
+        """Return the text for a table: ``1.27``, ``0.12..0.31`` or ``?``."""
+        if self.unknown:
+            return "?"
+        if self.low is not None and self.high is not None and self.low < self.high:
+            interval = f"{self.low:.3g}..{self.high:.3g}"
+            return interval if self.value is None else f"{self.value:.3g} ({interval})"
+        return f"{self.low if self.value is None else self.value:.4g}"
+
+
+def scaled(estimate: Estimate, factor: float, *, unit: str, missing: str, inverse: bool = False) -> Figure:
+    """Return ``factor * estimate`` (or ``factor / estimate``); a guess stays an interval without a value."""
+    if estimate.unknown:
+        return Figure(unit=unit, source=estimate.source, missing=missing)
+    low, high = sorted((factor / end if inverse else factor * end) for end in estimate.bounds)
+    if estimate.documented and estimate.value is not None:
+        value = factor / estimate.value if inverse else factor * estimate.value
+        return Figure(value=value, unit=unit, source=f"{estimate.source} ({estimate.evidence})")
+    return Figure(low=low, high=high, unit=unit, source=f"{estimate.source} ({estimate.evidence})", missing=missing)
+
+
+def total(figures: list[Figure], *, unit: str) -> Figure:
+    """Return the sum of figures; unknown as soon as one of them is, because a sum without it would be too small."""
+    if any(figure.unknown for figure in figures):
+        return Figure(unit=unit, missing=", ".join(figure.missing for figure in figures if figure.unknown))
+    lows = [figure.value if figure.low is None else figure.low for figure in figures]
+    highs = [figure.value if figure.high is None else figure.high for figure in figures]
+    low, high = (sum(end for end in ends if end is not None) for ends in (lows, highs))
+    source = "; ".join(dict.fromkeys(figure.source for figure in figures if figure.source))
+    if low == high:
+        return Figure(value=low, unit=unit, source=source)
+    missing = ", ".join(figure.missing for figure in figures if figure.low is not None)
+    return Figure(low=low, high=high, unit=unit, source=source, missing=missing)

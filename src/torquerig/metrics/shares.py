@@ -1,0 +1,64 @@
+"""What of the sensor's reading is load, and what is cogging, electrical and mechanical ripple."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.rig.rig import Rig
+from torquerig.signals.recording import Recording
+from torquerig.simulate.simulate import simulate
+
+SENSED = "true_sensor_torque_Nm"
+DISTURBANCES = ("cogging", "electrical", "mechanical")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shares:
+    """Rms of each share of the torque in the sensor [N m], and the mean [N m].
+
+    The shares come from leaving out one group of effects at a time under the same random load: what disappears is the
+    group's share. They need not add up in square, because loop and losses couple them a little.
+    """
+
+    mean: float
+    load: float
+    cogging: float
+    electrical: float
+    mechanical: float
+
+    @property
+    def disturbance(self) -> float:
+        """Rms of all that is not load [N m], the groups taken as independent."""
+        return float(np.sqrt(sum(getattr(self, group) ** 2 for group in DISTURBANCES)))
+
+    def percent(self) -> dict[str, float]:
+        """Return each share of the fluctuation's power [%]: load and the three disturbances, 100 in all."""
+        powers = {name: getattr(self, name) ** 2 for name in ("load", *DISTURBANCES)}
+        whole = sum(powers.values()) or 1.0
+        return {name: 100 * power / whole for name, power in powers.items()}
+
+
+def reading_shares(rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0) -> Shares:
+    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed."""
+
+    def torque(*left_out: str) -> NDArray[np.float64]:
+        kept = replace(rig, parts=tuple(part for part in rig.parts if part.group not in left_out))
+        made = simulate(kept, duration=duration, seed=seed, wander=wander, settling=settling)
+        return made.channels[SENSED].values
+
+    whole, load = torque(), torque(*DISTURBANCES)
+    lost = {group: float(np.std(whole - torque(group))) for group in DISTURBANCES}
+    return Shares(mean=float(whole.mean()), load=float(load.std()), **lost)
+
+
+def disturbance_rms(rig: Rig, reading: Recording, *, seed: int, wander: float = 0.0, settling: float) -> float:
+    """Return the rms of all that the three groups add to a simulated ``reading`` of the rig [N m]; one more run.
+
+    ``seed``, ``wander`` and ``settling`` must be those of the reading, so that the load is the same.
+    """
+    quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
+    load = simulate(quiet, duration=reading.duration, seed=seed, wander=wander, settling=settling)
+    return float(np.std(reading.channels[SENSED].values - load.channels[SENSED].values))

@@ -1,0 +1,111 @@
+"""Each motor on each gearbox as a rig of its own: catalog values put in, loop tuned, drive limited."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import pi
+from typing import Any
+
+from torquerig.document import Document
+from torquerig.errors import InputError
+from torquerig.rig.parts import Gear, Motor, SpeedController
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Inertia
+from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.study.settings import SpeedLoopRule
+from torquerig.study.study import Study
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """A motor on a gearbox.
+
+    Parameters
+    ----------
+    motor, gearbox : str
+        Names in the catalog (an alias keeps its own name).
+    ratio : float
+        Motor turns per output turn [1].
+    """
+
+    motor: str
+    gearbox: str
+    ratio: float
+
+    @property
+    def name(self) -> str:
+        """The name in tables: ``HDS6A-0104A 5:1``."""
+        return f"{self.motor} {self.ratio:g}:1"
+
+
+def candidates(study: Study) -> tuple[Candidate, ...]:
+    """Return all motors on all gearboxes; a ratio stated in the rig's own gear pins the gearbox to that one."""
+    settings, catalog = study.settings, study.catalog
+    _, gear_part = drive_parts(study.document)
+    motors = tuple(catalog.motors) if settings.motors == "all" else settings.motors
+    for motor in motors:
+        catalog.motor(motor)
+    written = study.document.data["rig"][gear_part]
+    if "ratio" in written:
+        pinned = str(written.get("catalog", gear_part))
+        return tuple(Candidate(motor=m, gearbox=pinned, ratio=float(written["ratio"])) for m in motors)
+    return tuple(
+        Candidate(motor=motor, gearbox=gearbox, ratio=catalog.gearbox(gearbox).ratio)
+        for motor in motors
+        for gearbox in settings.gearboxes
+    )
+
+
+def drive_parts(document: Document) -> tuple[str, str]:
+    """Return the names of the motor and the gear that candidates take the place of."""
+    rig: Mapping[str, Any] = document.data.get("rig", {})
+    found = []
+    for kind in ("motor", "gear"):
+        names = [name for name, part in rig.items() if isinstance(part, dict) and part.get("kind") == kind]
+        if len(names) != 1:
+            raise InputError(f"{document.path}: a study exchanges one {kind}, but the rig has {len(names)}; keep one")
+        found.append(str(names[0]))
+    return found[0], found[1]
+
+
+def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
+    """Return the scenario with the candidate's motor and gearbox, its loop tuned by the rule, its drive limited.
+
+    ``seed`` fixes what is drawn from the catalog's intervals.
+    """
+    document, catalog = study.document, study.catalog
+    motor_part, gear_part = drive_parts(document)
+    data = copy.deepcopy(document.data)
+    own = data["rig"][motor_part]
+    if own.get("catalog") != candidate.motor:
+        data["rig"][motor_part] = {"kind": "motor", "catalog": candidate.motor}
+    if candidate.gearbox in catalog.gearboxes:
+        data["rig"][gear_part]["catalog"] = candidate.gearbox
+    scenario = read_scenario(Document(document.path, data, document.node), catalog, seed=seed)
+    limited = drive_limited(scenario.rig, study.settings.sensor_limit)
+    return replace(scenario, rig=loop_tuned(limited, study.settings.speed_loop))
+
+
+def drive_limited(rig: Rig, sensor_limit: float) -> Rig:
+    """Return the rig with the drive's torque limit lowered so that the sensor sees at most ``sensor_limit`` [N m]."""
+    motor = next(part for part in rig.parts if isinstance(part, Motor))
+    gain = 1.0
+    for gear in (part for part in rig.parts if isinstance(part, Gear)):
+        gain *= abs(gear.ratio) * gear.efficiency
+    return rig.changed(replace(motor, torque_limit=min(motor.torque_limit, sensor_limit / gain)))
+
+
+def loop_tuned(rig: Rig, rule: SpeedLoopRule) -> Rig:
+    """Return the rig with ``kp = 2 pi crossover J`` and ``ki = kp 2 pi corner``, J all inertia seen by the motor.
+
+    The crossover of the open loop ``kp / (J s)``; it must stay well below the first torsional mode, which is not
+    checked here (the drives of the study have theirs at 100 to 210 Hz).
+    """
+    controller = next(part for part in rig.parts if isinstance(part, SpeedController))
+    ratios = rig.speed_ratios(rig.node(controller.motor))
+    inertias = [term for part in rig.parts for term in part.terms(rig) if isinstance(term, Inertia)]
+    seen = sum(term.inertia * ratios[term.node] ** 2 for term in inertias)
+    kp = 2 * pi * rule.crossover * seen
+    return rig.changed(replace(controller, kp=kp, ki=kp * 2 * pi * rule.integral_corner))

@@ -1,0 +1,121 @@
+"""One drive through the study: simulate, filter, measure, and draw further copies of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from math import pi, prod
+
+from torquerig.errors import InputError
+from torquerig.metrics.drive_margins import Duty, drive_margins
+from torquerig.metrics.figure import Figure
+from torquerig.metrics.shares import disturbance_rms, reading_shares
+from torquerig.metrics.truth_error import truth_error
+from torquerig.rig.parts import Gear, Motor, SpeedController
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Load
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.effect import chain_effect
+from torquerig.simulate.simulate import simulate
+from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.results import ChainResult, DriveResult
+from torquerig.study.study import Study
+
+SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that tell the shares apart
+DRAW_DURATION = 3.0  # [s] of the runs of further drawn copies
+SHORT_SETTLING = 0.8  # [s] of these runs: seven time constants of the slowest pole that the rule of the loop gives
+
+
+def run_drive(candidate: Candidate, study: Study) -> DriveResult:
+    """Return what one motor on one gearbox does: margins, shares of the reading, and every filter on it."""
+    scenario = scenario_of(candidate, study, seed=study.settings.seed)
+    motor = next(part for part in scenario.rig.parts if isinstance(part, Motor))
+    controller = next(part for part in scenario.rig.parts if isinstance(part, SpeedController))
+    speed = scenario.rig.run.speed or 0.0
+    top = study.catalog.motor(candidate.motor).max_speed.bounds[1]
+    reason = f"needs {speed * 30 / pi:.0f} rpm, reaches at most {top * 30 / pi:.0f} rpm" if speed > top else ""
+    still = DriveResult(
+        candidate=candidate,
+        margins=_margins(candidate, scenario, study, torque_limit=motor.torque_limit),
+        out_of_reach=reason,
+        motor_speed=speed,
+        torque_limit=motor.torque_limit,
+        kp=controller.kp,
+        assumed=scenario.assumed,
+        shares=None,
+        disturbance=Figure(unit="N*m", missing=reason),
+        chains={},
+        recording=None,
+    )
+    return still if reason else _simulated(still, scenario, study)
+
+
+def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_limit: float) -> Mapping[str, Figure]:
+    rig, present = scenario.rig, study.settings.present
+    entry, gearbox = study.catalog.motor(candidate.motor), study.catalog.gearboxes.get(candidate.gearbox)
+    if gearbox is None:
+        raise InputError(f"{study.document.path}: the gear has no catalog entry; state one, so that its price is known")
+    gears = [part for part in rig.parts if isinstance(part, Gear)]
+    ratio = kinematics_of(rig).ratio
+    duty = Duty(
+        output_speed=(rig.run.speed or 0.0) / ratio,
+        mean_torque=mean_load(rig),
+        ratio=ratio,
+        efficiency=prod(gear.efficiency for gear in gears),
+        torque_limit=torque_limit,
+    )
+    return drive_margins(
+        entry,
+        gearbox,
+        duty,
+        new_motor=(entry.stands_for or entry.name) != present.motor,
+        new_gearbox=gearbox.name != present.gearbox or gearbox.ratio != candidate.ratio,
+    )
+
+
+def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveResult:
+    """Return the drive with what its simulation showed."""
+    rig, seed = scenario.rig, study.settings.seed
+    wander, ratio = scenario.operating_point.slow_speed_wander, kinematics_of(rig).ratio
+    reading = simulate(rig, duration=study.settings.duration, seed=seed, wander=wander, scenario=scenario.title)
+    shares = reading_shares(rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
+    errors, disturbances = _drawn_copies(still.candidate, study)
+    chains = {}
+    for name, chain in study.chains(scenario).items():
+        after = chain.apply(reading)
+        chains[name] = ChainResult(
+            chain=name,
+            effect=chain_effect(reading, after, ratio=ratio, lines=chain.lines),
+            truth_error=_spread(truth_error(after, reading), errors.get(name, []), scenario.assumed),
+            left_out=chain.left_out,
+        )
+    disturbance = _spread(shares.disturbance, disturbances, scenario.assumed)
+    return replace(still, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
+
+
+def _drawn_copies(candidate: Candidate, study: Study) -> tuple[dict[str, list[float]], list[float]]:
+    """Return reading errors by chain, and disturbances, of further copies drawn from the catalog's intervals."""
+    errors: dict[str, list[float]] = {}
+    disturbances = []
+    for number in range(1, study.settings.draws + 1):
+        seed = study.settings.seed + number
+        scenario = scenario_of(candidate, study, seed=seed)
+        wander = scenario.operating_point.slow_speed_wander
+        reading = simulate(scenario.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
+        for name, chain in study.chains(scenario).items():
+            errors.setdefault(name, []).append(truth_error(chain.apply(reading), reading))
+        disturbances.append(disturbance_rms(scenario.rig, reading, seed=seed, wander=wander, settling=SHORT_SETTLING))
+    return errors, disturbances
+
+
+def _spread(value: float, others: list[float], assumed: Mapping[str, str]) -> Figure:
+    missing = ", ".join(assumed) if assumed else ""
+    low, high = min([value, *others]), max([value, *others])
+    return Figure(value=value, low=low, high=high, unit="N*m", source=f"simulated, {1 + len(others)} copies",
+                  missing=missing)  # fmt: skip
+
+
+def mean_load(rig: Rig) -> float:
+    """Return the mean torque that the loads of the rig ask for at its operating point [N m]."""
+    return sum(term.process.mean for term in rig.terms() if isinstance(term, Load))

@@ -1,0 +1,83 @@
+"""What a study found, before anything is decided: per drive, and per filter on it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from torquerig import __version__
+from torquerig.metrics.figure import Figure
+from torquerig.metrics.shares import Shares
+from torquerig.signals.effect import FilterEffect
+from torquerig.signals.recording import Recording
+from torquerig.study.candidates import Candidate
+from torquerig.study.study import Study
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChainResult:
+    """One filter on one drive."""
+
+    chain: str
+    effect: FilterEffect
+    truth_error: Figure
+    left_out: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class DriveResult:
+    """One motor on one gearbox.
+
+    Parameters
+    ----------
+    candidate : Candidate
+    margins : mapping of str to Figure
+        Speed, torque, sensor, parts and price; see metrics/drive_margins.
+    out_of_reach : str
+        Why it was not simulated; empty when it was.
+    motor_speed : float
+        [rad/s]
+    torque_limit, kp : float
+        As set by the study's rules [N m], [N m s/rad].
+    assumed : mapping of str to str
+        Values that no document states, with the interval that they were drawn from.
+    shares : Shares or None
+    disturbance : Figure
+        Rms of the lines in the unfiltered reading over this and the drawn copies [N m].
+    chains : mapping of str to ChainResult
+    recording : Recording or None
+        The reading, with its truth.
+    """
+
+    candidate: Candidate
+    margins: Mapping[str, Figure]
+    out_of_reach: str
+    motor_speed: float
+    torque_limit: float
+    kp: float
+    assumed: Mapping[str, str]
+    shares: Shares | None
+    disturbance: Figure
+    chains: Mapping[str, ChainResult]
+    recording: Recording | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class StudyRuns:
+    """All that was simulated and measured.
+
+    Parameters
+    ----------
+    mean_load : float
+        Mean torque that the load process asks for [N m].
+    occupancy_percent, particle_size, output_speed : float
+        The operating point [%], [m], [rad/s].
+    """
+
+    study: Study
+    drives: tuple[DriveResult, ...]
+    mean_load: float
+    occupancy_percent: float
+    particle_size: float
+    output_speed: float
+    version: str = __version__

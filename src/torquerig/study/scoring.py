@@ -1,0 +1,154 @@
+"""From measured figures to matrices: demands on each drive, criteria on each drive with each filter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
+from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
+from torquerig.decide.matrix import Cell, DecisionMatrix
+from torquerig.decide.pugh import PughResult, pugh
+from torquerig.metrics.figure import Figure
+from torquerig.study.results import DriveResult, StudyRuns
+from torquerig.study.settings import CriterionRow, DemandRow
+
+
+@dataclass(frozen=True, kw_only=True)
+class Alternative:
+    """One motor x gearbox x filter."""
+
+    drive: DriveResult
+    chain: str
+
+    @property
+    def name(self) -> str:
+        """The name in tables: ``HDS6A-0104A 5:1 | order_lines``."""
+        return f"{self.drive.candidate.name} | {self.chain}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Decided:
+    """The three matrices of a study.
+
+    Parameters
+    ----------
+    demands : DecisionMatrix
+        Every drive against the demands; ``chart`` is its elimination.
+    matrix : DecisionMatrix
+        Every surviving drive with every filter against the criteria; the present drive stands in it as the datum even
+        where a demand eliminates it.
+    overall, technical, economic : KesselringResult
+        All criteria together (the ranking), and each kind apart (for the S-diagram: price belongs on its own axis).
+    alternatives : mapping of str to Alternative
+        The rows of ``matrix`` by name.
+    """
+
+    demands: DecisionMatrix
+    chart: SelectionChart
+    alternatives: Mapping[str, Alternative]
+    datum: str
+    matrix: DecisionMatrix
+    pugh: PughResult
+    overall: KesselringResult
+    technical: KesselringResult
+    economic: KesselringResult | None
+
+    def ranked(self) -> tuple[str, ...]:
+        """Return the names of all alternatives, the best by the overall T first; ties keep the order of the study."""
+        totals = self.overall.total
+        return tuple(self.overall.alternatives[row] for row in sorted(range(len(totals)), key=lambda row: -totals[row]))
+
+
+def decide(runs: StudyRuns) -> Decided:
+    """Return elimination, Pugh and Kesselring of a study's runs."""
+    settings = runs.study.settings
+    demands = DecisionMatrix(
+        name="demands",
+        alternatives=tuple(drive.candidate.name for drive in runs.drives),
+        criteria=tuple(_demand(name, row) for name, row in settings.demands.items()),
+        cells={
+            (drive.candidate.name, name): _cell(_figure(drive, None, row.metric))
+            for drive in runs.drives
+            for name, row in settings.demands.items()
+        },
+    )
+    chart = eliminate(demands)
+    kept = set(chart.with_decision(Decision.PURSUE, Decision.OPEN, Decision.REVISE))
+    present = _present(runs)
+    alternatives = {
+        made.name: made
+        for drive in runs.drives
+        if (drive.candidate.name in kept or drive is present) and drive.chains
+        for made in (Alternative(drive=drive, chain=chain) for chain in drive.chains)
+    }
+    matrix = DecisionMatrix(
+        name="criteria",
+        alternatives=tuple(alternatives),
+        criteria=tuple(_criterion(name, row) for name, row in settings.criteria.items()),
+        cells={
+            (made.name, name): _cell(_figure(made.drive, made.chain, row.metric))
+            for made in alternatives.values()
+            for name, row in settings.criteria.items()
+        },
+    )
+    datum = f"{present.candidate.name} | {settings.present.filter}"
+    economic = matrix.only(kind=Kind.ECONOMIC) if any(c.kind is Kind.ECONOMIC for c in matrix.criteria) else None
+    return Decided(
+        demands=demands,
+        chart=chart,
+        alternatives=alternatives,
+        datum=datum,
+        matrix=matrix,
+        pugh=pugh(matrix, datum),
+        overall=kesselring(matrix, profile=TEACHING),
+        technical=kesselring(matrix.only(kind=Kind.TECHNICAL), profile=TEACHING),
+        economic=None if economic is None else kesselring(economic, profile=TEACHING),
+    )
+
+
+def _present(runs: StudyRuns) -> DriveResult:
+    """Return the drive that stands on the rig today; where a what-if pinned the gearbox, its motor on that one."""
+    settings = runs.study.settings
+    same = [drive for drive in runs.drives if drive.candidate.motor == settings.present.motor]
+    return next((drive for drive in same if drive.candidate.gearbox == settings.present.gearbox), same[0])
+
+
+def _figure(drive: DriveResult, chain: str | None, metric: str) -> Figure:
+    if metric == "truth_error":
+        return Figure(unit="N*m") if chain is None else drive.chains[chain].truth_error
+    if metric == "disturbance":
+        return drive.disturbance
+    return drive.margins[metric]
+
+
+def _cell(figure: Figure) -> Cell:
+    if figure.unknown:
+        return Cell(unknown_reason=figure.missing, source=figure.source)
+    interval = figure.low is not None and figure.high is not None and figure.low < figure.high
+    return Cell(
+        value=figure.value if figure.value is not None or interval else figure.low,
+        low=figure.low if interval else None,
+        high=figure.high if interval else None,
+        source=figure.source,
+        unknown_reason=figure.missing,
+    )
+
+
+def _demand(name: str, row: DemandRow) -> Criterion:
+    return Criterion(name=name, unit=row.unit, demand=Demand(low=row.min, high=row.max), purpose=row.purpose)
+
+
+def _criterion(name: str, row: CriterionRow) -> Criterion:
+    return Criterion(
+        name=name,
+        unit=row.unit,
+        better=Better(row.better),
+        band=row.band,
+        kind=Kind(row.kind),
+        weight=row.weight,
+        indifference=Indifference(absolute=row.same_within.absolute, relative=row.same_within.relative),
+        value=ValueFunction(tuple(sorted(row.points.items()))),
+        purpose=row.purpose,
+    )

@@ -1,0 +1,121 @@
+"""The study section of a scenario: candidates, filters, rules, demands and criteria."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, model_validator
+
+from torquerig.document import Document, validated
+from torquerig.errors import InputError
+from torquerig.parameter import Parameter
+from torquerig.scenario.operating_point import Percent
+
+Metric = Literal[
+    "truth_error", "disturbance", "speed_reserve", "speed_use", "continuous_output_torque", "torque_reserve",
+    "sensor_peak", "servo", "new_parts", "price",
+]  # fmt: skip
+SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance")
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Present(_Section):
+    """What stands on the rig today; the datum of the Pugh matrix."""
+
+    motor: str
+    gearbox: str
+    filter: str = "none"
+
+
+class Filters(_Section):
+    """Which chains of which file, relative to the scenario."""
+
+    file: str
+    names: tuple[str, ...] = Field(min_length=1)
+
+
+class SpeedLoopRule(_Section):
+    """The one rule by which the speed loop of every drive is tuned."""
+
+    crossover: Annotated[float, Parameter("Hz", "crossover of the speed loop", above=0)]
+    integral_corner: Annotated[float, Parameter("Hz", "corner of the integrator", low=0)]
+
+
+class AllPoints(_Section):
+    """The operating points of ``--all-points``."""
+
+    occupancy: tuple[Percent, ...]
+    particle_size: tuple[Annotated[float, Parameter("m", "particle size", above=0)], ...]
+
+
+class DemandRow(_Section):
+    """A demand of the elimination."""
+
+    metric: Metric
+    unit: str
+    min: float | None = None
+    max: float | None = None
+    purpose: str
+
+    @model_validator(mode="after")
+    def _has_a_limit(self) -> DemandRow:
+        if self.min is None and self.max is None:
+            raise ValueError("a demand needs a limit; write min or max")
+        return self
+
+
+class Band(_Section):
+    """How far apart two values count as the same in the Pugh matrix."""
+
+    absolute: float = 0.0
+    relative: float = 0.0
+
+
+class CriterionRow(_Section):
+    """A criterion of the Pugh and Kesselring matrices."""
+
+    metric: Metric
+    unit: str
+    better: Literal["more", "less", "band"]
+    band: tuple[float, float] | None = None
+    kind: Literal["technical", "economic"] = "technical"
+    weight: Annotated[float, Field(ge=0)]
+    same_within: Band = Band()
+    points: dict[float, float] = Field(min_length=2)
+    purpose: str
+
+
+class Settings(_Section):
+    """Everything under ``study:``."""
+
+    duration: Annotated[float, Parameter("s", "length of a run", above=0)] = 10.0
+    seed: int = Field(default=1, ge=0)
+    draws: int = Field(default=0, ge=0)
+    present: Present
+    motors: Literal["all"] | tuple[str, ...]
+    gearboxes: tuple[str, ...] = Field(min_length=1)
+    filters: Filters
+    speed_loop: SpeedLoopRule
+    sensor_limit: Annotated[float, Parameter("N*m", "largest torque at the sensor", above=0)]
+    all_points: AllPoints | None = None
+    demands: dict[str, DemandRow]
+    criteria: dict[str, CriterionRow] = Field(min_length=1)
+
+
+def read_settings(document: Document) -> Settings:
+    """Return the study of a scenario; InputError with file, line and key where there is none or it cannot be used."""
+    if "study" not in document.data:
+        raise InputError(f"{document.path}: there is no study: section to compare; copy the one of wear_rig.yaml")
+    settings = validated(document, TypeAdapter(Settings), within=("study",))
+    for what, names in (("motors", settings.motors), ("gearboxes", settings.gearboxes)):
+        if names == "all":
+            continue
+        if not names:
+            raise InputError(f"{document.place(('study', what))}: nothing is listed; name at least one")
+        twice = {name for name in names if names.count(name) > 1}
+        if twice:
+            raise InputError(f"{document.place(('study', what))}: {sorted(twice)[0]!r} stands twice; keep one")
+    return settings

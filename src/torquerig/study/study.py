@@ -1,0 +1,50 @@
+"""A study as it is run: the scenario's document, its settings, the catalog and the filter chains' document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from torquerig.catalog.reading import Catalog
+from torquerig.document import Document, read_document
+from torquerig.errors import InputError
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.chain import Chain
+from torquerig.signals.chain_file import read_chains
+from torquerig.study.settings import Settings, read_settings
+
+
+@dataclass(frozen=True)
+class Study:
+    """Everything that a comparison reads; nothing in it is changed by running."""
+
+    document: Document
+    settings: Settings
+    catalog: Catalog
+    filters: Document
+
+    def chains(self, scenario: Scenario) -> Mapping[str, Chain]:
+        """Return the study's filter chains, made for the poles, slots, ratio and teeth of one scenario.
+
+        Raises
+        ------
+        InputError
+            When the study names a chain that the file does not have.
+        """
+        made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig))
+        for name in (*self.settings.filters.names, self.settings.present.filter):
+            if name not in made:
+                raise InputError(
+                    f"{self.document.place(('study', 'filters', 'names'))}: there is no chain {name!r} in "
+                    f"{self.filters.path.name}; known are {', '.join(made)}"
+                )
+        return {name: made[name] for name in self.settings.filters.names}
+
+
+def open_study(document: Document, catalog: Catalog) -> Study:
+    """Return the study of a scenario's document; InputError with file, line and key for what cannot be used."""
+    settings = read_settings(document)
+    filters = read_document(Path(document.path).parent / settings.filters.file)
+    return Study(document, settings, catalog, filters)
