@@ -1,0 +1,103 @@
+"""The sheet that calculates: change a weight and see totals, T/T_max and ranks follow."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from torquerig.decide.kesselring import KesselringResult
+from torquerig.decide.ranks import TIE
+
+Looks = dict[str, Any]
+HEAD, WEIGHTS, NORMALISED, IDEAL, FIRST = 1, 2, 3, 4, 5
+"""Rows of the sheet, counted from 0; the combinations start at ``FIRST``."""
+TOTALS = ("T", "T/T_max", "rank", "T low", "T high", "best rank", "worst rank")
+
+
+def write_kesselring(sheet: Any, looks: Looks, result: KesselringResult) -> None:
+    """Write weights, ideal, points and the formulas over them, each with its present value stored.
+
+    Beside the points stand the fewest and the most that the facts allow, from which the range of the rank follows.
+    Ranks are shared competition ranks: 1 plus how many are better by more than rounding.
+    """
+    from xlsxwriter.utility import xl_range_abs
+
+    count = len(result.criteria)
+    points, low, high = 1, 1 + count + len(TOTALS), 1 + 2 * count + len(TOTALS)
+    sheet.write_string(0, 0, "Change the weights in the coloured row; totals and ranks follow. Points in italics are "
+                       "the middle of a range that the facts leave open.", looks["bold"])  # fmt: skip
+    _head(sheet, looks, result)
+    weights = xl_range_abs(WEIGHTS, 1, WEIGHTS, count)
+    for column in range(count):
+        weight, share = float(result.weights[column]), float(result.normalised[column])
+        sheet.write_number(WEIGHTS, 1 + column, weight, looks["weight"])
+        sheet.write_formula(NORMALISED, 1 + column, f"={_cell(WEIGHTS, 1 + column)}/SUM({weights})", looks["three"],
+                            share)  # fmt: skip
+        sheet.write_number(IDEAL, 1 + column, result.profile.p_max)
+    _ideal(sheet, looks, result, weights)
+    for row, name in enumerate(result.alternatives):
+        sheet.write_string(FIRST + row, 0, name)
+        for column in range(count):
+            known = result.low[row, column] == result.high[row, column]
+            look = looks["three" if known else "guess"]
+            sheet.write_number(FIRST + row, points + column, float(result.middle[row, column]), look)
+            sheet.write_number(FIRST + row, low + column, float(result.low[row, column]), looks["three"])
+            sheet.write_number(FIRST + row, high + column, float(result.high[row, column]), looks["three"])
+        _totals(sheet, looks, result, row=row, blocks=(points, low, high), weights=weights)
+    last = FIRST + len(result.alternatives) - 1
+    scale = {"type": "3_color_scale", "min_color": "#F4B6AE", "mid_color": "#FFF3C9", "max_color": "#B5DDB4"}
+    sheet.conditional_format(FIRST, points, last, points + count - 1,
+                             scale | {"min_type": "num", "min_value": result.profile.p_min, "mid_type": "num",
+                                      "mid_value": (result.profile.p_min + result.profile.p_max) / 2,
+                                      "max_type": "num", "max_value": result.profile.p_max})  # fmt: skip
+    sheet.conditional_format(FIRST, count + 2, last, count + 2, scale)
+
+
+def _head(sheet: Any, looks: Looks, result: KesselringResult) -> None:
+    fewest, most = ([f"{word} points: {name}" for name in result.criteria] for word in ("fewest", "most"))
+    for column, text in enumerate(["combination", *result.criteria, *TOTALS, *fewest, *most]):
+        sheet.write_string(HEAD, column, text, looks["head"])
+        sheet.set_column(column, column, 46 if column == 0 else 11)
+    for row, text in ((WEIGHTS, "weight as given"), (NORMALISED, "weight normalised"), (IDEAL, "ideal")):
+        sheet.write_string(row, 0, text, looks["bold"])
+    sheet.freeze_panes(FIRST, 1)
+
+
+def _ideal(sheet: Any, looks: Looks, result: KesselringResult, weights: str) -> None:
+    from xlsxwriter.utility import xl_range
+
+    count = len(result.criteria)
+    ideal = xl_range(IDEAL, 1, IDEAL, count)
+    sheet.write_formula(IDEAL, count + 1, f"=SUMPRODUCT({weights},{ideal})", looks["three"], result.ideal)
+    sheet.write_formula(IDEAL, count + 2, f"={_cell(IDEAL, count + 1)}/{_cell(IDEAL, count + 1)}", looks["three"], 1)
+    sheet.write_formula(WEIGHTS, count + 1, f"=SUM({weights})", looks["three"], result.weight_sum)
+
+
+def _totals(
+    sheet: Any, looks: Looks, result: KesselringResult, *, row: int, blocks: tuple[int, int, int], weights: str
+) -> None:
+    """Write T, T/T_max, rank, and their ranges; the columns of ``TOTALS`` in order."""
+    from xlsxwriter.utility import xl_range, xl_range_abs
+
+    count, line = len(result.criteria), FIRST + row
+    total, share, rank, low, high, best, worst = range(count + 1, count + 1 + len(TOTALS))
+    last = FIRST + len(result.alternatives) - 1
+    whole = {column: xl_range_abs(FIRST, column, last, column) for column in (total, low, high)}
+    ends = zip((total, low, high), blocks, (result.total, result.total_low, result.total_high), strict=True)
+    for column, block, values in ends:
+        formula = f"=SUMPRODUCT({weights},{xl_range(line, block, line, block + count - 1)})"
+        sheet.write_formula(line, column, formula, looks["three"], float(values[row]))
+    sheet.write_formula(line, share, f"={_cell(line, total)}/{_cell(IDEAL, total, fixed=True)}", looks["three"],
+                        float(result.share[row]))  # fmt: skip
+    above = {column: f"1+SUMPRODUCT(--({whole[column]}>{{}}+{TIE}))" for column in (total, low, high)}
+    best_rank, worst_rank = (int(ends[row]) for ends in result.rank_range)
+    sheet.write_formula(line, rank, f"={above[total].format(_cell(line, total))}", None, int(result.ranks[row]))
+    sheet.write_formula(line, best, f"={above[low].format(_cell(line, high))}", None, best_rank)
+    # its own highest total is above its own lowest one, which is no rival
+    itself = f"({_cell(line, high)}>{_cell(line, low)}+{TIE})"
+    sheet.write_formula(line, worst, f"={above[high].format(_cell(line, low))}-{itself}", None, worst_rank)
+
+
+def _cell(row: int, column: int, *, fixed: bool = False) -> str:
+    from xlsxwriter.utility import xl_rowcol_to_cell
+
+    return str(xl_rowcol_to_cell(row, column, row_abs=fixed, col_abs=fixed))
