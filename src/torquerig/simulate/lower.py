@@ -93,7 +93,7 @@ def lower(rig: Rig, seed: int) -> Lowered:
         blades=_blades(blades, number, table, seed),
         drives=_drives(drives, number, table, seed),
         loads=Loads(
-            _ints(number[t.on] for t in loads),
+            _rows(number[t.on] for t in loads),
             _floats(1 / t.smoothing if isinstance(t, Load) else 0.0 for t in loads),
             np.zeros((0, 0)),
         ),
@@ -112,8 +112,8 @@ def _springs(springs: Sequence[Spring], number: dict[str, int], table: WaveTable
     waves = [[(number[s.b], w, phase_of(s.name, w, seed)) for w in s.error] for s in springs]
     flat = [item for group in waves for item in group]
     return Springs(
-        a=_ints(number[s.a] for s in springs),
-        b=_ints(number[s.b] for s in springs),
+        a=_rows(number[s.a] for s in springs),
+        b=_rows(number[s.b] for s in springs),
         stiffness=_floats(s.stiffness for s in springs),
         damping=_floats(s.damping for s in springs),
         half_gap=_floats(0.5 * s.gap for s in springs),
@@ -121,7 +121,7 @@ def _springs(springs: Sequence[Spring], number: dict[str, int], table: WaveTable
         loss_mean=_floats(0.5 * (1 / s.efficiency + s.efficiency) for s in springs),
         loss_half=_floats(0.5 * (1 / s.efficiency - s.efficiency) for s in springs),
         e_first=_starts(waves),
-        e_slot=_ints(table.slots[(node, w.order)] for node, w, _ in flat),
+        e_slot=_rows(table.slots[(node, w.order)] for node, w, _ in flat),
         e_order=_floats(w.order for _, w, _ in flat),
         e_cos=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
         e_sin=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
@@ -131,9 +131,9 @@ def _springs(springs: Sequence[Spring], number: dict[str, int], table: WaveTable
 def _harmonics(terms: Sequence[HarmonicTorque], number: dict[str, int], table: WaveTable, seed: int) -> Harmonics:
     flat = [(term, wave, phase_of(term.name, wave, seed)) for term in terms for wave in term.waves]
     return Harmonics(
-        on=_ints(number[t.on] for t, _, _ in flat),
-        against=_ints(number[t.against] for t, _, _ in flat),
-        slot=_ints(table.slots[(number[t.angle], w.order)] for t, w, _ in flat),
+        on=_rows(number[t.on] for t, _, _ in flat),
+        against=_rows(number[t.against] for t, _, _ in flat),
+        slot=_rows(table.slots[(number[t.angle], w.order)] for t, w, _ in flat),
         c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
         s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
     )
@@ -143,8 +143,8 @@ def _frictions(terms: Sequence[Friction], number: dict[str, int]) -> Frictions:
     coulomb = [(t.coulomb_backward, t.coulomb_forward) for t in terms]
     excess = [(t.static_backward - t.coulomb_backward, t.static_forward - t.coulomb_forward) for t in terms]
     return Frictions(
-        on=_ints(number[t.on] for t in terms),
-        against=_ints(number[t.against] for t in terms),
+        on=_rows(number[t.on] for t in terms),
+        against=_rows(number[t.against] for t in terms),
         coulomb=np.array(coulomb, dtype=np.float64).reshape(-1, 2),
         excess=np.array(excess, dtype=np.float64).reshape(-1, 2),
         inverse_stribeck=_floats(1 / t.stribeck for t in terms),
@@ -157,8 +157,8 @@ def _frictions(terms: Sequence[Friction], number: dict[str, int]) -> Frictions:
 def _blades(terms: Sequence[BladeTorque], number: dict[str, int], table: WaveTable, seed: int) -> Blades:
     phases = [phase_of(t.name, Wave(order=t.order, amplitude=1.0, phase=t.phase), seed) for t in terms]
     return Blades(
-        on=_ints(number[t.on] for t in terms),
-        slot=_ints(table.slots[(number[t.on], t.order)] for t in terms),
+        on=_rows(number[t.on] for t in terms),
+        slot=_rows(table.slots[(number[t.on], t.order)] for t in terms),
         c=_floats(cos(phase) for phase in phases),
         s=_floats(sin(phase) for phase in phases),
         amplitude=_floats(t.amplitude for t in terms),
@@ -170,14 +170,14 @@ def _drives(terms: Sequence[Drive], number: dict[str, int], table: WaveTable, se
     waves = [[(number[t.on], w, phase_of(t.name, w, seed)) for w in t.ripple] for t in terms]
     flat = [item for group in waves for item in group]
     return Drives(
-        on=_ints(number[t.on] for t in terms),
-        against=_ints(number[t.against] for t in terms),
+        on=_rows(number[t.on] for t in terms),
+        against=_rows(number[t.against] for t in terms),
         kp=_floats(t.kp for t in terms),
         ki=_floats(t.ki for t in terms),
         limit=_floats(t.torque_limit for t in terms),
         inverse_lag=_floats(1 / t.lag for t in terms),
         r_first=_starts(waves),
-        r_slot=_ints(table.slots[(node, w.order)] for node, w, _ in flat),
+        r_slot=_rows(table.slots[(node, w.order)] for node, w, _ in flat),
         r_c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
         r_s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
         reference=np.zeros((0, 0)),
@@ -202,8 +202,8 @@ def _named_nodes(terms: Sequence[Term]) -> list[str]:
     return names
 
 
-def _ints(values: object) -> NDArray[np.int64]:
-    return np.array(list(values), dtype=np.int64)  # type: ignore[call-overload]
+def _rows(values: object) -> NDArray[np.uint64]:
+    return np.array(list(values), dtype=np.uint64)  # type: ignore[call-overload]
 
 
 def _floats(values: object) -> NDArray[np.float64]:

@@ -125,7 +125,7 @@ def _outputs(rig: Rig, lowered: Lowered) -> tuple[kernel.Outputs, tuple[str, ...
     if lowered.drive_terms:
         wanted["true_motor_torque_Nm"] = (kernel.DRIVE_TORQUE, 0)
     kinds, indices = zip(*wanted.values(), strict=True)
-    return kernel.Outputs(np.array(kinds, dtype=np.int64), np.array(indices, dtype=np.int64)), tuple(wanted)
+    return kernel.Outputs(np.array(kinds, dtype=np.uint64), np.array(indices, dtype=np.uint64)), tuple(wanted)
 
 
 def _worn(rig: Rig, lowered: Lowered) -> int:

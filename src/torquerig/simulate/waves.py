@@ -58,9 +58,9 @@ class WaveTable:
     def lowered(self) -> Waves:
         """Return the arrays for the kernel."""
         return Waves(
-            base_node=np.array([node for node, _ in self.bases], dtype=np.int64),
+            base_node=np.array([node for node, _ in self.bases], dtype=np.uint64),
             base_order=np.array([order for _, order in self.bases], dtype=np.float64),
-            product=np.array(self.products, dtype=np.int64).reshape(-1, 3),
+            product=np.array(self.products, dtype=np.uint64).reshape(-1, 3),
         )
 
 
