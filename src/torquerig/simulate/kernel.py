@@ -27,7 +27,8 @@ class Waves(NamedTuple):
 
     base_node: Rows  # (bases,) node whose angle is taken
     base_order: Floats  # (bases,)
-    product: Rows  # (products, 3): slot, and the two slots whose product it is
+    first: Rows  # (products,) slot number bases + i is the product of two earlier slots
+    second: Rows
 
 
 class Springs(NamedTuple):
@@ -149,8 +150,8 @@ def _forces(
         angle = waves.base_order[i] * theta[waves.base_node[i]]
         cosine[i] = np.cos(angle)
         sine[i] = np.sin(angle)
-    for i in range(waves.product.shape[0]):
-        to, p, q = waves.product[i, 0], waves.product[i, 1], waves.product[i, 2]
+    for i in range(waves.first.size):
+        to, p, q = i + waves.base_node.size, waves.first[i], waves.second[i]
         cosine[to] = cosine[p] * cosine[q] - sine[p] * sine[q]
         sine[to] = sine[p] * cosine[q] + cosine[p] * sine[q]
     for i in range(harmonics.on.size):
@@ -266,7 +267,7 @@ def integrate(
     tau = np.zeros(n_drives)
     integral = np.zeros(n_drives)
     command = np.zeros(n_drives)
-    slots = waves.base_node.size + waves.product.shape[0]
+    slots = waves.base_node.size + waves.first.size
     cosine, sine = np.zeros(slots), np.zeros(slots)
     spring_torque = np.zeros(springs.a.size)
     opposing, torque = np.zeros(nodes), np.zeros(nodes)
@@ -275,6 +276,8 @@ def integrate(
     theta_sum, omega_sum, tau_sum = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
     period = 1.0 / rate
     h = period / substeps
+    fraction = 1.0 / substeps
+    moving = nodes - 1  # all but the ground
     samples = kept.shape[1]
     for sample in range(settling + samples):
         for i in range(n_drives):
@@ -286,13 +289,13 @@ def integrate(
             else:
                 command[i] = drives.limit[i] if wish > 0.0 else -drives.limit[i]
         for step in range(substeps):
-            for i in range(nodes):
+            for i in range(moving):
                 theta_k[i], omega_k[i] = theta[i], omega[i]
                 theta_sum[i], omega_sum[i] = 0.0, 0.0
             for i in range(n_drives):
                 tau_k[i], tau_sum[i] = tau[i], 0.0
             for stage in range(4):
-                part = (step + (0.0 if stage == 0 else (1.0 if stage == 3 else 0.5))) / substeps
+                part = (step + (0.0 if stage == 0 else (1.0 if stage == 3 else 0.5))) * fraction
                 for i in range(loads.on.size):
                     u = loads.samples[i, sample]
                     load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
@@ -315,7 +318,7 @@ def integrate(
                             kept[i, sample - settling] = opposing[row]
                 weight = h / 3.0 if 0 < stage < 3 else h / 6.0
                 ahead = h if stage == 2 else 0.5 * h
-                for i in range(nodes):
+                for i in range(moving):
                     slope = torque[i] * inverse_inertia[i]
                     theta_sum[i] += weight * omega_k[i]
                     omega_sum[i] += weight * slope
@@ -325,12 +328,12 @@ def integrate(
                     slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
                     tau_sum[i] += weight * slope
                     tau_k[i] = tau[i] + ahead * slope
-            for i in range(nodes):
+            for i in range(moving):
                 theta[i] += theta_sum[i]
                 omega[i] += omega_sum[i]
             for i in range(n_drives):
                 tau[i] += tau_sum[i]
-        for i in range(nodes):
+        for i in range(moving):
             if not np.isfinite(omega[i]):
                 return sample, i
     return -1, -1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, pi, sin
 from typing import TypeVar
 
@@ -89,7 +89,7 @@ def lower(rig: Rig, seed: int) -> Lowered:
         waves=table.lowered(),
         springs=_springs(springs, number, table, seed),
         harmonics=_harmonics(harmonics, number, table, seed),
-        frictions=_frictions(_of(terms, Friction), number),
+        frictions=_frictions(_merged(_of(terms, Friction)), number),
         blades=_blades(blades, number, table, seed),
         drives=_drives(drives, number, table, seed),
         loads=Loads(
@@ -137,6 +137,29 @@ def _harmonics(terms: Sequence[HarmonicTorque], number: dict[str, int], table: W
         c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
         s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
     )
+
+
+def _merged(terms: Sequence[Friction]) -> list[Friction]:
+    """Return the same friction in fewer terms: what is only viscous or quadratic joins another term of its shafts."""
+    dry = [term for term in terms if _grips(term)]
+    smooth: dict[tuple[str, str], Friction] = {}
+    for term in terms:
+        if not _grips(term) and (term.viscous or term.quadratic):
+            key = (term.on, term.against)
+            before = smooth.get(key)
+            smooth[key] = term if before is None else _with_drag(before, term)
+    for row, term in enumerate(dry):
+        if drag := smooth.pop((term.on, term.against), None):
+            dry[row] = _with_drag(term, drag)
+    return [*dry, *smooth.values()]
+
+
+def _grips(term: Friction) -> bool:
+    return any((term.coulomb_forward, term.coulomb_backward, term.static_forward, term.static_backward))
+
+
+def _with_drag(term: Friction, drag: Friction) -> Friction:
+    return replace(term, viscous=term.viscous + drag.viscous, quadratic=term.quadratic + drag.quadratic)
 
 
 def _frictions(terms: Sequence[Friction], number: dict[str, int]) -> Frictions:

@@ -20,7 +20,7 @@ class WaveTable:
     """Collects (node, order) pairs and gives each the slot where the kernel will find its cosine and sine."""
 
     bases: list[tuple[int, float]] = field(default_factory=list)
-    products: list[tuple[int, int, int]] = field(default_factory=list)
+    products: list[tuple[int, int]] = field(default_factory=list)
     slots: dict[tuple[int, float], int] = field(default_factory=dict)
 
     @classmethod
@@ -51,7 +51,7 @@ class WaveTable:
             parts = (multiple - multiple // 2, multiple // 2)
         factors = self._make(known, parts[0]), self._make(known, parts[1])
         slot = len(self.bases) + len(self.products)
-        self.products.append((slot, *factors))
+        self.products.append(factors)
         known[multiple] = slot
         return slot
 
@@ -60,7 +60,8 @@ class WaveTable:
         return Waves(
             base_node=np.array([node for node, _ in self.bases], dtype=np.uint64),
             base_order=np.array([order for _, order in self.bases], dtype=np.float64),
-            product=np.array(self.products, dtype=np.uint64).reshape(-1, 3),
+            first=np.array([first for first, _ in self.products], dtype=np.uint64),
+            second=np.array([second for _, second in self.products], dtype=np.uint64),
         )
 
 

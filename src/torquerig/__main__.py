@@ -1,0 +1,5 @@
+"""``python -m torquerig`` is the command line."""
+
+from torquerig.cli import main
+
+main()
