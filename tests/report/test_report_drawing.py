@@ -2,10 +2,11 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 
+from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
 from torquerig.report.envelope import envelope
 from torquerig.report.layout import figure_text, plain
-from torquerig.report.picture import svg
+from torquerig.report.picture import new_figure, svg, write_picture
 from torquerig.report.shades import GOOD_IS_HIGH, readable_on, shade
 from torquerig.report.spectrum_figure import spectrum_figure
 
@@ -61,6 +62,26 @@ def test_the_spectrum_labels_its_lines_by_cause(runs):
     tallest = peaks.get_xdata()[np.argmax(peaks.get_ydata())]
     assert tallest == pytest.approx(116.67, abs=0.5)  # the sine of seven periods per motor turn, drawn at its place
     assert svg(figure) == svg(figure)
+
+
+@pytest.mark.parametrize("ending", ["svg", "png"])
+def test_a_picture_is_written_once_and_not_overwritten(tmp_path, ending):
+    path = tmp_path / f"bars.{ending}"
+    write_picture(new_figure(2, 1), path)
+    drawn = path.read_bytes()
+    assert drawn[:5] in (b"<?xml", b"\x89PNG\r")
+    with pytest.raises(InputError, match="is there already"):
+        write_picture(new_figure(3, 1), path)
+    assert path.read_bytes() == drawn
+    write_picture(new_figure(3, 1), path, overwrite=True)
+    assert path.read_bytes() != drawn
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize(("name", "told"), [("a.jpeg", "svg or .png"), ("missing/a.svg", "there is no folder")])
+def test_a_picture_that_cannot_be_written_is_refused_in_words(tmp_path, name, told):
+    with pytest.raises(InputError, match=told):
+        write_picture(new_figure(2, 1), tmp_path / name)
 
 
 def _luminance(colour):

@@ -1,10 +1,13 @@
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from torquerig.errors import InputError
 from torquerig.report import study_report
+from torquerig.report.study_answers import limits
+from torquerig.report.study_page import study_page
 from torquerig.report.study_report import write_study_report
 from torquerig.study.what_if import Change
 
@@ -90,13 +93,26 @@ def test_the_page_says_what_is_out_of_reach_and_marks_unknowns(written):
     assert 'class="number unknown"' in page or ">?<" in page
 
 
-def test_markup_in_names_is_escaped(runs, decided, answer, tmp_path):
+def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
+    assert any("Gear mesh lines are absent" in one for one in limits(runs))
+    rig = {**runs.study.document.data["rig"], "mesh": {"kind": "gear_mesh"}}
+    document = replace(runs.study.document, data={**runs.study.document.data, "rig": rig})
+    meshed = replace(runs, study=replace(runs.study, document=document))
+    assert not any("Gear mesh lines are absent" in one for one in limits(meshed))
+
+
+def test_a_study_that_nothing_survives_has_a_page_too(runs, decided, answer):
+    page = study_page(runs, decided, replace(answer, winner="", word="nothing survives", open_facts=()))
+    assert "<dd>nothing survives</dd>" in page
+    assert "Nothing is open." in page
+
+
+def test_markup_in_names_is_escaped(runs, decided, answer):
     change = Change(
         before="<b>x</b>", after="<b>x</b>", chain_before="none", chain_after="none", error_before=0.1,
         error_after=None, disturbance_before=None, disturbance_after=0.2,
     )  # fmt: skip
-    files = write_study_report(runs, decided, answer, tmp_path / "r", changes=[change], edits=["load.occupancy=21"])
-    page = files[0].read_text(encoding="utf-8")
+    page = study_page(runs, decided, answer, changes=[change], edits=["load.occupancy=21"])
     assert "&lt;b&gt;x&lt;/b&gt;" in page
     assert "<b>x</b>" not in page
     assert "--set load.occupancy=21" in page

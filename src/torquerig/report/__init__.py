@@ -4,11 +4,13 @@ study_report     the whole report of a study, swapped into its folder in one ste
 study_page       the page: its sections in order             study_chapters   the matrices' tables of the page
 study_tables     the tables of what was simulated            study_answers    question, limits, sources, how to repeat
 study_text       ranked table and shares for the terminal    study_csv        every figure of every combination
-workbook         the matrices as an Excel file               workbook_sheets  its sheets, totals as live formulas
+workbook         the matrices as an Excel file               workbook_sheets  its sheets
+workbook_kesselring  the sheet that calculates: weights to change, totals and ranks as formulas
 layout           what a table is made of                     shades           colour scales whose text stays readable
-picture          a matplotlib figure inside a page           envelope         a long curve drawn with few points
+picture          a matplotlib figure in a page or file       envelope         a long curve drawn with few points
 spectrum_figure  amplitude spectrum with lines by cause      signal_figure    a stretch of the reading beside the truth
 error_figure     reading error of each drive and filter      shares_figure    load, cogging, electrical, mechanical
-rating_figure    technical against economic rating           families         colour and name of each family of lines
+rating_figure    technical against economic rating           notch_figure     before and after band-stops, lines marked
+families         colour and name of each family of lines
 replaced_folder  a folder that is replaced whole or not at all
 """

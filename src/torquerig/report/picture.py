@@ -1,15 +1,19 @@
-"""A matplotlib figure inside a page: one inline SVG image, the same bytes for the same figure."""
+"""A matplotlib figure inside a page or as a file: the same bytes for the same figure."""
 
 from __future__ import annotations
 
+import os
 from base64 import b64encode
 from dataclasses import dataclass
 from io import BytesIO
+from pathlib import Path
 from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+
+from torquerig.errors import InputError
 
 STYLE: dict[Any, Any] = {
     "svg.hashsalt": "torquerig",  # ids of clip paths, otherwise new in each run
@@ -43,11 +47,43 @@ def picture(figure: Figure, *, caption: str, told: str) -> Picture:
     return Picture(source=f"data:image/svg+xml;base64,{b64encode(drawn).decode()}", caption=caption, told=told)
 
 
+def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> None:
+    """Write a figure as .svg or .png, by the ending of ``path``; the same figure gives the same bytes.
+
+    Raises
+    ------
+    InputError
+        For another ending, a missing folder, or a file that is there already and may not be overwritten.
+    """
+    if path.suffix.lower() not in (".svg", ".png"):
+        raise InputError(f"{path}: a picture is written as .svg or .png; choose one of these endings")
+    if path.exists() and not overwrite:
+        raise InputError(f"{path}: is there already; choose another name, or ask for it to be overwritten")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    drawn = svg(figure) if path.suffix.lower() == ".svg" else png(figure)
+    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
+    try:
+        partial.write_bytes(drawn)
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
 def svg(figure: Figure) -> bytes:
     """Return a figure as SVG, without a date."""
-    buffer = BytesIO()
+    return _saved(figure, "svg", {"Date": None, "Creator": None})
+
+
+def png(figure: Figure) -> bytes:
+    """Return a figure as PNG at 150 dots per inch."""
+    return _saved(figure, "png", {"Software": None})
+
+
+def _saved(figure: Figure, ending: str, metadata: dict[str, Any]) -> bytes:
     for axes in figure.axes:
         axes.spines[["top", "right"]].set_visible(False)
+    buffer = BytesIO()
     with rc_context(STYLE):
-        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+        figure.savefig(buffer, format=ending, dpi=150, metadata=metadata)
     return buffer.getvalue()

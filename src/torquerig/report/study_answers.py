@@ -83,7 +83,11 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
     )
     simulated = "All readings are simulated; none is a measurement of a motor that could be bought."
     shares = "The shares are told apart by leaving out one group of effects at a time; they need not add up in square."
-    return (simulated, SIX_STEP, MESH, copies, CLASS, shares)
+    present = runs.study.catalog.motor(runs.study.settings.present.motor)
+    lines = (SIX_STEP,) if present.kind == "bldc" else ()
+    rig = runs.study.document.data.get("rig", {})
+    mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
+    return (simulated, *lines, *mesh, copies, CLASS, shares)
 
 
 def evidence() -> Facts:
