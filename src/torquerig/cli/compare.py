@@ -69,9 +69,6 @@ def _tell(runs: StudyRuns) -> tuple[Decided, Verdict]:
     answer = verdict(decided)
     click.echo(ranked_text(decided) + "\n")
     click.echo(shares_text(runs))
-    for drive in runs.drives:
-        if drive.out_of_reach:
-            click.echo(f"{drive.candidate.name}: {drive.out_of_reach}")
     return decided, answer
 
 

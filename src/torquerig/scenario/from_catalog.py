@@ -105,7 +105,8 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
             uncertainties[target] = known[source].rel_sd
         if source in copy.assumed:
             value = in_unit(copy.values[source], known[source].unit)
-            assumed[target] = f"{value:.4g} {known[source].unit} of {copy.assumed[source].known}"
+            unit_shown = "" if known[source].unit == "1" else f" {known[source].unit}"
+            assumed[target] = f"{value:.4g}{unit_shown} of {copy.assumed[source].known}"
     effects: tuple[Filled, ...] = ()
     if isinstance(found, Motor):
         counts = {key: copy.count(key) for key in ("pole_pairs", "slots") if key in copy.values}

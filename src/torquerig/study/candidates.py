@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from math import pi
 from typing import Any
 
 from torquerig.document import Document
-from torquerig.errors import InputError
-from torquerig.rig.parts import Gear, Motor, SpeedController
+from torquerig.errors import InputError, UnknownNameError
+from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia
+from torquerig.scenario.kinematics import gears_to_sensor
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.study.settings import SpeedLoopRule
 from torquerig.study.study import Study
@@ -45,12 +46,14 @@ def candidates(study: Study) -> tuple[Candidate, ...]:
     settings, catalog = study.settings, study.catalog
     _, gear_part = drive_parts(study.document)
     motors = tuple(catalog.motors) if settings.motors == "all" else settings.motors
-    for motor in motors:
-        catalog.motor(motor)
+    _refuse_unknown(study, motors)
     written = study.document.data["rig"][gear_part]
     if "ratio" in written:
-        pinned = str(written.get("catalog", gear_part))
-        return tuple(Candidate(motor=m, gearbox=pinned, ratio=float(written["ratio"])) for m in motors)
+        pinned, place = str(written.get("catalog", gear_part)), study.document.place(("rig", gear_part, "ratio"))
+        ratio = written["ratio"]
+        if isinstance(ratio, bool) or not isinstance(ratio, int | float) or ratio == 0:
+            raise InputError(f"{place}: {ratio!r} is no ratio; write the motor turns per output turn, such as 5")
+        return tuple(Candidate(motor=m, gearbox=pinned, ratio=float(ratio)) for m in motors)
     return tuple(
         Candidate(motor=motor, gearbox=gearbox, ratio=catalog.gearbox(gearbox).ratio)
         for motor in motors
@@ -58,9 +61,28 @@ def candidates(study: Study) -> tuple[Candidate, ...]:
     )
 
 
+def _refuse_unknown(study: Study, motors: tuple[str, ...]) -> None:
+    present, catalog = study.settings.present, study.catalog
+    boxes = study.settings.gearboxes
+    asked: tuple[tuple[tuple[str, ...], tuple[str, ...], Callable[[str], object]], ...] = (
+        (("motors",), motors, catalog.motor),
+        (("gearboxes",), boxes, catalog.gearbox),
+        (("present", "motor"), (present.motor,), catalog.motor),
+        (("present", "gearbox"), (present.gearbox,), catalog.gearbox),
+    )
+    for key, names, look_up in asked:
+        for name in names:
+            try:
+                look_up(name)
+            except UnknownNameError as error:
+                raise UnknownNameError(f"{study.document.place(('study', *key))}: {error}") from None
+
+
 def drive_parts(document: Document) -> tuple[str, str]:
     """Return the names of the motor and the gear that candidates take the place of."""
     rig: Mapping[str, Any] = document.data.get("rig", {})
+    if not isinstance(rig, dict):
+        raise InputError(f"{document.place(('rig',))}: a scenario needs a mapping named rig: with one entry per part")
     found = []
     for kind in ("motor", "gear"):
         names = [name for name, part in rig.items() if isinstance(part, dict) and part.get("kind") == kind]
@@ -83,7 +105,7 @@ def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
         data["rig"][motor_part] = {"kind": "motor", "catalog": candidate.motor}
     if candidate.gearbox in catalog.gearboxes:
         data["rig"][gear_part]["catalog"] = candidate.gearbox
-    scenario = read_scenario(Document(document.path, data, document.node), catalog, seed=seed)
+    scenario = read_scenario(replace(document, data=data), catalog, seed=seed)
     limited = drive_limited(scenario.rig, study.settings.sensor_limit)
     return replace(scenario, rig=loop_tuned(limited, study.settings.speed_loop))
 
@@ -92,7 +114,7 @@ def drive_limited(rig: Rig, sensor_limit: float) -> Rig:
     """Return the rig with the drive's torque limit lowered so that the sensor sees at most ``sensor_limit`` [N m]."""
     motor = next(part for part in rig.parts if isinstance(part, Motor))
     gain = 1.0
-    for gear in (part for part in rig.parts if isinstance(part, Gear)):
+    for gear in gears_to_sensor(rig):
         gain *= abs(gear.ratio) * gear.efficiency
     return rig.changed(replace(motor, torque_limit=min(motor.torque_limit, sensor_limit / gain)))
 

@@ -11,10 +11,10 @@ from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
-from torquerig.rig.parts import Gear, Motor, SpeedController
+from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import Load
-from torquerig.scenario.kinematics import kinematics_of
+from torquerig.rig.terms import Friction, Load
+from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.effect import chain_effect
 from torquerig.simulate.simulate import simulate
@@ -23,7 +23,7 @@ from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.study import Study
 
 SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that tell the shares apart
-DRAW_DURATION = 3.0  # [s] of the runs of further drawn copies
+DRAW_DURATION = 6.0  # [s] of the runs of further drawn copies
 SHORT_SETTLING = 0.8  # [s] of these runs: seven time constants of the slowest pole that the rule of the loop gives
 
 
@@ -56,7 +56,7 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
     entry, gearbox = study.catalog.motor(candidate.motor), study.catalog.gearboxes.get(candidate.gearbox)
     if gearbox is None:
         raise InputError(f"{study.document.path}: the gear has no catalog entry; state one, so that its price is known")
-    gears = [part for part in rig.parts if isinstance(part, Gear)]
+    gears = gears_to_sensor(rig)
     ratio = kinematics_of(rig).ratio
     duty = Duty(
         output_speed=(rig.run.speed or 0.0) / ratio,
@@ -117,5 +117,10 @@ def _spread(value: float, others: list[float], assumed: Mapping[str, str]) -> Fi
 
 
 def mean_load(rig: Rig) -> float:
-    """Return the mean torque that the loads of the rig ask for at its operating point [N m]."""
-    return sum(term.process.mean for term in rig.terms() if isinstance(term, Load))
+    """Return the mean torque at the wear part at the operating point: its loads and its viscous drag [N m]."""
+    terms = rig.terms()
+    loads = [term for term in terms if isinstance(term, Load)]
+    nodes = {term.on for term in loads}
+    speed = (rig.run.speed or 0.0) / (rig.run.gear_ratio or 1.0)
+    drag = sum(term.viscous * speed for term in terms if isinstance(term, Friction) and term.on in nodes)
+    return sum(term.process.mean for term in loads) + drag

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 from dataclasses import dataclass, replace
 
-from torquerig.document import Document
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.study.study import Study
 
@@ -28,7 +27,7 @@ class Point:
         load = data.setdefault("operating_point", {}).setdefault("load", {})
         load["occupancy"] = self.occupancy_percent
         load["particle_size"] = f"{self.particle_size!r} m"
-        return replace(study, document=Document(study.document.path, data, study.document.node))
+        return replace(study, document=replace(study.document, data=data))
 
 
 def points_of(study: Study) -> tuple[Point, ...]:

@@ -69,7 +69,7 @@ class StudyRuns:
     Parameters
     ----------
     mean_load : float
-        Mean torque that the load process asks for [N m].
+        Mean torque at the wear part, load and drag [N m].
     occupancy_percent, particle_size, output_speed : float
         The operating point [%], [m], [rad/s].
     """

@@ -10,6 +10,7 @@ from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
 from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.decide.pugh import PughResult, pugh
+from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.settings import CriterionRow, DemandRow
@@ -110,9 +111,15 @@ def decide(runs: StudyRuns) -> Decided:
 
 def _present(runs: StudyRuns) -> DriveResult:
     """Return the drive that stands on the rig today; where a what-if pinned the gearbox, its motor on that one."""
-    settings = runs.study.settings
-    same = [drive for drive in runs.drives if drive.candidate.motor == settings.present.motor]
-    return next((drive for drive in same if drive.candidate.gearbox == settings.present.gearbox), same[0])
+    present = runs.study.settings.present
+    same = [drive for drive in runs.drives if drive.candidate.motor == present.motor and drive.chains]
+    if not same:
+        raise InputError(
+            f"{runs.study.document.place(('study', 'present', 'motor'))}: the present motor {present.motor!r} is not "
+            "among the simulated drives, and the Pugh matrix needs it as its datum; list it under motors, or name "
+            "another present drive that reaches the speed"
+        )
+    return next((drive for drive in same if drive.candidate.gearbox == present.gearbox), same[0])
 
 
 def _figure(drive: DriveResult, chain: str | None, metric: str) -> Figure:

@@ -107,7 +107,7 @@ class Settings(_Section):
 
 def read_settings(document: Document) -> Settings:
     """Return the study of a scenario; InputError with file, line and key where there is none or it cannot be used."""
-    if "study" not in document.data:
+    if not isinstance(document.data, dict) or "study" not in document.data:
         raise InputError(f"{document.path}: there is no study: section to compare; copy the one of wear_rig.yaml")
     settings = validated(document, TypeAdapter(Settings), within=("study",))
     for what, names in (("motors", settings.motors), ("gearboxes", settings.gearboxes)):

@@ -26,7 +26,7 @@ class Study:
     filters: Document
 
     def chains(self, scenario: Scenario) -> Mapping[str, Chain]:
-        """Return the study's filter chains, made for the poles, slots, ratio and teeth of one scenario.
+        """Return the study's filter chains and the present one, made for the kinematics of one scenario.
 
         Raises
         ------
@@ -34,13 +34,14 @@ class Study:
             When the study names a chain that the file does not have.
         """
         made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig))
-        for name in (*self.settings.filters.names, self.settings.present.filter):
+        wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
+        for name in wanted:
             if name not in made:
                 raise InputError(
                     f"{self.document.place(('study', 'filters', 'names'))}: there is no chain {name!r} in "
                     f"{self.filters.path.name}; known are {', '.join(made)}"
                 )
-        return {name: made[name] for name in self.settings.filters.names}
+        return {name: made[name] for name in wanted}
 
 
 def open_study(document: Document, catalog: Catalog) -> Study:

@@ -78,9 +78,13 @@ def _sentence(decided: Decided, winner: str, rival: str, *, word: str, by_drive:
     error = made.drive.chains[made.chain].truth_error
     now = decided.alternatives[decided.datum]
     today = now.drive.chains[now.chain].truth_error
-    kept = made.drive is now.drive
-    action = f"Keep {now.drive.candidate.name} and add" if kept else f"Buy {made.drive.candidate.name} with"
-    reading = f"it reads the load to {error.value:.3f} N m rms where today's reading is off by {today.value:.3f}"
+    action = _action(made.drive, now.drive)
+    if word.startswith("undecidable"):
+        action = f"Nothing can be called best yet; in front is {made.drive.candidate.name} with"
+    reading = (
+        f"it reads the load to {error.value:.3f} N m rms, where {now.drive.candidate.name} with the filter {now.chain} "
+        f"is off by {today.value:.3f}"
+    )
     newest = next((name for name in decided.ranked() if _bought(decided, name, now.drive)), "")
     beside = f"; the best new motor is {newest.replace(' | ', ' with ')}" if newest and newest != winner else ""
     beside = beside or (f"; next is {rival.replace(' | ', ' with ')}" if rival else "")
@@ -91,6 +95,14 @@ def _sentence(decided: Decided, winner: str, rival: str, *, word: str, by_drive:
         f"{action} the filter {made.chain}: {reading}{beside}. The verdict is {word}: this drive is best in "
         f"{100 * by_drive:.0f} % of draws over what the catalog leaves open (weights and points kept).{still}"
     )
+
+
+def _action(chosen: DriveResult, now: DriveResult) -> str:
+    if chosen.margins["new_parts"].value == 0:
+        return f"Keep {chosen.candidate.name} and add"
+    if chosen.candidate.motor == now.candidate.motor:
+        return f"Keep the motor {now.candidate.motor}, put it on a gearbox of {chosen.candidate.ratio:g}:1 and add"
+    return f"Buy {chosen.candidate.name} with"
 
 
 def _bought(decided: Decided, name: str, now: DriveResult) -> bool:
@@ -104,9 +116,9 @@ def _open_facts(decided: Decided, names: list[str]) -> tuple[str, ...]:
     known = {id(made.drive): made.drive for made in decided.alternatives.values()}
     facts = []
     for drive in (known[key] for key in drives):
-        asked = [key.split(".", 1)[1] for key in drive.assumed if key.startswith("motor.")]
+        asked = [key.split(".")[-1].replace("_", " ") for key in drive.assumed if key.startswith("motor.")]
         if asked:
-            facts.append(f"{drive.candidate.motor}: {', '.join(dict.fromkeys(asked)).replace('_', ' ')}")
+            facts.append(f"{', '.join(dict.fromkeys(asked))} of {drive.candidate.motor}")
         margins = [figure.missing for figure in drive.margins.values() if figure.missing]
         facts += list(dict.fromkeys(margins))
     return tuple(dict.fromkeys(facts))
