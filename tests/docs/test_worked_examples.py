@@ -1,0 +1,85 @@
+"""The worked examples of the how-tos do what their pages say."""
+
+from __future__ import annotations
+
+import re
+import runpy
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from torquerig.catalog.motor import Motor
+from torquerig.catalog.reading import load_catalog, read_entry
+from torquerig.document import read_document
+from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.simulate.linear import matrices
+from torquerig.simulate.lower import lower
+from torquerig.simulate.simulate import simulate
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def example(page: str, name: str) -> str:
+    """Return the fenced block after ``<!-- file: name -->``."""
+    text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    match = re.search(rf"<!-- file: {re.escape(name)} -->\n```\w+\n(.*?)```", text, re.DOTALL)
+    assert match is not None
+    return match[1]
+
+
+def scenario(name: str) -> Scenario:
+    return read_scenario(read_document(ROOT / "scenarios" / name), load_catalog(ROOT / "catalogs"), seed=1)
+
+
+def test_eccentric_mass_of_howto_add_physics_reaches_the_sensor_as_predicted(tmp_path: Path) -> None:
+    file = tmp_path / "eccentric_mass.py"
+    parts = [example("howto-add-physics.md", name) for name in ("eccentric_mass.py", "check_eccentric_mass.py")]
+    file.write_text("\n\n".join(parts), encoding="utf-8")
+    made = runpy.run_path(str(file))
+    effect = made["EccentricMass"](name="screw", mass=0.5, radius=0.02)
+    found, predicted = made["line_and_expectation"](scenario("wear_rig.yaml").rig, effect)
+    assert 0.5 * made["GRAVITY"] * 0.02 == pytest.approx(0.0981, abs=5e-5)
+    assert predicted == pytest.approx(0.0987, abs=5e-5)
+    # the weight moves the speed, so that the load's pulses fall on other angles: 0.15 % on this seed
+    assert found == pytest.approx(predicted, rel=5e-3)
+
+
+def test_motor_of_howto_add_a_motor_is_read(tmp_path: Path) -> None:
+    file = tmp_path / "servo-300W.yaml"
+    file.write_text(example("howto-add-a-motor.md", "catalogs/motors/servo-300W.yaml"), encoding="utf-8")
+    motor = read_entry(file, Motor)
+    assert motor.name == "servo-300W"
+    assert motor.drive_price.unknown
+
+
+def test_two_stage_branch_turns_and_sounds_as_its_page_says() -> None:
+    made = scenario("two_stage_branch.yaml")
+    assert made.rig.speed_ratios("motor") == pytest.approx(
+        {
+            "motor": 1,
+            "planetary": 1 / 4,
+            "fan_shaft": 1 / 4,
+            "belt": 1 / 10,
+            "torque_sensor": 1 / 10,
+            "coupling": 1 / 10,
+        }
+    )
+    assert made.rig.run.speed_rpm == pytest.approx(600)
+    modes = matrices(lower(made.rig, 1)).undamped_frequencies()
+    assert modes[:4] == pytest.approx((0, 64, 127, 257), abs=0.5)
+    reading = simulate(made.rig, duration=4.0, seed=1).torque()
+    window = np.hanning(reading.size)
+    levels = 2 * np.abs(np.fft.rfft((reading - reading.mean()) * window)) / window.sum()
+    # bins of 0.25 Hz; the mesh stands alone between the motor's orders 17 and 19
+    near = slice(round(171 / 0.25), round(189 / 0.25))
+    assert np.argmax(levels[near]) * 0.25 + 171 == pytest.approx(180, abs=0.3)
+    assert levels[near].max() == pytest.approx(0.045, abs=0.005)
+
+
+def test_howto_describe_your_own_rig_prints_the_lines_of_the_shipped_scenario() -> None:
+    shipped = (ROOT / "scenarios" / "two_stage_branch.yaml").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "howto-describe-your-own-rig.md").read_text(encoding="utf-8")
+    printed = [line for block in re.findall(r"```yaml\n(.*?)```", page, re.DOTALL) for line in block.splitlines()]
+    stated = {line.split("#")[0].rstrip() for line in shipped.splitlines()}
+    assert [line for line in printed if line.rstrip() not in stated] == []
