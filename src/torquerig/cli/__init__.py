@@ -68,8 +68,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except TorquerigError as error:
         _say(f"torquerig: {error}")
         sys.exit(2)
+    except click.exceptions.NoArgsIsHelpError as error:
+        _say(error.format_message())
+        sys.exit(2)
     except click.ClickException as error:
-        error.show()
+        _say(f"torquerig: {_sentence(error)}")
         sys.exit(2)
     except (KeyboardInterrupt, click.Abort):
         _say("torquerig: interrupted; nothing was left half-written")
@@ -77,6 +80,14 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except BrokenPipeError:
         sys.stderr.close()
         sys.exit(0)
+
+
+def _sentence(error: click.ClickException) -> str:
+    """Return a usage error in one sentence, with the help that would answer it."""
+    told = error.format_message().rstrip(".")
+    told = told[0].lower() + told[1:]
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    return f"{told}; see {context.command_path} --help" if context and "did you mean" not in told.lower() else told
 
 
 def _say(text: str) -> None:

@@ -5,8 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
+from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
+from torquerig.rig.parts import Gear
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Term
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,6 +23,12 @@ class Backlash(Part):
     kind: Literal["backlash"] = "backlash"
     gear: str = "gearbox"
     gap: Annotated[float, Parameter("rad", "full gap at the output", low=0)]
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return none, the gear carries the gap; InputError where ``gear`` is none."""
+        if not isinstance(rig.part(self.gear), Gear):
+            raise InputError(f"{self.name}: gear: {self.gear!r} is no gear; name one")
+        return ()
 
     def extra_gap(self, gear: str) -> float:
         """Return the gap if ``gear`` is the one it lives in."""

@@ -32,6 +32,10 @@ class Cogging(Part):
     unequal_magnets: Torque = 0.0
     unequal_teeth: Torque = 0.0
 
+    def __post_init__(self) -> None:
+        if self.slots < 1 or self.pole_pairs < 1:
+            raise ValueError(f"{self.slots} slots and {self.pole_pairs} pole pairs cannot be; both are at least 1")
+
     def amplitudes(self) -> dict[int, float]:
         """Return the amplitude [N m] by motor order; equal orders (Q = 2p never, LCM = Q possible) add up."""
         orders: dict[int, float] = {}

@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
+from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
-from torquerig.rig.terms import Wave
+from torquerig.rig.parts import Motor
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Term, Wave
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,6 +28,12 @@ class CommutationRipple(Part):
     order_motor: Annotated[float, Parameter("1", "order on the motor shaft", above=0)]
     depth: Annotated[float, Parameter("1", "share of the motor torque, zero to peak", low=0)]
     phase: float | None = None
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return none, the drive carries the ripple; InputError where ``at`` is no motor."""
+        if not isinstance(rig.part(self.at), Motor):
+            raise InputError(f"{self.name}: at: {self.at!r} is no motor; name one")
+        return ()
 
     def drive_ripple(self, motor: str) -> tuple[Wave, ...]:
         """Return the ripple if ``motor`` is the one it lives in."""

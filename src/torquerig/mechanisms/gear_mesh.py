@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
+from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
-from torquerig.rig.terms import Wave
+from torquerig.rig.parts import Gear
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Term, Wave
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,6 +31,12 @@ class GearMesh(Part):
     phases: tuple[float, ...] = ()
     planets: int = 3
     planet_modulation: Annotated[float, Parameter("1", "modulation at the planet order", low=0)] = 0.0
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return none, the gear carries the error; InputError where ``gear`` is none."""
+        if not isinstance(rig.part(self.gear), Gear):
+            raise InputError(f"{self.name}: gear: {self.gear!r} is no gear; name one")
+        return ()
 
     def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
         """Return the error waves if ``gear`` is the one it lives in; the modulation as its two side lines."""

@@ -39,11 +39,15 @@ class ParticleLoad(Part):
     mean_by_occupancy_percent: dict[float, Torque]
     hit_rate: Annotated[float, Parameter("1/s", "hits per second at 0.5 mm and factor 1", above=0)] = 60.0
     hit_decay: Annotated[float, Parameter("s", "pulse decay at 0.5 mm", above=0)] = 0.004
-    hit_shape: float = 1.5
+    hit_shape: Annotated[float, Parameter("1", "shape of the gamma distribution of hits", above=0)] = 1.5
     hit_rms: Annotated[float, Parameter("1", "rms of the hits as a share of the mean", low=0)] = 0.10
     slow_rms: Annotated[float, Parameter("1", "rms of the slow variation as a share of the mean", low=0)] = 0.06
     slow_cutoff: Annotated[float, Parameter("Hz", "low-pass of the slow variation", above=0)] = 1.5
     smoothing: Annotated[float, Parameter("rad/s", "speed over which the direction turns", above=0)] = 0.02
+
+    def __post_init__(self) -> None:
+        if not self.mean_by_occupancy_percent:
+            raise ValueError("mean_by_occupancy_percent is empty; write for example {0: 0.05 N*m, 21: 3.8 N*m}")
 
     def mean(self, occupancy_percent: float) -> float:
         """Return the mean torque [N m], linear between the stated occupancies; outside them it is refused."""

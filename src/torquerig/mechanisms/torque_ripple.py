@@ -29,8 +29,13 @@ class TorqueRipple(Part):
     group: Literal["mechanical", "cogging", "electrical"]
     amplitudes: dict[float, Torque]
     phases: dict[float, float] = field(default_factory=dict)
-    relief_per_percent: float = 0.0
-    amplitude_rel_sd: float = 0.0
+    relief_per_percent: Annotated[float, Parameter("1", "relief per percent of occupancy", low=0)] = 0.0
+    amplitude_rel_sd: Annotated[float, Parameter("1", "relative spread of the amplitudes", low=0)] = 0.0
+
+    def __post_init__(self) -> None:
+        for order in self.amplitudes:
+            if not order > 0:
+                raise ValueError(f"{order:g} is no order of a line; an order is more than 0")
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the lines at the shaft's orders."""

@@ -59,7 +59,9 @@ def drive_margins(
         "continuous_output_torque": scaled(motor.rated_torque, gain, unit="N*m", missing=f"rated torque of {name}"),
         "torque_reserve": scaled(
             motor.rated_torque, gain / duty.mean_torque, unit="1", missing=f"rated torque of {name}"
-        ),
+        )
+        if duty.mean_torque > 0
+        else Figure(missing="a mean load, over which a reserve could be counted"),
         "sensor_peak": Figure(value=duty.torque_limit * gain, unit="N*m", source="drive's limit x ratio x efficiency"),
         "servo": Figure(missing=f"whether {name} is a servo motor")
         if servo is None

@@ -10,12 +10,23 @@ from torquerig.signals.kinematics import Kinematics
 
 
 def kinematics_of(rig: Rig) -> Kinematics:
-    """Return poles and slots of the rig's first motor, and ratio and teeth of the gears."""
+    """Return poles and slots of the rig's first motor, and ratio and teeth of the gears up to the measured part."""
     motor = next((part for part in rig.parts if isinstance(part, Motor)), None)
-    gears = [part for part in rig.parts if isinstance(part, Gear)]
+    gears = gears_to_sensor(rig)
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
         slots=None if motor is None else motor.slots,
         ratio=abs(prod(gear.ratio for gear in gears)),
         teeth=tuple(stage for gear in gears for stage in gear.teeth),
     )
+
+
+def gears_to_sensor(rig: Rig) -> tuple[Gear, ...]:
+    """Return the gears from the start of the shaft to the measured part; those of other branches do not count."""
+    gears: list[Gear] = []
+    name: str | None = rig.measured
+    while name is not None:
+        part = rig.part(name)
+        gears += [part] if isinstance(part, Gear) else []
+        name = part.after
+    return tuple(reversed(gears))

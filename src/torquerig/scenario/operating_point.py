@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, model_validator
 
-from torquerig.errors import UnitError
+from torquerig.errors import InputError, UnitError
 from torquerig.parameter import Parameter
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
@@ -68,7 +68,12 @@ def run_at(point: OperatingPoint, rig: Rig) -> Run:
     if motor is None or drive is None:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
                    particle_size=point.load.particle_size)  # fmt: skip
-    turned = abs(rig.speed_ratios(rig.node(drive.motor))[rig.node(rig.measured)])
+    ratios = rig.speed_ratios(rig.node(drive.motor))
+    if rig.node(rig.measured) not in ratios:
+        raise InputError(
+            f"no shaft leads from {drive.motor!r} to {rig.measured!r}, which is measured; link them with after:"
+        )
+    turned = abs(ratios[rig.node(rig.measured)])
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     ratio = round(1 / turned) if isclose(1 / turned, round(1 / turned), rel_tol=1e-9) else 1 / turned
     return Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed, profile=point.profile,

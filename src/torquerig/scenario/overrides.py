@@ -3,12 +3,37 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from torquerig.document import Document, parse_document
-from torquerig.errors import InputError, did_you_mean
+from torquerig.errors import InputError, TorquerigError, did_you_mean
+
+
+@dataclass(frozen=True)
+class EditedDocument(Document):
+    """A document with ``--set`` values in it: ``edits`` are (path in the data, setting), the last one counts."""
+
+    edits: tuple[tuple[tuple[str, ...], str], ...] = ()
+
+    def place(self, keys: Iterable[str | int] = ()) -> str:
+        """Return ``--set path=value: a.b`` for what a setting put in, else file and line as for any document."""
+        keys = tuple(keys)
+        path = tuple(str(key) for key in keys)
+        for edited, setting in reversed(self.edits):
+            if path[: len(edited)] == edited or edited == (*path, "value"):
+                return f"--set {setting}: {'.'.join(path)}"
+        return super().place(keys)
+
+
+def naming_edits(document: Document, error: TorquerigError) -> TorquerigError:
+    """Return the error with the document's settings named, where its place alone would point at an innocent line."""
+    if not isinstance(document, EditedDocument) or "--set " in str(error):
+        return error
+    written = " ".join(f"--set {setting!r}" for _, setting in document.edits)
+    return type(error)(f"{error} (the scenario was read with {written})")
 
 
 def overridden(document: Document, settings: Sequence[str]) -> Document:
@@ -17,21 +42,35 @@ def overridden(document: Document, settings: Sequence[str]) -> Document:
     A path is the end of a dotted path that stands in the scenario once: ``load.occupancy`` finds
     ``operating_point.load.occupancy``. A key that its mapping does not state yet may be set where the mapping is found.
     """
+    if not settings:
+        return document
     data = copy.deepcopy(document.data)
+    edits = []
     for setting in settings:
         path, equals, text = setting.partition("=")
         if not equals or not path.strip() or not text.strip():
             raise InputError(f"--set {setting}: not of the form path=value; write for example --set gearbox.ratio=10")
-        value = parse_document(text.strip(), Path(f"--set {setting}")).data
-        holder, key = _find(data, path.strip().split("."), setting)
-        holder[key] = value
-    return Document(document.path, data, document.node)
+        where, holder, key = _find(data, path.strip().split("."), setting)
+        holder[key] = _value(text.strip(), setting)
+        edits.append(((*(str(part) for part in where), str(key)), setting))
+    return EditedDocument(document.path, data, document.node, tuple(edits))
 
 
-def _find(data: Any, path: list[str], setting: str) -> tuple[dict[str, Any], Any]:
+def _value(text: str, setting: str) -> Any:
+    try:
+        return parse_document(text, Path("value")).data
+    except InputError:
+        raise InputError(
+            f"--set {setting}: {text!r} is no YAML value; close every bracket and quote, "
+            "for example --set 'rig.gap={kind: backlash, gap: 4 arcmin}'"
+        ) from None
+
+
+def _find(data: Any, path: list[str], setting: str) -> tuple[tuple[Any, ...], dict[Any, Any], Any]:
+    """Return (path of the mapping, the mapping, key) that a setting means."""
     exact = [hit for hit in _mappings(data) if _ends_with((*hit[0], hit[2]), path)]
     hits = exact or [
-        (where, holder[path[-2]], path[-1])
+        ((*where, key), holder[key], path[-1])
         for where, holder, key in _mappings(data)
         if len(path) > 1 and _ends_with((*where, key), path[:-1]) and isinstance(holder[key], dict)
     ]
@@ -41,7 +80,7 @@ def _find(data: Any, path: list[str], setting: str) -> tuple[dict[str, Any], Any
     if not hits:
         known = {".".join(map(str, (*where[-1:], key))) for where, _, key in _mappings(data)}
         raise InputError(f"--set {setting}: the scenario has no such path; {did_you_mean('.'.join(path), known)}")
-    return hits[0][1], hits[0][2]
+    return hits[0]
 
 
 def _mappings(data: Any, where: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, ...], dict[Any, Any], Any]]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from math import isfinite
 from typing import Any, get_args, get_type_hints
 
 from pydantic import TypeAdapter
@@ -11,13 +13,14 @@ from pydantic import TypeAdapter
 from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, validated
-from torquerig.errors import InputError, did_you_mean
+from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig import parts
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 from torquerig.scenario.from_catalog import Filled, filled_from_catalog
 from torquerig.scenario.operating_point import OperatingPoint, run_at
+from torquerig.scenario.overrides import naming_edits
 
 KINDS: dict[str, type[Part]] = {
     get_args(get_type_hints(cls)["kind"])[0]: cls
@@ -25,6 +28,7 @@ KINDS: dict[str, type[Part]] = {
     for cls in (getattr(room, name) for name in room.__all__)
 }
 """Every kind of part and effect that a scenario may name, by the word it uses."""
+SECTIONS = ("scenario", "operating_point", "measured", "rig", "study")
 
 
 @dataclass(frozen=True)
@@ -57,12 +61,18 @@ def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenari
     InputError
         With file, line, key and remedy, for everything that cannot be used.
     """
-    data = document.data
-    if not isinstance(data, dict) or not isinstance(data.get("rig"), dict):
-        raise InputError(f"{document.path}: a scenario needs a mapping named rig: with one entry per part")
+    try:
+        return _read(document, catalog, seed)
+    except TorquerigError as error:
+        raise naming_edits(document, error) from None
+
+
+def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
+    data = _sections(document)
     point = validated(document, TypeAdapter(OperatingPoint), within=("operating_point",)) if (
         "operating_point" in data) else OperatingPoint()  # fmt: skip
     found: list[Part] = []
+    owners: dict[str, str] = {}
     uncertainties: dict[str, Estimate] = {}
     assumed: dict[str, str] = {}
     shaft: str | None = None
@@ -70,29 +80,64 @@ def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenari
         filled = _filled(document, name, written, catalog, seed)
         for item in (filled, *filled.effects):
             part = _part(document, name, item, shaft)
+            with _placed(document, "rig", name):
+                Rig((*found, part))
             found.append(part)
+            owners[part.name] = name
             for key, spread in item.uncertainties.items():
                 uncertainties[f"{part.name}.{key}"] = Estimate(getattr(part, key), rel_sd=spread, evidence="REF")
             assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
             shaft = part.name if part.on_shaft else shaft
-    measured = str(data.get("measured", "torque_sensor"))
-    rig = Rig(tuple(found), measured=measured)
-    if not rig.part(measured).opens_node:
-        raise InputError(f"{document.place(('measured',))}: {measured!r} has no spring whose torque could be read")
-    return Scenario(document, str(data.get("scenario", document.path.stem)), point, rig.at(run_at(point, rig)),
-                    uncertainties, assumed)  # fmt: skip
+    rig = _runnable(document, Rig(tuple(found), measured=str(data.get("measured", "torque_sensor"))), point, owners)
+    return Scenario(document, str(data.get("scenario", document.path.stem)), point, rig, uncertainties, assumed)
+
+
+def _sections(document: Document) -> dict[str, Any]:
+    data = document.data
+    if not isinstance(data, dict) or not isinstance(data.get("rig"), dict) or not data["rig"]:
+        place = document.place(("rig",)) if isinstance(data, dict) and "rig" in data else document.path
+        raise InputError(f"{place}: a scenario needs a mapping named rig: with one entry per part")
+    for key in data:
+        if key not in SECTIONS:
+            raise InputError(f"{document.place((key,))}: unknown key; {did_you_mean(str(key), SECTIONS)}")
+    return data
+
+
+def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:
+    """Return the rig at its operating point, every part asked once for its physics so that its faults have a place."""
+    with _placed(document, "measured"):
+        if not rig.part(rig.measured).opens_node:
+            raise InputError(f"{rig.measured!r} has no spring whose torque could be read")
+    with _placed(document, "rig"):
+        rig = rig.at(run_at(point, rig))
+    for part in rig.parts:
+        with _placed(document, "rig", owners[part.name]):
+            part.terms(rig)
+            part.stages(rig)
+    with _placed(document, "rig"):
+        rig.terms()
+    return rig
+
+
+@contextmanager
+def _placed(document: Document, *keys: str) -> Iterator[None]:
+    """Put file, line and key before the errors of the parts themselves, which know no file."""
+    try:
+        yield
+    except TorquerigError as error:
+        raise InputError(f"{document.place(keys)}: {str(error).removeprefix(f'{keys[-1]}: ')}") from None
 
 
 def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed: int) -> Filled:
     place = document.place(("rig", name))
     if not isinstance(written, dict) or "kind" not in written:
         raise InputError(f"{place}: a part needs its kind; add kind: with one of {', '.join(sorted(KINDS))}")
-    if written["kind"] not in KINDS:
+    if not isinstance(written["kind"], str) or written["kind"] not in KINDS:
         raise InputError(
             f"{document.place(('rig', name, 'kind'))}: {written['kind']!r} is no kind of part; "
             f"{did_you_mean(str(written['kind']), KINDS)}"
         )
-    own, uncertainties = _uncertain(written)
+    own, uncertainties = _uncertain(document, name, written)
     entry = own.pop("catalog", None)
     if entry is None:
         return Filled(name=name, values=own, uncertainties=uncertainties)
@@ -103,11 +148,26 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
                   effects=filled.effects)  # fmt: skip
 
 
-def _uncertain(written: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
+def _uncertain(document: Document, name: str, written: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
     """Take ``{value: ..., rel_sd: ...}`` apart: the value goes to the part, the spread to the calibration."""
-    stated = {key: value for key, value in written.items() if isinstance(value, dict) and "value" in value}
-    values = {key: value["value"] if key in stated else value for key, value in written.items()}
-    return values, {key: float(value["rel_sd"]) for key, value in stated.items() if "rel_sd" in value}
+    values = dict(written)
+    spreads: dict[str, float] = {}
+    for key, stated in written.items():
+        if not isinstance(stated, dict) or "value" not in stated:
+            continue
+        extra = set(stated) - {"value", "rel_sd"}
+        if extra:
+            odd = sorted(map(str, extra))[0]
+            remedy = did_you_mean(odd, ("value", "rel_sd"))
+            raise InputError(f"{document.place(('rig', name, key, odd))}: unknown key; {remedy}")
+        values[key], spread = stated["value"], stated.get("rel_sd", 0.0)
+        if isinstance(spread, bool) or not isinstance(spread, int | float) or not (isfinite(spread) and spread >= 0):
+            raise InputError(
+                f"{document.place(('rig', name, key, 'rel_sd'))}: {spread!r} is no spread; write the one-sigma "
+                "relative spread as a number, such as 0.1"
+            )
+        spreads |= {key: float(spread)} if spread else {}
+    return values, spreads
 
 
 def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Part:

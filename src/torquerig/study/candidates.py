@@ -128,6 +128,6 @@ def loop_tuned(rig: Rig, rule: SpeedLoopRule) -> Rig:
     controller = next(part for part in rig.parts if isinstance(part, SpeedController))
     ratios = rig.speed_ratios(rig.node(controller.motor))
     inertias = [term for part in rig.parts for term in part.terms(rig) if isinstance(term, Inertia)]
-    seen = sum(term.inertia * ratios[term.node] ** 2 for term in inertias)
+    seen = sum(term.inertia * ratios.get(term.node, 0.0) ** 2 for term in inertias)
     kp = 2 * pi * rule.crossover * seen
     return rig.changed(replace(controller, kp=kp, ki=kp * 2 * pi * rule.integral_corner))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import pi, prod
+from math import prod
 
 from torquerig.errors import InputError
 from torquerig.metrics.drive_margins import Duty, drive_margins
@@ -19,6 +19,7 @@ from torquerig.scenario.reading import Scenario
 from torquerig.signals.effect import chain_effect
 from torquerig.simulate.simulate import simulate
 from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.study import Study
 
@@ -33,8 +34,7 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
     motor = next(part for part in scenario.rig.parts if isinstance(part, Motor))
     controller = next(part for part in scenario.rig.parts if isinstance(part, SpeedController))
     speed = scenario.rig.run.speed or 0.0
-    top = study.catalog.motor(candidate.motor).max_speed.bounds[1]
-    reason = f"needs {speed * 30 / pi:.0f} rpm, reaches at most {top * 30 / pi:.0f} rpm" if speed > top else ""
+    reason = out_of_reach(candidate, scenario, study)
     still = DriveResult(
         candidate=candidate,
         margins=_margins(candidate, scenario, study, torque_limit=motor.torque_limit),

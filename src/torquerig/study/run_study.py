@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.drive_run import mean_load, run_drive
+from torquerig.study.preflight import check_study
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.study import Study
 
@@ -30,7 +31,7 @@ def run_study(study: Study, *, progress: Progress | None = None, workers: int | 
 
     listed = candidates(study)
     scenarios = [scenario_of(one, study, seed=study.settings.seed) for one in listed]
-    study.chains(scenarios[0])
+    check_study(study, dict(zip(listed, scenarios, strict=True)))
     results: dict[int, DriveResult] = {}
     # linear algebra in several threads under several workers spins for minutes on two cores
     with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:

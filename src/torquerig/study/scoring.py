@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
 from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.decide.pugh import PughResult, pugh
 from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
+from torquerig.study.criteria import criteria_of, demands_of
 from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.settings import CriterionRow, DemandRow
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,7 +68,7 @@ def decide(runs: StudyRuns) -> Decided:
     demands = DecisionMatrix(
         name="demands",
         alternatives=tuple(drive.candidate.name for drive in runs.drives),
-        criteria=tuple(_demand(name, row) for name, row in settings.demands.items()),
+        criteria=demands_of(runs.study),
         cells={
             (drive.candidate.name, name): _cell(_figure(drive, None, row.metric))
             for drive in runs.drives
@@ -87,7 +87,7 @@ def decide(runs: StudyRuns) -> Decided:
     matrix = DecisionMatrix(
         name="criteria",
         alternatives=tuple(alternatives),
-        criteria=tuple(_criterion(name, row) for name, row in settings.criteria.items()),
+        criteria=criteria_of(runs.study),
         cells={
             (made.name, name): _cell(_figure(made.drive, made.chain, row.metric))
             for made in alternatives.values()
@@ -95,7 +95,8 @@ def decide(runs: StudyRuns) -> Decided:
         },
     )
     datum = f"{present.candidate.name} | {settings.present.filter}"
-    economic = matrix.only(kind=Kind.ECONOMIC) if any(c.kind is Kind.ECONOMIC for c in matrix.criteria) else None
+    counts = any(row.kind is Kind.ECONOMIC and row.weight > 0 for row in matrix.criteria)
+    economic = matrix.only(kind=Kind.ECONOMIC) if counts else None
     return Decided(
         demands=demands,
         chart=chart,
@@ -140,22 +141,4 @@ def _cell(figure: Figure) -> Cell:
         high=figure.high if interval else None,
         source=figure.source,
         unknown_reason=figure.missing,
-    )
-
-
-def _demand(name: str, row: DemandRow) -> Criterion:
-    return Criterion(name=name, unit=row.unit, demand=Demand(low=row.min, high=row.max), purpose=row.purpose)
-
-
-def _criterion(name: str, row: CriterionRow) -> Criterion:
-    return Criterion(
-        name=name,
-        unit=row.unit,
-        better=Better(row.better),
-        band=row.band,
-        kind=Kind(row.kind),
-        weight=row.weight,
-        indifference=Indifference(absolute=row.same_within.absolute, relative=row.same_within.relative),
-        value=ValueFunction(tuple(sorted(row.points.items()))),
-        purpose=row.purpose,
     )

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, read_document
-from torquerig.errors import InputError
+from torquerig.errors import InputError, did_you_mean
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.chain import Chain
@@ -37,9 +37,10 @@ class Study:
         wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
         for name in wanted:
             if name not in made:
+                key = ("filters", "names") if name in self.settings.filters.names else ("present", "filter")
                 raise InputError(
-                    f"{self.document.place(('study', 'filters', 'names'))}: there is no chain {name!r} in "
-                    f"{self.filters.path.name}; known are {', '.join(made)}"
+                    f"{self.document.place(('study', *key))}: there is no chain {name!r} in "
+                    f"{self.filters.path.name}; {did_you_mean(name, made)}"
                 )
         return {name: made[name] for name in wanted}
 

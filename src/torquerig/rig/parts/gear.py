@@ -36,6 +36,10 @@ class Gear(Part):
     output_inertia: Annotated[float, Parameter("kg*m^2", "inertia on the output shaft", low=0)] = 0.0
     teeth: tuple[Planetary | Spur, ...] = ()
 
+    def __post_init__(self) -> None:
+        if self.ratio == 0:
+            raise ValueError("a gear of ratio 0 transmits nothing; write the input turns per output turn, such as 5")
+
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the inertias of both sides and the spring between, with the errors and gaps that effects add."""
         upstream, node = rig.upstream(self.name), rig.node(self.name)

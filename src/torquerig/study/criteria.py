@@ -1,0 +1,78 @@
+"""The demands and criteria of a study's file as the matrices want them, checked before anything is simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.kesselring import TEACHING
+from torquerig.errors import InputError, TorquerigError
+from torquerig.study.settings import CriterionRow, DemandRow, Metric
+from torquerig.study.study import Study
+
+UNITS: Mapping[Metric, str] = {
+    "truth_error": "N*m",
+    "disturbance": "N*m",
+    "speed_reserve": "1",
+    "speed_use": "1",
+    "continuous_output_torque": "N*m",
+    "torque_reserve": "1",
+    "sensor_peak": "N*m",
+    "servo": "1",
+    "new_parts": "1",
+    "price": "EUR",
+}
+"""The unit in which each metric is counted; limits, bands and points of a study are in it."""
+
+
+def demands_of(study: Study) -> tuple[Criterion, ...]:
+    """Return the study's demands; InputError with file, line and key for one that cannot be used."""
+    if not study.settings.demands:
+        raise InputError(f"{study.document.place(('study', 'demands'))}: nothing is listed; write at least one demand")
+    return tuple(_made(study, "demands", name, row) for name, row in study.settings.demands.items())
+
+
+def criteria_of(study: Study) -> tuple[Criterion, ...]:
+    """Return the study's criteria; InputError with file, line and key for one that cannot be used."""
+    rows = study.settings.criteria.values()
+    if not any(row.kind == "technical" and row.weight > 0 for row in rows):
+        place = study.document.place(("study", "criteria"))
+        raise InputError(f"{place}: no technical criterion has a weight, so nothing can be ranked; give one a weight")
+    return tuple(_made(study, "criteria", name, row) for name, row in study.settings.criteria.items())
+
+
+def _made(study: Study, section: str, name: str, row: DemandRow | CriterionRow) -> Criterion:
+    place = study.document.place
+    if row.unit != UNITS[row.metric]:
+        raise InputError(
+            f"{place(('study', section, name, 'unit'))}: {row.metric} is counted in {UNITS[row.metric]!r}, not in "
+            f"{row.unit!r}; write the limits and points in {UNITS[row.metric]!r}"
+        )
+    try:
+        return _demand(name, row) if isinstance(row, DemandRow) else _criterion(name, row)
+    except TorquerigError as error:
+        told = str(error).removeprefix(f"{name}: ")
+        raise InputError(f"{place(('study', section, name))}: {told}") from None
+
+
+def _demand(name: str, row: DemandRow) -> Criterion:
+    return Criterion(name=name, unit=row.unit, demand=Demand(low=row.min, high=row.max), purpose=row.purpose)
+
+
+def _criterion(name: str, row: CriterionRow) -> Criterion:
+    outside = [points for points in row.points.values() if not TEACHING.p_min <= points <= TEACHING.p_max]
+    if outside:
+        raise InputError(
+            f"points: {outside[0]:g} points are outside the scale {TEACHING.p_min:g}..{TEACHING.p_max:g}; rescale them"
+        )
+    return Criterion(
+        name=name,
+        unit=row.unit,
+        better=Better(row.better),
+        band=row.band,
+        kind=Kind(row.kind),
+        weight=row.weight,
+        indifference=Indifference(absolute=row.same_within.absolute, relative=row.same_within.relative),
+        value=ValueFunction(tuple(sorted(row.points.items()))),
+        purpose=row.purpose,
+    )
