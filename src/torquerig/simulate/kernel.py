@@ -1,117 +1,23 @@
 """The compiled loop: any rig, lowered to flat arrays, through time by Runge-Kutta 4 with fixed substeps.
 
-Self-contained on purpose: numba's cache on disk goes stale when a callee in another file changes.
-Nodes are numbered; the last index is the ground, whose angle and speed stay zero and whose torque is thrown away.
+Self-contained on purpose: numba's cache on disk goes stale when a callee in another file changes. The arrays are those
+of ``simulate/arrays.py``.
+
+Between two kinks of a contact law the right-hand side is smooth and the method has its fourth order; a step that would
+cross a kink (flanks meet or part, damping reaches the spring's torque) is shortened until it ends just behind it.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
-Rows = NDArray[np.uint64]  # unsigned: a signed index costs a test for counting from the end, a sixth of the run time
-Starts = NDArray[np.int64]
 
 FAST = {"contract", "reassoc", "arcp", "nsz", "afn"}  # not nnan and ninf: a run that blows up must be seen
 
 # what an output row holds: the torque of a spring; speed, angle of a node; torque of a drive; all that opposes a node
 SPRING_TORQUE, SPEED, ANGLE, DRIVE_TORQUE, OPPOSING_TORQUE = range(5)
 
-
-class Waves(NamedTuple):
-    """Cosines and sines of order times angle, each made once a step: bases by sincos, the others by products."""
-
-    base_node: Rows  # (bases,) node whose angle is taken
-    base_order: Floats  # (bases,)
-    first: Rows  # (products,) slot number bases + i is the product of two earlier slots
-    second: Rows
-
-
-class Springs(NamedTuple):
-    """Springs, dampers, gaps, gears; ``e`` rows are the kinematic error's waves."""
-
-    a: Rows
-    b: Rows
-    stiffness: Floats
-    damping: Floats
-    half_gap: Floats
-    inverse_ratio: Floats
-    loss_mean: Floats  # (1/eta + eta) / 2
-    loss_half: Floats  # (1/eta - eta) / 2
-    e_first: Starts  # (springs + 1,) where each spring's error waves start
-    e_slot: Rows
-    e_order: Floats
-    e_cos: Floats
-    e_sin: Floats
-
-
-class Harmonics(NamedTuple):
-    """Torques ``cos * c - sin * s`` of a slot, on a node and against another."""
-
-    on: Rows
-    against: Rows
-    slot: Rows
-    c: Floats
-    s: Floats
-
-
-class Frictions(NamedTuple):
-    """Coulomb and static torque by direction: column 0 backward, column 1 forward."""
-
-    on: Rows
-    against: Rows
-    coulomb: Floats  # (frictions, 2)
-    excess: Floats  # (frictions, 2): static minus Coulomb
-    inverse_stribeck: Floats
-    viscous: Floats
-    quadratic: Floats
-    inverse_smoothing: Floats
-
-
-class Loads(NamedTuple):
-    """Sampled torques, linear between samples: they oppose a node's motion, or drive it where the smoothing is 0."""
-
-    on: Rows
-    inverse_smoothing: Floats
-    samples: Floats  # (loads, settling + samples + 1)
-
-
-class Blades(NamedTuple):
-    """Half-wave-squared load pulses from a slot."""
-
-    on: Rows
-    slot: Rows
-    c: Floats
-    s: Floats
-    amplitude: Floats
-    inverse_smoothing: Floats
-
-
-class Drives(NamedTuple):
-    """Speed-controlled motors; ``reference`` holds the set-point at every sample."""
-
-    on: Rows
-    against: Rows
-    kp: Floats
-    ki: Floats
-    limit: Floats
-    inverse_lag: Floats
-    r_first: Starts
-    r_slot: Rows
-    r_c: Floats
-    r_s: Floats
-    reference: Floats  # (drives, settling + samples + 1)
-
-
-class Outputs(NamedTuple):
-    """What to keep at every sample."""
-
-    kind: Rows
-    row: Rows
+LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, inline="always")
@@ -125,25 +31,10 @@ def _direction(speed: float, inverse_smoothing: float) -> float:
 
 
 @njit(cache=True, nogil=True, fastmath=FAST, inline="always")
-def _forces(
-    theta,
-    omega,
-    tau,
-    load_now,
-    waves,
-    springs,
-    harmonics,
-    frictions,
-    loads,
-    blades,
-    drives,
-    cosine,
-    sine,
-    spring_torque,
-    opposing,
-    torque,
-):
+def _forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, contact, opposing, torque):
     """Fill ``torque`` (per node) and the by-products of one evaluation."""
+    waves, springs, harmonics, frictions = terms.waves, terms.springs, terms.harmonics, terms.frictions
+    loads, blades, drives = terms.loads, terms.blades, terms.drives
     torque[:] = 0.0
     opposing[:] = 0.0
     for i in range(waves.base_node.size):
@@ -170,13 +61,17 @@ def _forces(
             rate -= springs.e_order[j] * slope * omega[b]
         half = springs.half_gap[i]
         if half > 0.0:
-            value = 0.0
-            if twist > half:
-                pressed = springs.stiffness[i] * (twist - half)
-                value = max(0.0, pressed + min(pressed, springs.damping[i] * rate))
-            elif twist < -half:
-                pressed = springs.stiffness[i] * (twist + half)
-                value = min(0.0, pressed + max(pressed, springs.damping[i] * rate))
+            side = 1.0 if twist > 0.0 else -1.0
+            pressed = springs.stiffness[i] * (side * twist - half)
+            damped = side * springs.damping[i] * rate
+            if pressed <= 0.0:
+                value, contact[i] = 0.0, 0.0
+            elif damped > pressed:
+                value, contact[i] = side * 2.0 * pressed, side
+            elif damped > -pressed:
+                value, contact[i] = side * (pressed + damped), 2.0 * side
+            else:
+                value, contact[i] = 0.0, 3.0 * side
         else:
             value = springs.stiffness[i] * twist + springs.damping[i] * rate
         spring_torque[i] = value
@@ -225,32 +120,31 @@ def _forces(
         torque[drives.against[i]] -= value
 
 
+@njit(cache=True, nogil=True, inline="always")
+def _keep(kept, at, outputs, theta, omega, tau, spring_torque, opposing):
+    for i in range(outputs.kind.size):
+        kind, row = outputs.kind[i], outputs.row[i]
+        if kind == SPRING_TORQUE:
+            kept[i, at] = spring_torque[row]
+        elif kind == SPEED:
+            kept[i, at] = omega[row]
+        elif kind == ANGLE:
+            kept[i, at] = theta[row]
+        elif kind == DRIVE_TORQUE:
+            kept[i, at] = tau[row]
+        else:
+            kept[i, at] = opposing[row]
+
+
 @njit(cache=True, nogil=True, fastmath=FAST)
-def integrate(
-    theta,
-    omega,
-    inverse_inertia,
-    waves,
-    springs,
-    harmonics,
-    frictions,
-    loads,
-    blades,
-    drives,
-    outputs,
-    rate,
-    settling,
-    substeps,
-    kept,
-):
+def integrate(theta, omega, terms, outputs, rate, settling, substeps, kept):
     """Step the rig through ``settling`` samples that are not kept and ``kept.shape[1]`` that are.
 
     Parameters
     ----------
     theta, omega : ndarray, shape (nodes + 1,)
         Start angles [rad] and speeds [rad/s]; changed in place to the end state; the ground is last.
-    inverse_inertia : ndarray, shape (nodes + 1,)
-        [1/(kg m^2)], zero for the ground.
+    terms : Terms
     rate : float
         Samples and control steps per second [Hz].
     kept : ndarray, shape (outputs, samples)
@@ -262,24 +156,21 @@ def integrate(
         -1, -1 when the run went through; else where a speed ceased to be finite (sample counted from the start of
         settling).
     """
-    nodes = theta.size
-    n_drives = drives.on.size
-    tau = np.zeros(n_drives)
-    integral = np.zeros(n_drives)
-    command = np.zeros(n_drives)
-    slots = waves.base_node.size + waves.first.size
+    drives, loads = terms.drives, terms.loads
+    nodes, n_drives, n_springs = theta.size, drives.on.size, terms.springs.a.size
+    moving = nodes - 1  # all but the ground
+    slots = terms.waves.base_node.size + terms.waves.first.size
     cosine, sine = np.zeros(slots), np.zeros(slots)
-    spring_torque = np.zeros(springs.a.size)
-    opposing, torque = np.zeros(nodes), np.zeros(nodes)
-    load_now = np.zeros(loads.on.size)
+    spring_torque, contact, contact_before = np.zeros(n_springs), np.zeros(n_springs), np.zeros(n_springs)
+    opposing, torque, torque_before = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
+    tau, integral, command = np.zeros(n_drives), np.zeros(n_drives), np.zeros(n_drives)
     theta_k, omega_k, tau_k = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
     theta_sum, omega_sum, tau_sum = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
+    load_now = np.zeros(loads.on.size)
+    gaps = np.flatnonzero(terms.springs.half_gap > 0.0)
     period = 1.0 / rate
     h = period / substeps
-    fraction = 1.0 / substeps
-    moving = nodes - 1  # all but the ground
-    samples = kept.shape[1]
-    for sample in range(settling + samples):
+    for sample in range(settling + kept.shape[1]):
         for i in range(n_drives):
             error = drives.reference[i, sample] - omega[drives.on[i]] + omega[drives.against[i]]
             wish = drives.kp[i] * error + drives.ki[i] * (integral[i] + error * period)
@@ -288,51 +179,74 @@ def integrate(
                 command[i] = wish
             else:
                 command[i] = drives.limit[i] if wish > 0.0 else -drives.limit[i]
-        for step in range(substeps):
-            for i in range(moving):
-                theta_k[i], omega_k[i] = theta[i], omega[i]
-                theta_sum[i], omega_sum[i] = 0.0, 0.0
-            for i in range(n_drives):
-                tau_k[i], tau_sum[i] = tau[i], 0.0
-            for stage in range(4):
-                part = (step + (0.0 if stage == 0 else (1.0 if stage == 3 else 0.5))) * fraction
-                for i in range(loads.on.size):
-                    u = loads.samples[i, sample]
-                    load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
-                _forces(
-                    theta_k, omega_k, tau_k, load_now, waves, springs, harmonics, frictions, loads, blades, drives,
-                    cosine, sine, spring_torque, opposing, torque,
-                )  # fmt: skip
-                if stage == 0 and step == 0 and sample >= settling:
-                    for i in range(outputs.kind.size):
-                        kind, row = outputs.kind[i], outputs.row[i]
-                        if kind == SPRING_TORQUE:
-                            kept[i, sample - settling] = spring_torque[row]
-                        elif kind == SPEED:
-                            kept[i, sample - settling] = omega[row]
-                        elif kind == ANGLE:
-                            kept[i, sample - settling] = theta[row]
-                        elif kind == DRIVE_TORQUE:
-                            kept[i, sample - settling] = tau[row]
-                        else:
-                            kept[i, sample - settling] = opposing[row]
-                weight = h / 3.0 if 0 < stage < 3 else h / 6.0
-                ahead = h if stage == 2 else 0.5 * h
+        # the very first pass has no length: it makes the forces at the start; later ones are left by the step before
+        for step in range(-1 if sample == 0 else 0, substeps):
+            if step == 0 and sample >= settling:
+                _keep(kept, sample - settling, outputs, theta, omega, tau, spring_torque, opposing)
+            start, remaining = max(0, step) * h, 0.0 if step < 0 else h
+            unfinished = True
+            while unfinished:
+                low, high, length, accepted = 0.0, remaining, remaining, step < 0
+                whole = True
+                while True:
+                    for i in range(moving):
+                        slope = torque_before[i] * terms.inverse_inertia[i]
+                        theta_sum[i], omega_sum[i] = length / 6.0 * omega[i], length / 6.0 * slope
+                        theta_k[i] = theta[i] + 0.5 * length * omega[i]
+                        omega_k[i] = omega[i] + 0.5 * length * slope
+                    for i in range(n_drives):
+                        slope = (command[i] - tau[i]) * drives.inverse_lag[i]
+                        tau_sum[i], tau_k[i] = length / 6.0 * slope, tau[i] + 0.5 * length * slope
+                    for stage in range(3 if step < 0 else 0, 4):
+                        ahead = 0.5 * length if stage < 2 else length
+                        if stage == 3:
+                            for i in range(moving):
+                                theta_k[i], omega_k[i] = theta[i] + theta_sum[i], omega[i] + omega_sum[i]
+                            for i in range(n_drives):
+                                tau_k[i] = tau[i] + tau_sum[i]
+                        part = (start + ahead) * rate
+                        for i in range(loads.on.size):
+                            u = loads.samples[i, sample]
+                            load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
+                        _forces(theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
+                                opposing, torque)  # fmt: skip
+                        if stage == 3:
+                            break
+                        weight = length / 6.0 if stage == 2 else length / 3.0
+                        ahead = 0.5 * length if stage == 0 else length
+                        for i in range(moving):
+                            slope = torque[i] * terms.inverse_inertia[i]
+                            theta_sum[i] += weight * omega_k[i]
+                            omega_sum[i] += weight * slope
+                            theta_k[i] = theta[i] + ahead * omega_k[i]
+                            omega_k[i] = omega[i] + ahead * slope
+                        for i in range(n_drives):
+                            slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
+                            tau_sum[i] += weight * slope
+                            tau_k[i] = tau[i] + ahead * slope
+                    if accepted:
+                        break
+                    kinked = False
+                    for gap in gaps:
+                        kinked = kinked or contact[gap] != contact_before[gap]
+                    if whole and not kinked:
+                        break
+                    whole = False
+                    if kinked:
+                        high = length
+                    else:
+                        low = length
+                    accepted = high - low <= LOCATED * h
+                    length = high if accepted else 0.5 * (low + high)
                 for i in range(moving):
-                    slope = torque[i] * inverse_inertia[i]
-                    theta_sum[i] += weight * omega_k[i]
-                    omega_sum[i] += weight * slope
-                    theta_k[i] = theta[i] + ahead * omega_k[i]
-                    omega_k[i] = omega[i] + ahead * slope
+                    theta[i], omega[i], torque_before[i] = theta_k[i], omega_k[i], torque[i]
                 for i in range(n_drives):
-                    slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
-                    tau_sum[i] += weight * slope
-                    tau_k[i] = tau[i] + ahead * slope
-            for i in range(moving):
-                theta[i] += theta_sum[i]
-                omega[i] += omega_sum[i]
-            for i in range(n_drives):
-                tau[i] += tau_sum[i]
+                    tau[i] = tau_k[i]
+                for gap in gaps:
+                    contact_before[gap] = contact[gap]
+                start += length
+                remaining -= length
+                unfinished = remaining > LOCATED * h
         for i in range(moving):
             if not np.isfinite(omega[i]):
                 return sample, i

@@ -26,7 +26,7 @@ from torquerig.rig.terms import (
     Wave,
 )
 from torquerig.signals.recording import random_for
-from torquerig.simulate.kernel import Blades, Drives, Frictions, Harmonics, Loads, Springs, Waves
+from torquerig.simulate.arrays import Blades, Drives, Frictions, Harmonics, Loads, Springs, Waves
 from torquerig.simulate.waves import WaveTable
 
 Kind = TypeVar("Kind", bound=Term)

@@ -14,6 +14,7 @@ from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
 from torquerig.signals.recording import Channel, Recording, random_for
 from torquerig.simulate import kernel
+from torquerig.simulate.arrays import Outputs, Terms
 from torquerig.simulate.linear import matrices
 from torquerig.simulate.lower import Lowered, lower
 from torquerig.simulate.profile import set_point
@@ -53,16 +54,12 @@ def simulate(
         raise InputError(f"a recording of {duration:g} s at {sample_rate:g} Hz has {samples} samples; ask for more")
     if not lowered.drive_terms and not lowered.load_terms:
         raise InputError("nothing moves the rig; add a speed controller to the motor")
-    drives, loads = _sampled(rig, lowered, settling=unkept, samples=samples, rate=sample_rate, wander=wander,
-                             seed=seed)  # fmt: skip
+    terms = _sampled(rig, lowered, settling=unkept, samples=samples, rate=sample_rate, wander=wander, seed=seed)
     outputs, names = _outputs(rig, lowered)
-    theta, omega = _start(rig, lowered, drives.reference)
+    theta, omega = _start(rig, lowered, terms.drives.reference)
     kept = np.empty((len(names), samples))
     steps = substeps or steps_per_sample(lowered, sample_rate)
-    failed, node = kernel.integrate(
-        theta, omega, np.append(1 / lowered.inertia, 0.0), lowered.waves, lowered.springs, lowered.harmonics,
-        lowered.frictions, loads, lowered.blades, drives, outputs, sample_rate, unkept, steps, kept,
-    )  # fmt: skip
+    failed, node = kernel.integrate(theta, omega, terms, outputs, sample_rate, unkept, steps, kept)
     if failed >= 0:
         raise SimulationError(
             f"the speed of {lowered.nodes[node]!r} ceased to be finite {(failed - unkept) / sample_rate:.4f} s after "
@@ -82,7 +79,7 @@ def steps_per_sample(lowered: Lowered, sample_rate: float) -> int:
     """Return how many Runge-Kutta steps a sample takes so that the fastest mode turns at most ``STEP_ANGLE`` in one.
 
     Runge-Kutta 4 is stable to 2.8 rad; at 0.6 rad its phase error is 6e-4 rad a step (x^5/120) and shrinks with the
-    fourth power. A gap that closes adds its own error, which the step does not cure.
+    fourth power. Contacts of a gap are located within the step and need no shorter one.
     """
     fastest = float(np.abs(np.linalg.eigvals(matrices(lowered).state_matrix())).max())
     return max(1, ceil(fastest / sample_rate / STEP_ANGLE))
@@ -90,14 +87,21 @@ def steps_per_sample(lowered: Lowered, sample_rate: float) -> int:
 
 def _sampled(
     rig: Rig, lowered: Lowered, *, settling: int, samples: int, rate: float, wander: float, seed: int
-) -> tuple[kernel.Drives, kernel.Loads]:
+) -> Terms:
+    """Return the rig's arrays with the set-points and loads of every sample filled in."""
     rng = random_for(seed, "speed wander")
     reference = set_point(rig.run, settling=settling, samples=samples, rate=rate, wander=wander, rng=rng)
     count = settling + samples + 1
     loads = [term.process.sample(count, rate, random_for(seed, term.name)) for term in lowered.load_terms]
-    return (
-        lowered.drives._replace(reference=np.tile(reference, (len(lowered.drive_terms), 1))),
-        lowered.loads._replace(samples=np.array(loads).reshape(-1, count)),
+    return Terms(
+        inverse_inertia=np.append(1 / lowered.inertia, 0.0),
+        waves=lowered.waves,
+        springs=lowered.springs,
+        harmonics=lowered.harmonics,
+        frictions=lowered.frictions,
+        loads=lowered.loads._replace(samples=np.array(loads).reshape(-1, count)),
+        blades=lowered.blades,
+        drives=lowered.drives._replace(reference=np.tile(reference, (len(lowered.drive_terms), 1))),
     )
 
 
@@ -112,7 +116,7 @@ def _start(
     return still, np.array([ratios.get(node, 0.0) * reference[0, 0] for node in lowered.nodes] + [0.0])
 
 
-def _outputs(rig: Rig, lowered: Lowered) -> tuple[kernel.Outputs, tuple[str, ...]]:
+def _outputs(rig: Rig, lowered: Lowered) -> tuple[Outputs, tuple[str, ...]]:
     motor = lowered.node(lowered.drive_terms[0].on) if lowered.drive_terms else 0
     part = _worn(rig, lowered)
     wanted = {
@@ -125,7 +129,7 @@ def _outputs(rig: Rig, lowered: Lowered) -> tuple[kernel.Outputs, tuple[str, ...
     if lowered.drive_terms:
         wanted["true_motor_torque_Nm"] = (kernel.DRIVE_TORQUE, 0)
     kinds, indices = zip(*wanted.values(), strict=True)
-    return kernel.Outputs(np.array(kinds, dtype=np.uint64), np.array(indices, dtype=np.uint64)), tuple(wanted)
+    return Outputs(np.array(kinds, dtype=np.uint64), np.array(indices, dtype=np.uint64)), tuple(wanted)
 
 
 def _worn(rig: Rig, lowered: Lowered) -> int:

@@ -9,7 +9,7 @@ from math import gcd, lcm
 
 import numpy as np
 
-from torquerig.simulate.kernel import Waves
+from torquerig.simulate.arrays import Waves
 
 LARGEST_DENOMINATOR = 1000  # orders such as 16.8 or 3.572 are fractions of this size; others get a sine of their own
 LARGEST_MULTIPLE = 4096

@@ -1,0 +1,120 @@
+"""The arrays that a rig is lowered to, one tuple per kind of term; the kernel and the linear twin read them.
+
+Nodes are numbered; the last index is the ground, whose angle and speed stay zero and whose torque is thrown away.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Rows = NDArray[np.uint64]  # unsigned: a signed index costs a test for counting from the end, a sixth of the run time
+Starts = NDArray[np.int64]
+
+
+class Waves(NamedTuple):
+    """Cosines and sines of order times angle, each made once a step: bases by sincos, the others by products."""
+
+    base_node: Rows  # (bases,) node whose angle is taken
+    base_order: Floats  # (bases,)
+    first: Rows  # (products,) slot number bases + i is the product of two earlier slots
+    second: Rows
+
+
+class Springs(NamedTuple):
+    """Springs, dampers, gaps, gears; ``e`` rows are the kinematic error's waves."""
+
+    a: Rows
+    b: Rows
+    stiffness: Floats
+    damping: Floats
+    half_gap: Floats
+    inverse_ratio: Floats
+    loss_mean: Floats  # (1/eta + eta) / 2
+    loss_half: Floats  # (1/eta - eta) / 2
+    e_first: Starts  # (springs + 1,) where each spring's error waves start
+    e_slot: Rows
+    e_order: Floats
+    e_cos: Floats
+    e_sin: Floats
+
+
+class Harmonics(NamedTuple):
+    """Torques ``cos * c - sin * s`` of a slot, on a node and against another."""
+
+    on: Rows
+    against: Rows
+    slot: Rows
+    c: Floats
+    s: Floats
+
+
+class Frictions(NamedTuple):
+    """Coulomb and static torque by direction: column 0 backward, column 1 forward."""
+
+    on: Rows
+    against: Rows
+    coulomb: Floats  # (frictions, 2)
+    excess: Floats  # (frictions, 2): static minus Coulomb
+    inverse_stribeck: Floats
+    viscous: Floats
+    quadratic: Floats
+    inverse_smoothing: Floats
+
+
+class Loads(NamedTuple):
+    """Sampled torques, linear between samples: they oppose a node's motion, or drive it where the smoothing is 0."""
+
+    on: Rows
+    inverse_smoothing: Floats
+    samples: Floats  # (loads, settling + samples + 1)
+
+
+class Blades(NamedTuple):
+    """Half-wave-squared load pulses from a slot."""
+
+    on: Rows
+    slot: Rows
+    c: Floats
+    s: Floats
+    amplitude: Floats
+    inverse_smoothing: Floats
+
+
+class Drives(NamedTuple):
+    """Speed-controlled motors; ``reference`` holds the set-point at every sample."""
+
+    on: Rows
+    against: Rows
+    kp: Floats
+    ki: Floats
+    limit: Floats
+    inverse_lag: Floats
+    r_first: Starts
+    r_slot: Rows
+    r_c: Floats
+    r_s: Floats
+    reference: Floats  # (drives, settling + samples + 1)
+
+
+class Outputs(NamedTuple):
+    """What to keep at every sample."""
+
+    kind: Rows
+    row: Rows
+
+
+class Terms(NamedTuple):
+    """All of a rig, as the kernel takes it."""
+
+    inverse_inertia: Floats  # (nodes + 1,) [1/(kg m^2)], zero for the ground
+    waves: Waves
+    springs: Springs
+    harmonics: Harmonics
+    frictions: Frictions
+    loads: Loads
+    blades: Blades
+    drives: Drives
