@@ -1,0 +1,265 @@
+"""Laws over every mechanism: nothing of zero size changes anything, YAML comes back, momentum is kept, lines stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+from pathlib import Path
+from typing import Any, get_args, get_type_hints
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from pydantic import TypeAdapter
+
+from torquerig import mechanisms
+from torquerig.document import parse_document, validated
+from torquerig.mechanisms import (
+    Backlash,
+    BladePass,
+    Cogging,
+    CommutationRipple,
+    GearMesh,
+    ParticleLoad,
+    QuadraticDrag,
+    StribeckFriction,
+    TorqueRipple,
+    TorsionalMode,
+)
+from torquerig.rig.part import Part
+from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import AppliedTorque, Term
+from torquerig.scenario.reading import KINDS
+from torquerig.signals.recording import Recording
+from torquerig.signals.run import Run
+from torquerig.simulate.simulate import simulate
+
+# every mechanism as a scenario writes it, and the same at zero size (a branch without inertia is no branch: left out)
+WRITTEN: dict[str, tuple[str, Part]] = {
+    "Backlash": ("{kind: backlash, gap: 0.004 rad}", Backlash(name="it", gap=0.004)),
+    "BladePass": (
+        "{kind: blade_pass, order_output: 6, amplitude: 0.4 N*m, phase: 0.0}",
+        BladePass(name="it", order_output=6.0, amplitude=0.4, phase=0.0),
+    ),
+    "Cogging": (
+        "{kind: cogging, slots: 12, pole_pairs: 7, native: 10 mN*m, unequal_teeth: 20 mN*m}",
+        Cogging(name="it", slots=12, pole_pairs=7, native=0.01, unequal_teeth=0.02),
+    ),
+    "CommutationRipple": (
+        "{kind: commutation_ripple, order_motor: 42, depth: 0.05}",
+        CommutationRipple(name="it", order_motor=42.0, depth=0.05),
+    ),
+    "GearMesh": (
+        "{kind: gear_mesh, order_output: 84, transmission_error: [5.0e-5 rad], planet_modulation: 0.2}",
+        GearMesh(name="it", order_output=84.0, transmission_error=(5e-5,), planet_modulation=0.2),
+    ),
+    "ParticleLoad": (
+        "{kind: particle_load, mean_by_occupancy_percent: {0: 0.05 N*m, 21: 3.8 N*m}, hit_decay: 2 ms}",
+        ParticleLoad(name="it", mean_by_occupancy_percent={0.0: 0.05, 21.0: 3.8}, hit_decay=0.002),
+    ),
+    "QuadraticDrag": (
+        "{kind: quadratic_drag, coefficient: 1.0e-3 N*m*s^2/rad^2}",
+        QuadraticDrag(name="it", coefficient=1e-3),
+    ),
+    "StribeckFriction": (
+        "{kind: stribeck_friction, coulomb: 0.2 N*m, static: 0.3 N*m, stribeck_speed: 5 rad/s}",
+        StribeckFriction(name="it", coulomb=0.2, static=0.3, stribeck_speed=5.0),
+    ),
+    "TorqueRipple": (
+        "{kind: torque_ripple, at: motor, group: electrical, amplitudes: {7: 15 mN*m}}",
+        TorqueRipple(name="it", at="motor", group="electrical", amplitudes={7.0: 0.015}),
+    ),
+    "TorsionalMode": (
+        "{kind: torsional_mode, after: wear_part, frequency: 60 Hz, inertia: 5 kg*cm^2, damping_ratio: 0.02}",
+        TorsionalMode(name="it", after="wear_part", frequency=60.0, inertia=5e-4, damping_ratio=0.02),
+    ),
+}
+NOTHING: dict[str, Part] = {
+    "Backlash": Backlash(name="it", gap=0.0),
+    "BladePass": BladePass(name="it", order_output=6, amplitude=0.0),
+    "Cogging": Cogging(name="it", slots=12, pole_pairs=7),
+    "CommutationRipple": CommutationRipple(name="it", order_motor=42, depth=0.0),
+    "GearMesh": GearMesh(name="it", order_output=84, transmission_error=(0.0, 0.0)),
+    "ParticleLoad": ParticleLoad(name="it", mean_by_occupancy_percent={0: 0.0}),
+    "QuadraticDrag": QuadraticDrag(name="it", coefficient=0.0),
+    "StribeckFriction": StribeckFriction(name="it", coulomb=0.0, static=0.0, stribeck_speed=1.0),
+    "TorqueRipple": TorqueRipple(name="it", at="motor", group="cogging", amplitudes={6: 0.0}),
+}
+
+
+def shaft(*effects: Part, speed_rpm: float = 600.0, kp: float = 1e-6) -> Rig:
+    """A motor on 5:1 with a sensor and a wear part; the weak loop leaves every line as it is."""
+    return Rig(
+        (
+            Motor(name="motor", inertia=1.5e-4, torque_limit=10.0),
+            Gear(name="gearbox", after="motor", ratio=5.0, stiffness=11300, damping=2.0, output_inertia=7e-4),
+            Coupling(name="sensor", after="gearbox", stiffness=1100, damping=0.12, inertia=4e-5),
+            Body(name="wear_part", after="sensor", inertia=2e-3),
+            SpeedController(name="controller", kp=kp, ki=0.0),
+            *effects,
+        ),
+        Run(speed=speed_rpm * pi / 30),
+        measured="sensor",
+    )
+
+
+def test_the_laws_are_tried_on_every_mechanism() -> None:
+    assert set(WRITTEN) == set(mechanisms.__all__)
+    assert set(NOTHING) == set(mechanisms.__all__) - {"TorsionalMode"}
+
+
+@pytest.mark.parametrize("name", sorted(WRITTEN))
+def test_each_kind_reads_back_from_yaml_under_its_own_word(name: str) -> None:
+    text, meant = WRITTEN[name]
+    document = parse_document(text, Path("scenario.yaml"))
+    word = get_args(get_type_hints(type(meant))["kind"])[0]
+    assert document.data["kind"] == word == meant.kind
+    assert KINDS[word] is type(meant)
+    adapter: TypeAdapter[Any] = TypeAdapter(KINDS[word])
+    assert validated(document, adapter, data={"name": "it", **document.data}) == meant
+
+
+@pytest.mark.parametrize("name", sorted(WRITTEN))
+def test_each_kind_refuses_a_misspelt_key(name: str) -> None:
+    text, meant = WRITTEN[name]
+    document = parse_document(text, Path("scenario.yaml"))
+    adapter: TypeAdapter[Any] = TypeAdapter(type(meant))
+    with pytest.raises(Exception, match="unknown key"):
+        validated(document, adapter, data={"name": "it", **document.data, "amplitued": 1})
+
+
+@pytest.mark.parametrize("name", sorted(NOTHING))
+def test_an_effect_of_zero_size_changes_nothing_bit_for_bit(name: str) -> None:
+    plain = simulate(shaft(kp=0.05), duration=0.05, seed=5, settling=0.1)
+    with_it = simulate(shaft(NOTHING[name], kp=0.05), duration=0.05, seed=5, settling=0.1)
+    for channel, values in plain.channels.items():
+        assert np.array_equal(values.values, with_it.channels[channel].values), channel
+
+
+def test_a_branch_of_hardly_any_inertia_changes_hardly_anything() -> None:
+    """The branch takes momentum in proportion to its inertia: 1e-9 of the wear part's leaves 1e-9 of the torque."""
+    ripple = TorqueRipple(name="ripple", at="motor", group="mechanical", amplitudes={1: 0.02})
+    branch = TorsionalMode(name="it", after="wear_part", frequency=60, inertia=2e-12, damping_ratio=0.02)
+    plain = simulate(shaft(ripple), duration=0.1, seed=5).torque()
+    assert simulate(shaft(ripple, branch), duration=0.1, seed=5).torque() == pytest.approx(plain, abs=1e-7)
+
+
+def line(made: Recording, motor_order: float) -> float:
+    """Amplitude of the sensor's line at a motor order, by least squares on the true angle [N m]."""
+    angle = motor_order * made.channels["true_motor_angle_rad"].values
+    columns = np.column_stack([np.ones(angle.size), np.cos(angle), np.sin(angle)])
+    found = np.linalg.lstsq(columns, made.channels["true_sensor_torque_Nm"].values, rcond=None)[0]
+    return float(np.hypot(found[1], found[2]))
+
+
+# effect, its motor orders on 5:1, and an order beside them where nothing may stand
+LINES: list[tuple[Part, tuple[float, ...], float]] = [
+    (TorqueRipple(name="it", at="motor", group="cogging", amplitudes={6: 0.02}), (6.0,), 7.0),
+    (TorqueRipple(name="it", at="wear_part", group="mechanical", amplitudes={3: 0.1}), (0.6,), 0.8),
+    (Cogging(name="it", slots=12, pole_pairs=7, unequal_magnets=0.02, unequal_teeth=0.02), (12.0, 14.0), 13.0),
+    (GearMesh(name="it", order_output=84, transmission_error=(5e-5,)), (16.8,), 16.0),
+    (BladePass(name="it", order_output=15, amplitude=0.4), (3.0,), 4.0),
+]
+
+
+@pytest.mark.parametrize("speed_rpm", [600.0, 900.0])
+@pytest.mark.parametrize(("effect", "orders", "beside"), LINES, ids=lambda value: getattr(value, "kind", ""))
+def test_lines_stand_at_the_derived_orders_at_two_speeds(
+    effect: Part, orders: tuple[float, ...], beside: float, speed_rpm: float
+) -> None:
+    loop = 0.01 if isinstance(effect, BladePass) else 1e-6  # blades would brake a motor without a loop
+    made = simulate(shaft(effect, speed_rpm=speed_rpm, kp=loop), duration=1.0, seed=3)
+    for order in orders:
+        assert line(made, order) > 10 * line(made, beside)
+
+
+@pytest.mark.parametrize("speed_rpm", [600.0, 900.0])
+def test_commutation_ripple_is_a_share_of_the_motor_torque(speed_rpm: float) -> None:
+    """Order 7, depth 10 %: the line at the sensor is that of a plain ripple of 10 % of the mean motor torque."""
+    drag = QuadraticDrag(name="drag", coefficient=2.0 / (speed_rpm * pi / 150) ** 2)  # 2 N m at the wear part
+    ripple = CommutationRipple(name="it", order_motor=7, depth=0.1)
+    made = simulate(shaft(drag, ripple, kp=0.01, speed_rpm=speed_rpm), duration=1.0, seed=3)
+    torque = made.channels["true_motor_torque_Nm"].values.mean()
+    plain = TorqueRipple(name="it", at="motor", group="electrical", amplitudes={7: 0.1 * torque})
+    alike = simulate(shaft(drag, plain, kp=0.01, speed_rpm=speed_rpm), duration=1.0, seed=3)
+    assert line(made, 7) == pytest.approx(line(alike, 7), rel=0.02)  # the loop's own answer to the line, 2nd order
+    assert line(made, 7) > 10 * line(made, 8)
+
+
+def test_planet_modulation_puts_side_lines_at_the_planet_order() -> None:
+    """Amplitude modulation m = 0.5 gives m/2 at z - n and z + n; the transfer changes little from 81 to 87."""
+    mesh = GearMesh(name="it", order_output=84, transmission_error=(5e-5,), planets=3, planet_modulation=0.5)
+    waves = {wave.order: wave.amplitude for wave in mesh.kinematic_error("gearbox")}
+    assert waves == pytest.approx({84: 5e-5, 81: 1.25e-5, 87: 1.25e-5})
+    made = simulate(shaft(mesh), duration=1.0, seed=3)
+    assert line(made, 16.2) > 10 * line(made, 15.5)
+    assert line(made, 17.4) > 10 * line(made, 15.5)
+
+
+@dataclass(frozen=True)
+class Constant:
+    """One torque for all time."""
+
+    mean: float
+
+    def sample(self, count: int, rate: float, rng: np.random.Generator) -> NDArray[np.float64]:
+        return np.full(count, self.mean)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Push(Part):
+    """2 N m from outside on the motor."""
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        return (AppliedTorque(name=self.name, on="motor", process=Constant(2.0)),)
+
+
+@pytest.mark.parametrize(
+    "effect",
+    [Backlash(name="it", gap=0.002), GearMesh(name="it", order_output=7, transmission_error=(1e-3,)), Push(name="it")],
+    ids=["backlash", "gear_mesh", "none, two pushes"],
+)
+@pytest.mark.parametrize("ratio", [5.0, -3.572])
+def test_what_is_not_against_the_frame_keeps_the_momentum(effect: Part, ratio: float) -> None:
+    """Equal and opposite: with the push alone against the frame, ``J1 w1 ratio + J2 w2`` grows by its impulse."""
+    gear = Gear(name="gearbox", after="motor", ratio=ratio, stiffness=1100, damping=0.1, output_inertia=0.02)
+    rig = Rig(
+        (Motor(name="motor", inertia=1.5e-3, torque_limit=1.0), gear, Push(name="push"), effect), measured="gearbox"
+    )
+    made = simulate(rig, duration=0.3, seed=1, settling=0.0)
+    motor, output = (made.channels[f"true_{name}_speed_rad_s"].values for name in ("motor", "output"))
+    pushed = 4.0 if isinstance(effect, Push) else 2.0
+    assert 1.5e-3 * ratio * motor + 0.02 * output == pytest.approx(pushed * ratio * made.time(), abs=1e-9)
+    assert np.ptp(made.torque()) > 0.5  # the shafts did work on each other
+
+
+def test_a_torsional_branch_takes_from_the_shaft_what_it_gets() -> None:
+    branch = TorsionalMode(name="it", after="motor", frequency=60, inertia=5e-4, damping_ratio=0.02)
+    rig = Rig((Motor(name="motor", inertia=1.5e-3, torque_limit=1.0), branch, Push(name="push")), measured="it")
+    made = simulate(rig, duration=0.3, seed=1, settling=0.0)
+    motor, output = (made.channels[f"true_{name}_speed_rad_s"].values for name in ("motor", "output"))
+    assert 1.5e-3 * motor + 5e-4 * output == pytest.approx(2.0 * made.time(), abs=1e-9)
+    assert np.ptp(made.torque()) > 0.1
+
+
+@pytest.mark.parametrize("name", ["BladePass", "ParticleLoad", "QuadraticDrag", "StribeckFriction"])
+def test_a_load_takes_as_much_momentum_as_its_torque_says(name: str) -> None:
+    """Against the frame: the momentum at the end is the push less the integral of the true load, by trapezoids."""
+    rig = Rig(
+        (
+            Motor(name="motor", inertia=1.5e-3, torque_limit=1.0),
+            Coupling(name="sensor", after="motor", stiffness=1100, damping=0.1),
+            Body(name="wear_part", after="sensor", inertia=0.02),
+            Push(name="push"),
+            WRITTEN[name][1],
+        ),
+        measured="sensor",
+    )
+    made = simulate(rig, duration=0.3, seed=1, settling=0.0)
+    motor, output = (made.channels[f"true_{end}_speed_rad_s"].values[-1] for end in ("motor", "output"))
+    load = made.channels["true_load_Nm"].values
+    taken = (load.sum() - 0.5 * (load[0] + load[-1])) / made.sample_rate
+    assert taken > 1e-3
+    left = 2.0 * made.time()[-1] - taken
+    assert 1.5e-3 * motor + 0.02 * output == pytest.approx(left, rel=1e-4)  # trapezoids over 40 us
