@@ -45,6 +45,8 @@ def command(
     document = read_document(scenario)
     study = open_study(overridden(document, settings), catalog_beside(scenario, catalogs))
     folder = out or Path("reports") / scenario.stem
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder} is a file; name a folder for the report with --out")
     if all_points:
         _every_point(study, folder, workers)
         return

@@ -16,7 +16,7 @@ from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.signals.chain import Chain
 from torquerig.signals.chain_file import read_chains
 from torquerig.signals.effect import FilterEffect, chain_effect
-from torquerig.signals.files import read_recording, write_recording
+from torquerig.signals.files import check_target, read_recording, write_recording
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.recording import Recording
 
@@ -42,12 +42,11 @@ def command(
     A smaller spread is no proof of less noise: any twenty notches lower it. Only a simulated recording with its truth
     tells how far the result is from the true load.
     """
+    _check_targets(names, out, picture, force=force)
     before = read_recording(recording)
     kinematics = _kinematics(before, catalog_beside(None, catalogs), motor=motor, ratio=ratio)
     known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
     chains = [_chain(name, known) for name in names or ("seed_code", "seed_text")]
-    if (out or picture) and len(chains) != 1:
-        raise InputError("--out and --picture take one chain; name it with --chain")
     results = [(chain, chain.apply(before)) for chain in chains]
     effects = [(chain, after, chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines))
                for chain, after in results]  # fmt: skip
@@ -61,6 +60,15 @@ def command(
         click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     if picture is not None:
         _draw(before, results[0][1], chains[0], kinematics, picture, force=force)
+
+
+def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | None, *, force: bool) -> None:
+    if (out or picture) and len(names) != 1:
+        raise InputError("--out and --picture take one chain; name it with --chain")
+    if out is not None:
+        check_target(out, overwrite=force)
+    if picture is not None and picture.exists() and not force:
+        raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
 
 
 def _kinematics(before: Recording, catalog: Catalog, *, motor: str | None, ratio: float | None) -> Kinematics:

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 import click
 
+from torquerig.catalog.entry import Entry
 from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
 from torquerig.cli.tables import grid
-from torquerig.errors import InputError, UnitError
+from torquerig.errors import InputError, UnitError, UnknownNameError
+from torquerig.rig.parts import SpeedController
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.files import write_recording
+from torquerig.signals.files import check_target, write_recording
 from torquerig.simulate.simulate import simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.study import open_study
 from torquerig.units import parse_quantity
+
+AnyEntry = TypeVar("AnyEntry", bound=Entry)
 
 
 @click.command("simulate")
@@ -42,6 +48,7 @@ def command(
         seconds = parse_quantity(duration, "s")
     except UnitError as error:
         raise UnitError(f"--duration: {error}") from None
+    check_target(out, overwrite=force)
     made = _scenario(scenario, settings, catalogs, motor=motor, gearbox=gearbox, seed=seed)
     recording = simulate(
         made.rig, duration=seconds, seed=seed, wander=made.operating_point.slow_speed_wander, scenario=made.title
@@ -50,8 +57,9 @@ def command(
     torque = recording.torque()
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     click.echo(
-        f"{made.rig.run.motor} at {made.rig.run.speed_rpm:.6g} rpm, {made.rig.run.gear_ratio:g}:1, "
-        f"{made.rig.run.occupancy_percent:g} % occupancy: mean {torque.mean():.4f} N*m, std {torque.std():.4f} N*m"
+        f"{made.rig.run.motor or made.title} at {made.rig.run.speed_rpm or 0.0:.6g} rpm, "
+        f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
+        f"mean {torque.mean():.4f} N*m, std {torque.std():.4f} N*m"
     )
     if made.assumed:
         click.echo("assumed, because no document states it:")
@@ -65,10 +73,16 @@ def _scenario(
     catalog = catalog_beside(path, catalogs)
     document = edited(path, settings)
     if motor is None and gearbox is None:
-        return read_scenario(document, catalog, seed=seed)
+        made = read_scenario(document, catalog, seed=seed)
+        if any(isinstance(part, SpeedController) for part in made.rig.parts) and made.rig.run.speed is None:
+            raise InputError(
+                f"{path}: operating_point states no speed; write motor_speed or output_speed, such as 200 rpm"
+            )
+        return made
     study = open_study(document, catalog)
-    box = catalog.gearbox(gearbox or study.settings.present.gearbox)
+    box = _asked("--gearbox", gearbox or study.settings.present.gearbox, catalog.gearbox)
     name = motor or study.settings.present.motor
+    _asked("--motor", name, catalog.motor)
     candidate = Candidate(motor=name, gearbox=box.name, ratio=box.ratio)
     made = scenario_of(candidate, study, seed=seed)
     top, speed = catalog.motor(name).max_speed.bounds[1], made.rig.run.speed or 0.0
@@ -78,3 +92,10 @@ def _scenario(
             f"reaches at most {top * 9.549296585513721:.0f} rpm: choose a smaller ratio or output speed"
         )
     return made
+
+
+def _asked(option: str, name: str, look_up: Callable[[str], AnyEntry]) -> AnyEntry:
+    try:
+        return look_up(name)
+    except UnknownNameError as error:
+        raise UnknownNameError(f"{option} {name}: {error}") from None

@@ -20,6 +20,6 @@
 
 from torquerig.signals.files.info import recording_info
 from torquerig.signals.files.reading import read_recording
-from torquerig.signals.files.writing import write_recording
+from torquerig.signals.files.writing import check_target, write_recording
 
-__all__ = ["read_recording", "recording_info", "write_recording"]
+__all__ = ["check_target", "read_recording", "recording_info", "write_recording"]

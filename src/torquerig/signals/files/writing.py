@@ -57,6 +57,12 @@ def write_recording(recording: Recording, path: Path, *, overwrite: bool = False
     return [path, sidecar]
 
 
+def check_target(path: Path, *, overwrite: bool = False) -> None:
+    """Raise the InputError that writing to ``path`` would raise, so that no long run is made in vain."""
+    _writer_of(path)
+    _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+
+
 def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
     ending = path.suffix.lower()
     if ending not in WRITERS:
@@ -77,7 +83,7 @@ def _refuse_names(recording: Recording, path: Path) -> None:
 def _refuse_overwriting(path: Path, sidecar: Path, *, overwrite: bool) -> None:
     for one in (path, sidecar):
         if one.exists() and not overwrite:
-            raise InputError(f"{one}: is there already; choose another name, or ask for it to be overwritten")
+            raise InputError(f"{one}: is there already; choose another name, or overwrite it with --force")
     if sidecar.exists():
         try:
             read_sidecar(sidecar)
