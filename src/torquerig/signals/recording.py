@@ -5,13 +5,16 @@ from __future__ import annotations
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError, did_you_mean
 from torquerig.signals.run import Run
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 QUANTITIES = (
     "torque",
@@ -136,6 +139,13 @@ class Recording:
         """Return what a real rig would have recorded: this recording without its truth channels."""
         measured = {name: channel for name, channel in self.channels.items() if not channel.truth}
         return replace(self, channels=measured)
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return all channels as recorded, one column each, over the time [s]; for those who work in pandas."""
+        import pandas as pd
+
+        columns = {name: channel.values for name, channel in self.channels.items()}
+        return pd.DataFrame(columns, index=pd.Index(self.time(), name="time_s"))
 
     def random(self, purpose: str) -> np.random.Generator:
         """Return the random generator of one purpose: fixed by the recording's seed and the name of the purpose."""

@@ -1,5 +1,6 @@
 """Forwards: from a rig to a recording.
 
-simulate  the one verb              lower    Rig -> flat arrays       waves   which cosines, with few sine calls
-kernel    the compiled loop         profile  set-point over time      linear  the same arrays as M, C, K and StateSpace
+simulate  the one verb              lower    Rig -> flat arrays       arrays   what the kernel and the twin read
+kernel    the compiled loop         waves    few sine calls           outputs  what a run keeps
+profile   set-point over time       linear   the same arrays as M, C, K and a python-control StateSpace
 """

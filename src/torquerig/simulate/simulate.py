@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 
 from torquerig import __version__
 from torquerig.errors import InputError, SimulationError
-from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import Load
-from torquerig.signals.recording import Channel, Recording, random_for
+from torquerig.signals.recording import Recording, random_for
 from torquerig.simulate import kernel
-from torquerig.simulate.arrays import Outputs, Terms
+from torquerig.simulate.arrays import Terms
 from torquerig.simulate.linear import matrices
 from torquerig.simulate.lower import Lowered, lower
+from torquerig.simulate.outputs import as_arrays, channels_of, outputs_of
 from torquerig.simulate.profile import set_point
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
@@ -55,11 +54,11 @@ def simulate(
     if not lowered.drive_terms and not lowered.load_terms:
         raise InputError("nothing moves the rig; add a speed controller to the motor")
     terms = _sampled(rig, lowered, settling=unkept, samples=samples, rate=sample_rate, wander=wander, seed=seed)
-    outputs, names = _outputs(rig, lowered)
+    outputs = outputs_of(rig, lowered)
     theta, omega = _start(rig, lowered, terms.drives.reference)
-    kept = np.empty((len(names), samples))
+    kept = np.empty((len(outputs), samples))
     steps = substeps or steps_per_sample(lowered, sample_rate)
-    failed, node = kernel.integrate(theta, omega, terms, outputs, sample_rate, unkept, steps, kept)
+    failed, node = kernel.integrate(theta, omega, terms, as_arrays(outputs), sample_rate, unkept, steps, kept)
     if failed >= 0:
         raise SimulationError(
             f"the speed of {lowered.nodes[node]!r} ceased to be finite {(failed - unkept) / sample_rate:.4f} s after "
@@ -67,9 +66,12 @@ def simulate(
         )
     origin = {"scenario": scenario, "seed": seed, "torquerig": __version__, "substeps": steps}
     recording = Recording(
-        sample_rate=sample_rate, channels=_channels(rig, dict(zip(names, kept, strict=True))), run=rig.run,
-        origin=origin, name=scenario or "simulation",
-    )  # fmt: skip
+        sample_rate=sample_rate,
+        channels=channels_of(rig, outputs, kept),
+        run=rig.run,
+        origin=origin,
+        name=scenario or "simulation",
+    )
     for stage in rig.stages():
         recording = stage.apply(recording)
     return recording
@@ -114,48 +116,3 @@ def _start(
         return still, still.copy()
     ratios = rig.speed_ratios(lowered.drive_terms[0].on)
     return still, np.array([ratios.get(node, 0.0) * reference[0, 0] for node in lowered.nodes] + [0.0])
-
-
-def _outputs(rig: Rig, lowered: Lowered) -> tuple[Outputs, tuple[str, ...]]:
-    motor = lowered.node(lowered.drive_terms[0].on) if lowered.drive_terms else 0
-    part = _worn(rig, lowered)
-    wanted = {
-        "true_sensor_torque_Nm": (kernel.SPRING_TORQUE, lowered.spring_names.index(rig.measured)),
-        "true_load_Nm": (kernel.OPPOSING_TORQUE, part),
-        "true_motor_angle_rad": (kernel.ANGLE, motor),
-        "true_motor_speed_rad_s": (kernel.SPEED, motor),
-        "true_output_speed_rad_s": (kernel.SPEED, part),
-    }
-    if lowered.drive_terms:
-        wanted["true_motor_torque_Nm"] = (kernel.DRIVE_TORQUE, 0)
-    kinds, indices = zip(*wanted.values(), strict=True)
-    return Outputs(np.array(kinds, dtype=np.uint64), np.array(indices, dtype=np.uint64)), tuple(wanted)
-
-
-def _worn(rig: Rig, lowered: Lowered) -> int:
-    """Return the node that carries the load; without one, the output side of the measured part."""
-    carrying = [term.on for term in lowered.load_terms if isinstance(term, Load)]
-    return lowered.node(carrying[0] if carrying else rig.node(rig.measured))
-
-
-def _channels(rig: Rig, kept: dict[str, NDArray[np.float64]]) -> dict[str, Channel]:
-    sensor = rig.part(rig.measured)
-    sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor) else 1.0
-    channels = {
-        "torque_V": Channel(values=kept["true_sensor_torque_Nm"] * sensitivity, quantity="torque", unit="V",
-                            si_per_unit=1 / sensitivity)
-    }  # fmt: skip
-    for name, values in kept.items():
-        quantity, unit = _TRUTH[name]
-        channels[name] = Channel(values=values, quantity=quantity, unit=unit, truth=True)
-    return channels
-
-
-_TRUTH = {
-    "true_sensor_torque_Nm": ("torque", "N*m"),
-    "true_load_Nm": ("torque", "N*m"),
-    "true_motor_angle_rad": ("motor_angle", "rad"),
-    "true_motor_speed_rad_s": ("motor_speed", "rad/s"),
-    "true_output_speed_rad_s": ("speed", "rad/s"),
-    "true_motor_torque_Nm": ("motor_torque", "N*m"),
-}
