@@ -11,6 +11,7 @@ from torquerig.errors import InputError, UnitError
 from torquerig.parameter import Parameter
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.run import Profile, Run
 from torquerig.units import parse_quantity
 
@@ -75,6 +76,7 @@ def run_at(point: OperatingPoint, rig: Rig) -> Run:
         )
     turned = abs(ratios[rig.node(rig.measured)])
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
-    ratio = round(1 / turned) if isclose(1 / turned, round(1 / turned), rel_tol=1e-9) else 1 / turned
+    stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
+    ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
     return Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed, profile=point.profile,
                occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size)  # fmt: skip
