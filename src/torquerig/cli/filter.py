@@ -77,6 +77,9 @@ def _kinematics(before: Recording, catalog: Catalog, *, motor: str | None, ratio
         missing = "--motor NAME" if name is None else "--ratio N"
         raise InputError(f"{before.name}: the sidecar does not name the motor and gear_ratio of the run; add {missing}")
     pole_pairs, slots, assumed = winding_of(catalog.motor(name))
+    sheet = before.run.others
+    if motor is None and isinstance(sheet.get("pole_pairs"), int):
+        pole_pairs, slots, assumed = sheet["pole_pairs"], sheet.get("slots"), ""
     if assumed:
         click.echo(f"assumed of {name}: {assumed}")
     return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns)

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
-from torquerig.cli.tables import grid
+from torquerig.cli.tables import grid, wrapped
 from torquerig.errors import InputError, UnitError
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.orders import orders_report
@@ -46,9 +46,15 @@ def command(
         kinematics, _read(speed, "rad/s", "--speed"), harmonics=harmonics, mains=_read(mains, "Hz", "--mains")
     )
     click.echo(f"{motor}, {known_ratio:g}:1, motor at {speed}" + (f"; assumed {assumed}" if assumed else ""))
-    click.echo(grid([list(ORDERS_HEADER), *[list(row) for row in orders_rows(report)]]) + "\n")
+    rows = [list(row) for row in orders_rows(report)]
+    place = ORDERS_HEADER.index("cause")
+    click.echo(grid([list(ORDERS_HEADER[:place]), *[row[:place] for row in rows]]) + "\n")
+    causes = {row[place - 1]: f"{row[place]} [{row[place + 1]}]" for row in rows if " x" not in row[place - 1]}
+    for family, cause in causes.items():
+        click.echo(wrapped(f"{family}: {cause}"))
+    click.echo()
     for sentence in orders_sentences(report):
-        click.echo(sentence)
+        click.echo(wrapped(sentence))
 
 
 def _read(text: str, unit: str, option: str) -> float:

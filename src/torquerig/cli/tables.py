@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from textwrap import fill
+
+WIDTH = 110
 
 
 def grid(rows: Sequence[Sequence[str]]) -> str:
@@ -17,6 +20,11 @@ def grid(rows: Sequence[Sequence[str]]) -> str:
         for row in rows
     ]
     return "\n".join([lines[0], "-" * max(len(line) for line in lines), *lines[1:]])
+
+
+def wrapped(sentence: str) -> str:
+    """Return a sentence in lines of at most ``WIDTH`` characters, the later ones set in."""
+    return fill(sentence, WIDTH, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
 
 
 def _numeric(cell: str) -> bool:

@@ -28,7 +28,9 @@ def ranked_text(decided: Decided, *, most: int = 10) -> str:
             f"{overall.share[place]:.3f}", figure_text(made.drive.margins["price"]), said[made.drive.candidate.name],
         ])  # fmt: skip
     head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "demands"]
-    return f"{_grid([head, *rows], left=(1, 2, 7))}\n* stands on the rig today"
+    here = decided.alternatives[decided.datum].drive.margins["new_parts"].value == 0
+    note = "stands on the rig today" if here else "the present motor on this gearbox, without a filter: the datum"
+    return f"{_grid([head, *rows], left=(1, 2, 7))}\n* {note}"
 
 
 def shares_text(runs: StudyRuns) -> str:

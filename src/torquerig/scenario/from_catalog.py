@@ -2,32 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable
+from dataclasses import asdict, replace
+from math import pi
 from typing import Any, TypeVar
 
+from torquerig.catalog.coupling import Coupling
 from torquerig.catalog.drawing import Drawn, drawn, drawn_teeth
 from torquerig.catalog.entry import Entry, estimates
 from torquerig.catalog.gearbox import Gearbox
-from torquerig.catalog.lines import RippleLine, ripple_lines
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import Catalog
+from torquerig.catalog.sensor import Sensor
 from torquerig.errors import InputError, UnknownNameError
+from torquerig.scenario.filled import Filled
+from torquerig.scenario.motor_effects import motor_effects
 from torquerig.units import in_unit, written_quantity
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Filled:
-    """The data of one part before it is validated, and of the effects that come with it."""
-
-    name: str
-    values: Mapping[str, Any]
-    uncertainties: Mapping[str, float] = field(default_factory=dict)
-    assumed: Mapping[str, str] = field(default_factory=dict)
-    effects: tuple[Filled, ...] = ()
-
 
 # kind of part -> field of the part, field of the catalog entry, SI unit
 FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
@@ -61,16 +53,7 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
     ),
 }
 
-GROUPS = {
-    "motor": "mechanical",
-    "cogging": "cogging",
-    "cogging_as_published": "cogging",
-    "cogging_tolerance_slots": "cogging",
-    "cogging_tolerance_poles": "cogging",
-    "electrical": "electrical",
-    "six_pulse": "electrical",
-}
-"""Which share of the sensor's reading a family of lines is counted to."""
+COUPLING_MODE = 130.0  # [Hz] where a damping or loss ratio is turned into a damping: the wear rig's first mode
 
 
 def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, seed: int, place: str) -> Filled:
@@ -94,9 +77,22 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     except UnknownNameError as error:
         raise InputError(f"{place}.catalog: {error}") from None
     copy = copy_of(found, seed)
+    filled = _quantities(copy, kind, name)
+    if isinstance(found, Motor):
+        return _with_winding(filled, Drawn(found, copy.values, copy.assumed))
+    if isinstance(found, Gearbox):
+        return _with_teeth(filled, found, seed)
+    if isinstance(found, Coupling):
+        return _with_damping(filled, copy)
+    if isinstance(found, Sensor) and "adc.bits" in copy.values:
+        return replace(filled, values={**filled.values, "converter_bits": copy.count("adc.bits")})
+    return filled
+
+
+def _quantities(copy: Drawn[Any], kind: str, name: str) -> Filled:
     values: dict[str, Any] = {"kind": kind}
     uncertainties, assumed = {}, {}
-    known = dict(estimates(found))
+    known = dict(estimates(copy.entry))
     for target, source, unit in FIELDS[kind]:
         if source not in copy.values:
             continue
@@ -104,24 +100,53 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
         if known[source].rel_sd:
             uncertainties[target] = known[source].rel_sd
         if source in copy.assumed:
-            value = in_unit(copy.values[source], known[source].unit)
-            unit_shown = "" if known[source].unit == "1" else f" {known[source].unit}"
-            assumed[target] = f"{value:.4g}{unit_shown} of {copy.assumed[source].known}"
-    effects: tuple[Filled, ...] = ()
-    if isinstance(found, Motor):
-        counts = {key: copy.count(key) for key in ("pole_pairs", "slots") if key in copy.values}
-        values |= {"model": found.name, **counts}
-        assumed |= {key: f"{counts[key]} of {copy.assumed[key].known}" for key in counts if key in copy.assumed}
-        effects = tuple(_motor_effects(replace_entry(copy, found), name))
-        assumed |= {key: f"{copy.values[key]:.3g} of {text.known}" for key, text in copy.assumed.items()
-                    if key.startswith("ripple.") and not found.ripple.known_lines}  # fmt: skip
-    if isinstance(found, Gearbox):
-        values["ratio"] = found.ratio
-        teeth = drawn_teeth(found, seed)
-        values["teeth"] = [] if teeth is None else [asdict(teeth)]
-        if teeth is not None and len(found.tooth_sets()) > 1:
-            assumed["teeth"] = f"{teeth.spoken} of {len(found.tooth_sets())} possible sets"
-    return Filled(name=name, values=values, uncertainties=uncertainties, assumed=assumed, effects=effects)
+            value, shown = in_unit(copy.values[source], known[source].unit), known[source].unit
+            assumed[target] = f"{value:.4g}{'' if shown == '1' else ' ' + shown} of {copy.assumed[source].known}"
+    return Filled(name=name, values=values, uncertainties=uncertainties, assumed=assumed)
+
+
+def _with_winding(filled: Filled, copy: Drawn[Motor]) -> Filled:
+    """Return the motor with pole pairs, slots and the lines that it brings along."""
+    counts = {key: copy.count(key) for key in ("pole_pairs", "slots") if key in copy.values}
+    assumed = {key: f"{counts[key]} of {copy.assumed[key].known}" for key in counts if key in copy.assumed}
+    if not copy.entry.ripple.known_lines:
+        shares = {key: known for key, known in copy.assumed.items() if key.startswith("ripple.")}
+        assumed |= {key: f"{copy.values[key]:.3g} of {known.known}" for key, known in shares.items()}
+    return replace(
+        filled,
+        values={**filled.values, "model": copy.entry.name, **counts},
+        assumed={**filled.assumed, **assumed},
+        effects=motor_effects(copy, filled.name),
+    )
+
+
+def _with_teeth(filled: Filled, gearbox: Gearbox, seed: int) -> Filled:
+    """Return the gear with its ratio and, where a set is known or possible, its teeth."""
+    teeth, sets = drawn_teeth(gearbox, seed), gearbox.tooth_sets()
+    values = {**filled.values, "ratio": gearbox.ratio, "teeth": [] if teeth is None else [asdict(teeth)]}
+    if teeth is None or len(sets) < 2:
+        return replace(filled, values=values)
+    chosen = {"teeth": f"{teeth.spoken} of {len(sets)} possible sets"}
+    return replace(filled, values=values, assumed={**filled.assumed, **chosen})
+
+
+def _with_damping(filled: Filled, copy: Drawn[Any]) -> Filled:
+    """Return the coupling with a viscous damping, where the catalog has only a damping ratio or a loss factor.
+
+    ``c = 2 zeta k / w`` and ``c = eta k / w`` at the angular frequency w of ``COUPLING_MODE``: a viscous damper has
+    the stated ratio at one frequency only.
+    """
+    if "damping" in filled.values:
+        return filled
+    source = "damping_ratio" if "damping_ratio" in copy.values else "loss_factor"
+    loss = copy.value(source) * (2 if source == "damping_ratio" else 1)
+    damping = loss * copy.value("stiffness") / (2 * pi * COUPLING_MODE)
+    text = f"{damping:.3g} N*m*s/rad, from its {source.replace('_', ' ')} at {COUPLING_MODE:g} Hz"
+    return replace(
+        filled,
+        values={**filled.values, "damping": written_quantity(damping, "N*m*s/rad")},
+        assumed={**filled.assumed, "damping": text},
+    )
 
 
 def copy_of(entry: AnyEntry, seed: int) -> Drawn[AnyEntry]:
@@ -136,44 +161,4 @@ def copy_of(entry: AnyEntry, seed: int) -> Drawn[AnyEntry]:
         entry,
         {**copy.values, **stated},
         {name: assumed for name, assumed in copy.assumed.items() if name not in stated},
-    )
-
-
-def replace_entry(copy: Drawn[Any], motor: Motor) -> Drawn[Motor]:
-    """Return the copy typed as a motor's."""
-    return Drawn(motor, copy.values, copy.assumed)
-
-
-def _motor_effects(motor: Drawn[Motor], name: str) -> list[Filled]:
-    lines = ripple_lines(motor)
-    effects = []
-    for group in dict.fromkeys(GROUPS.values()):
-        steady = [line for line in lines if GROUPS[line.family] == group and line.torque > 0]
-        if steady:
-            effects.append(_ripple(name, group, steady, motor))
-        effects += [
-            Filled(
-                name=f"{name}.ripple_{line.order}",
-                values={"kind": "commutation_ripple", "at": name, "order_motor": line.order, "depth": line.share},
-            )
-            for line in lines
-            if GROUPS[line.family] == group and line.share > 0
-        ]
-    return effects
-
-
-def _ripple(name: str, group: str, lines: list[RippleLine], motor: Drawn[Motor]) -> Filled:
-    amplitudes: dict[int, float] = {}
-    for line in lines:
-        amplitudes[line.order] = amplitudes.get(line.order, 0.0) + line.torque
-    spreads = [estimate.rel_sd for key, estimate in estimates(motor.entry.ripple) if key.startswith("known_lines")]
-    return Filled(
-        name=f"{name}.{group}",
-        values={
-            "kind": "torque_ripple",
-            "at": name,
-            "group": group,
-            "amplitudes": {order: written_quantity(torque, "N*m") for order, torque in amplitudes.items()},
-            "amplitude_rel_sd": max(spreads, default=0.0),
-        },
     )

@@ -78,5 +78,7 @@ def run_at(point: OperatingPoint, rig: Rig) -> Run:
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
     ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
+    winding = {"pole_pairs": motor.pole_pairs, "slots": motor.slots}  # drawn ones are known to nobody else
     return Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed, profile=point.profile,
-               occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size)  # fmt: skip
+               occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size,
+               others={key: count for key, count in winding.items() if count is not None})  # fmt: skip

@@ -18,7 +18,8 @@ from torquerig.parameter import Estimate
 from torquerig.rig import parts
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
-from torquerig.scenario.from_catalog import Filled, filled_from_catalog
+from torquerig.scenario.filled import Filled
+from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
 

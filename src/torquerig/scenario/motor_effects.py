@@ -1,0 +1,57 @@
+"""The lines that come with a motor of the catalog, as effects of the rig."""
+
+from __future__ import annotations
+
+from torquerig.catalog.drawing import Drawn
+from torquerig.catalog.entry import estimates
+from torquerig.catalog.lines import RippleLine, ripple_lines
+from torquerig.catalog.motor import Motor
+from torquerig.scenario.filled import Filled
+from torquerig.units import written_quantity
+
+GROUPS = {
+    "motor": "mechanical",
+    "cogging": "cogging",
+    "cogging_as_published": "cogging",
+    "cogging_tolerance_slots": "cogging",
+    "cogging_tolerance_poles": "cogging",
+    "electrical": "electrical",
+    "six_pulse": "electrical",
+}
+"""Which share of the sensor's reading a family of lines is counted to."""
+
+
+def motor_effects(motor: Drawn[Motor], name: str) -> tuple[Filled, ...]:
+    """Return the lines of the motor part ``name``: one effect per group, and one per line that follows the torque."""
+    lines = ripple_lines(motor)
+    effects = []
+    for group in dict.fromkeys(GROUPS.values()):
+        steady = [line for line in lines if GROUPS[line.family] == group and line.torque > 0]
+        if steady:
+            effects.append(_ripple(name, group, steady, motor))
+        effects += [
+            Filled(
+                name=f"{name}.ripple_{line.order}",
+                values={"kind": "commutation_ripple", "at": name, "order_motor": line.order, "depth": line.share},
+            )
+            for line in lines
+            if GROUPS[line.family] == group and line.share > 0
+        ]
+    return tuple(effects)
+
+
+def _ripple(name: str, group: str, lines: list[RippleLine], motor: Drawn[Motor]) -> Filled:
+    amplitudes: dict[int, float] = {}
+    for line in lines:
+        amplitudes[line.order] = amplitudes.get(line.order, 0.0) + line.torque
+    spreads = [estimate.rel_sd for key, estimate in estimates(motor.entry.ripple) if key.startswith("known_lines")]
+    return Filled(
+        name=f"{name}.{group}",
+        values={
+            "kind": "torque_ripple",
+            "at": name,
+            "group": group,
+            "amplitudes": {order: written_quantity(torque, "N*m") for order, torque in amplitudes.items()},
+            "amplitude_rel_sd": max(spreads, default=0.0),
+        },
+    )

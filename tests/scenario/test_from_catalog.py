@@ -1,0 +1,62 @@
+"""What the catalog gives a part."""
+
+from __future__ import annotations
+
+from math import pi
+from pathlib import Path
+
+import pytest
+
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder
+from torquerig.rig.parts import Coupling, Gear, Motor, TorqueSensor
+from torquerig.scenario.from_catalog import COUPLING_MODE, FIELDS, filled_from_catalog
+from torquerig.scenario.reading import KINDS
+
+CATALOG = load_catalog(shipped_folder())
+SHELVES = {
+    "motor": CATALOG.motors,
+    "gear": CATALOG.gearboxes,
+    "torque_sensor": CATALOG.sensors,
+    "coupling": CATALOG.couplings,
+}
+ENTRIES = [(kind, name) for kind, shelf in SHELVES.items() for name in shelf]
+
+
+@pytest.mark.parametrize(("kind", "name"), ENTRIES, ids=[name for _, name in ENTRIES])
+def test_every_entry_makes_a_part(kind: str, name: str) -> None:
+    from pydantic import TypeAdapter
+
+    filled = filled_from_catalog(CATALOG, name, kind=kind, name="p", seed=3, place="here")
+    part = TypeAdapter(KINDS[kind]).validate_python({"name": "p", **filled.values})
+    assert isinstance(part, Motor | Gear | TorqueSensor | Coupling)
+    for effect in filled.effects:
+        TypeAdapter(KINDS[effect.values["kind"]]).validate_python({"name": effect.name, **effect.values})
+
+
+def test_a_loss_factor_becomes_the_damping_that_loses_as_much_at_the_mode() -> None:
+    """Energy lost per cycle over 2 pi times the energy stored is c w / k for a spring and damper side by side."""
+    filled = filled_from_catalog(CATALOG, "jaw-14-19", kind="coupling", name="c", seed=1, place="here")
+    stiffness, damping = (float(filled.values[key].split()[0]) for key in ("stiffness", "damping"))
+    loss = damping * 2 * pi * COUPLING_MODE / stiffness
+    low, high = CATALOG.coupling("jaw-14-19").loss_factor.bounds
+    assert low <= loss <= high
+    assert "loss factor" in filled.assumed["damping"]
+
+
+def test_every_mapped_field_exists_on_both_sides() -> None:
+    for kind, rows in FIELDS.items():
+        entry = type(next(iter(SHELVES[kind].values())))
+        for target, source, _ in rows:
+            assert target in KINDS[kind].__dataclass_fields__, (kind, target)
+            assert source.split(".")[0] in entry.model_fields, (kind, source)
+
+
+def test_reference_sensor_brings_its_converter() -> None:
+    filled = filled_from_catalog(CATALOG, "reference-10nm", kind="torque_sensor", name="s", seed=1, place="here")
+    assert filled.values["converter_bits"] == 16
+    assert filled.values["converter_range"] == "10.0 V"
+
+
+def test_shipped_folder_is_the_checkouts() -> None:
+    assert shipped_folder() == Path(__file__).resolve().parents[2] / "catalogs"
