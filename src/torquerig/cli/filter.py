@@ -72,7 +72,7 @@ def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | Non
 
 
 def _kinematics(before: Recording, catalog: Catalog, *, motor: str | None, ratio: float | None) -> Kinematics:
-    name, turns = motor or before.run.motor, ratio or before.run.gear_ratio
+    name, turns = motor or before.run.motor, before.run.gear_ratio if ratio is None else ratio
     if name is None or turns is None:
         missing = "--motor NAME" if name is None else "--ratio N"
         raise InputError(f"{before.name}: the sidecar does not name the motor and gear_ratio of the run; add {missing}")

@@ -40,7 +40,7 @@ def command(
         teeth = (Planetary(sun, ring),)
     box = catalog.gearbox(gearbox) if gearbox else None
     sets = box.tooth_sets() if box else ()
-    known_ratio = ratio or (teeth[0].ratio if teeth else box.ratio if box else 5.0)
+    known_ratio = ratio if ratio is not None else teeth[0].ratio if teeth else box.ratio if box else 5.0
     kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=known_ratio, teeth=teeth or sets[:1])
     report = orders_report(
         kinematics, _read(speed, "rad/s", "--speed"), harmonics=harmonics, mains=_read(mains, "Hz", "--mains")
