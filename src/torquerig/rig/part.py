@@ -13,13 +13,20 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class PlacedStage:
-    """A stage of the measuring chain and where in the chain it stands, counted from the shaft to the file."""
+    """A stage of the measuring chain and where in the chain it stands, counted from the shaft to the file.
+
+    MECHANICAL is the measuring body and its bridge, AMPLIFIER its low-pass, CABLE what the amplifier's output picks up
+    on its way, NOISE the noise floor, INPUT the range that the converter's input can follow, CONVERTER the converter,
+    FILE what happens to its numbers.
+    """
 
     MECHANICAL: ClassVar[int] = 0
     AMPLIFIER: ClassVar[int] = 1
     CABLE: ClassVar[int] = 2
-    CONVERTER: ClassVar[int] = 3
-    FILE: ClassVar[int] = 4
+    NOISE: ClassVar[int] = 3
+    INPUT: ClassVar[int] = 4
+    CONVERTER: ClassVar[int] = 5
+    FILE: ClassVar[int] = 6
 
     position: int
     stage: Stage
@@ -38,7 +45,8 @@ class Part:
     kind : str
         The word by which a scenario calls this class.
     group : str
-        Which share of the reading it is counted to: mechanical, cogging, electrical or load; empty for parts.
+        Which share of the reading it is counted to: mechanical, cogging, electrical or load; sensor for what changes
+        the reading and not the shafts; empty for parts.
     """
 
     name: str
@@ -62,12 +70,16 @@ class Part:
         return ()
 
     def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
-        """Return the kinematic error [rad] that this part gives to the gear ``gear``; none for most parts."""
+        """Return the kinematic error [rad] that this part gives to the gear or coupling ``gear``; mostly none."""
         return ()
 
     def extra_gap(self, gear: str) -> float:
         """Return the gap [rad] that this part adds to the gear ``gear``; none for most parts."""
         return 0.0
+
+    def amplifier_cutoff(self, sensor: str) -> float | None:
+        """Return the cutoff [Hz] that this part leaves to the amplifier of ``sensor``; None: its own."""
+        return None
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return what this part does to the signal on its way to the file."""

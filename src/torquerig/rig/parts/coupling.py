@@ -24,7 +24,14 @@ class Coupling(Part):
     inertia: Annotated[float, Parameter("kg*m^2", "inertia of the output side", low=0)] = 0.0
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return the spring and the inertia of the output side."""
-        upstream, node = rig.upstream(self.name), rig.node(self.name)
-        spring = Spring(name=self.name, a=upstream, b=node, stiffness=self.stiffness, damping=self.damping)
+        """Return the spring, with the kinematic errors that effects add, and the inertia of the output side."""
+        node = rig.node(self.name)
+        spring = Spring(
+            name=self.name,
+            a=rig.upstream(self.name),
+            b=node,
+            stiffness=self.stiffness,
+            damping=self.damping,
+            error=tuple(wave for part in rig.parts for wave in part.kinematic_error(self.name)),
+        )
         return Inertia(node=node, inertia=self.inertia), spring

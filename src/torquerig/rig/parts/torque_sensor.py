@@ -18,7 +18,8 @@ from torquerig.signals.stages.noise import WhiteNoise
 class TorqueSensor(Part):
     """The reading is the torque in the spring and damper together, through the amplifier's second-order low-pass.
 
-    Noise is white, added after the amplifier and before the converter.
+    Noise is white, added after the amplifier and before the converter. An effect may leave the amplifier a lower cutoff
+    than ``bandwidth``; there is one low-pass in any case, at the lowest.
     """
 
     on_shaft: ClassVar[bool] = True
@@ -42,9 +43,11 @@ class TorqueSensor(Part):
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return amplifier, noise and converter."""
+        lowered = (part.amplifier_cutoff(self.name) for part in rig.parts)
+        cutoff = min((self.bandwidth, *(stated for stated in lowered if stated is not None)))
         return (
-            PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=self.bandwidth)),
-            PlacedStage(position=PlacedStage.CONVERTER, stage=WhiteNoise(rms=self.noise_rms)),
+            PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=cutoff)),
+            PlacedStage(position=PlacedStage.NOISE, stage=WhiteNoise(rms=self.noise_rms)),
             PlacedStage(
                 position=PlacedStage.CONVERTER,
                 stage=Converter(range_V=self.converter_range, bits=self.converter_bits),
