@@ -1,0 +1,33 @@
+"""One second of the wear rig, read by its sensor, and what the seed report's filter makes of it: one picture.
+
+Run: python examples/what_the_sensor_reads.py [PICTURE.svg]
+"""
+
+import sys
+from pathlib import Path
+
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.document import read_document
+from torquerig.metrics.truth_error import truth_error
+from torquerig.report.picture import write_picture
+from torquerig.report.spectrum_figure import spectrum_figure
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import read_scenario
+from torquerig.signals.chain import seed_code_chain
+from torquerig.simulate.simulate import simulate
+
+document = read_document(shipped_scenarios() / "wear_rig.yaml")
+rig = read_scenario(document, load_catalog(shipped_folder()), seed=1).rig
+reading = simulate(rig, duration=4.0, seed=1, wander=2e-4)
+kinematics = kinematics_of(rig)
+chain = seed_code_chain(kinematics)
+filtered = chain.apply(reading)
+for name, recording in (("unfiltered", reading), ("filtered", filtered)):
+    torque = recording.torque()
+    error = truth_error(recording, reading)
+    print(f"{name}: mean {torque.mean():.3f} N*m, std {torque.std():.3f} N*m, off the true load by {error:.3f} N*m rms")
+picture = Path(sys.argv[1] if len(sys.argv) > 1 else "what_the_sensor_reads.svg")
+figure = spectrum_figure(reading, filtered, lines=chain.lines, motor_speed=rig.run.speed or 0.0, ratio=kinematics.ratio)
+write_picture(figure, picture, overwrite=True)
+print(f"wrote {picture}")
