@@ -209,6 +209,11 @@ def test_the_best_is_ranked_first_and_named_by_the_verdict() -> None:
     assert 0 <= answer.p_best <= answer.p_best_drive <= 1 + 1e-12
 
 
+def test_a_study_without_a_better_filter_says_to_leave_things_as_they_are() -> None:
+    runs = tiny("study.gearboxes=[reference-5-1]", "study.filters.names=[none]", "study.duration=0.5 s")
+    assert verdict(decide(runs)).sentence.startswith("Keep bldc-12n14p 5:1 as it is, with the filter none: ")
+
+
 def test_where_no_drive_meets_the_demands_nothing_survives() -> None:
     harder = overridden(small().study.document, [*SMALL, "continuous torque.min=1000"])
     runs = replace(small(), study=open_study(harder, small().study.catalog))

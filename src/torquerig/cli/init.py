@@ -21,4 +21,5 @@ def command(folder: Path) -> None:
         raise InputError(f"{there[0]}: is there already and stays as it is; choose another folder or move it away")
     for name, source in sources.items():
         shutil.copytree(source, folder / name)
-    click.echo(f"catalogs and scenarios are in {folder.resolve()}; now: torquerig compare scenarios/wear_rig.yaml")
+    study = folder / "scenarios" / "wear_rig.yaml"
+    click.echo(f"catalogs and scenarios are in {folder.resolve()}; now: torquerig compare {study}")
