@@ -78,7 +78,11 @@ def _sentence(decided: Decided, winner: str, rival: str, *, word: str, by_drive:
     error = made.drive.chains[made.chain].truth_error
     now = decided.alternatives[decided.datum]
     today = now.drive.chains[now.chain].truth_error
-    action = f"Keep {made.drive.candidate.name} as it is, with" if made == now else _action(made.drive, now.drive)
+    action = (
+        f"Keep {made.drive.candidate.name} as it is, with"
+        if winner == decided.datum
+        else _action(made.drive, now.drive)
+    )
     if word.startswith("undecidable"):
         action = f"Nothing can be called best yet; in front is {made.drive.candidate.name} with"
     reading = (
