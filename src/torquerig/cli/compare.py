@@ -104,7 +104,8 @@ def _every_point(study: Study, folder: Path, workers: int | None) -> None:
         error = made.drive.chains[made.chain].truth_error.value if made else None
         rows.append([f"{point.occupancy_percent:g}", f"{1e3 * point.particle_size:g}", answer.winner or "-",
                      _number(error), answer.word])  # fmt: skip
-    click.echo(grid(rows) + f"\n\none report per point in {folder}")
+    click.echo(grid(rows) + f"\n\none report per point in {folder}; each point has one copy of each drive, so that its "
+               "verdict rests on the catalog's prices and ratings alone")  # fmt: skip
 
 
 def _number(value: float | None) -> str:
