@@ -129,6 +129,7 @@ def test_no_drive_can_break_the_sensor() -> None:
         rig = scenario_of(one.candidate, study, seed=1).rig
         gain = np.prod([abs(gear.ratio) * gear.efficiency for gear in gears_to_sensor(rig)])
         assert one.torque_limit * gain <= 10.0 * (1 + 1e-12)
+        assert one.candidate.name != "bldc-12n14p 20:1" or one.torque_limit * gain == pytest.approx(10.0)  # it binds
         assert one.margins["sensor_peak"].value == pytest.approx(one.torque_limit * gain)
 
 
