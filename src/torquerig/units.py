@@ -27,7 +27,17 @@ UNITS: dict[str, dict[str, float]] = {
         "lbf*in": 0.1129848290276167,
         "lbf*ft": 1.3558179483314004,
     },
-    "inertia": {"kg*m^2": 1, "kgm2": 1, "kg*cm^2": 1e-4, "kgcm2": 1e-4, "g*cm^2": 1e-7, "gcm2": 1e-7},
+    "inertia": {
+        "kg*m^2": 1,
+        "kgm2": 1,
+        "kgm^2": 1,
+        "kg*cm^2": 1e-4,
+        "kgcm2": 1e-4,
+        "kgcm^2": 1e-4,
+        "g*cm^2": 1e-7,
+        "gcm2": 1e-7,
+        "gcm^2": 1e-7,
+    },
     "speed": {
         "rad/s": 1,
         "rpm": 2 * pi / 60,
@@ -58,9 +68,8 @@ UNITS: dict[str, dict[str, float]] = {
     },
     "rotary damping": {"N*m*s/rad": 1, "Nms/rad": 1, "N*m*s": 1, "Nms": 1, "N*m/rpm": 30 / pi},
     "quadratic drag": {"N*m*s^2/rad^2": 1, "N*m*s^2": 1, "Nms2": 1},
-    "speed-loop integral gain": {"N*m/rad (integral)": 1},
     "time": {"s": 1, "ms": 1e-3, "us": 1e-6, "min": 60, "h": 3600},
-    "rate": {"1/s": 1, "1/min (rate)": 1 / 60},
+    "rate": {"1/s": 1, "per second": 1, "per minute": 1 / 60},
     "order": {"1/rev": 1},
     "length": {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "in": 0.0254},
     "mass": {"kg": 1, "g": 1e-3},
@@ -75,6 +84,7 @@ UNITS: dict[str, dict[str, float]] = {
     "torque constant": {"N*m/A": 1, "Nm/A": 1},
     "resistance": {"ohm": 1, "Ohm": 1, "mohm": 1e-3, "kohm": 1e3},
     "inductance": {"H": 1, "mH": 1e-3, "uH": 1e-6},
+    "flux linkage": {"V*s": 1, "Vs": 1, "mV*s": 1e-3, "mVs": 1e-3, "V*s/rad": 1, "Wb": 1, "mWb": 1e-3},
     "power": {"W": 1, "kW": 1e3, "hp": 745.6998715822702},
     "energy": {"J": 1, "kJ": 1e3, "Wh": 3600},
     "thermal resistance": {"K/W": 1},
@@ -109,20 +119,20 @@ def parse_quantity(text: str, unit: str) -> float:
         raise UnitError(f"{text!r} has a decimal comma; write {text.replace(',', '.', 1)!r}")
     match = _NUMBER.match(text)
     if match is None:
-        raise UnitError(f"{text!r} does not start with a number; write for example '1.5 {_shown(unit)}'")
+        raise UnitError(f"{text!r} does not start with a number; write for example {_example('1.5', unit)}")
     number, written = float(match[1]), _plain(match[2])
     wanted = kind_of(unit)
     factors = UNITS[wanted]
     if not written and "1" in factors:
         return number
     if not written:
-        raise UnitError(f"{text!r} has no unit; write '{match[1]} {_shown(unit)}'")
+        raise UnitError(f"{text!r} has no unit; write {_example(match[1], unit)}")
     if written in factors:
         return number * factors[written]
     other = _kinds().get(written)
     if other is None:
         raise UnitError(f"{text!r} has an unknown unit; {did_you_mean(match[2], factors)}")
-    raise UnitError(f"{text!r} is a {other}; a {wanted} is wanted, write '{match[1]} {_shown(unit)}'")
+    raise UnitError(f"{text!r} is {_article(other)}; {_article(wanted)} is wanted, write {_example(match[1], unit)}")
 
 
 def in_unit(value: float, unit: str) -> float:
@@ -145,8 +155,12 @@ def _plain(unit: str) -> str:
     return re.sub(r"(?<=[A-Za-z]) (?=[a-z](\b|/))", "*", swapped) if "rms" not in swapped else swapped
 
 
-def _shown(unit: str) -> str:
-    return "" if unit == "1" else unit
+def _example(number: str, unit: str) -> str:
+    return f"'{number}'" if unit == "1" else f"'{number} {unit}'"
+
+
+def _article(kind: str) -> str:
+    return f"{'an' if kind[0] in 'aeiou' else 'a'} {kind}"
 
 
 @cache

@@ -39,4 +39,4 @@ class CommutationRipple(Part):
         """Return the ripple if ``motor`` is the one it lives in."""
         if motor != self.at or self.depth == 0:
             return ()
-        return (Wave(order=self.order_motor, amplitude=self.depth, phase=self.phase),)
+        return (Wave(order=self.order_motor, amplitude=self.depth, phase=self.phase, phase_key=self.name),)

@@ -21,6 +21,7 @@ class TorsionalMode(Part):
     """
 
     on_shaft: ClassVar[bool] = True
+    ends_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
 
     kind: Literal["torsional_mode"] = "torsional_mode"

@@ -58,6 +58,8 @@ class Part:
 
     on_shaft: ClassVar[bool] = False
     """True for what sits on a shaft: in a scenario it follows the shaft part before it, unless ``after`` is stated."""
+    ends_shaft: ClassVar[bool] = False
+    """True for a branch of its own: what stands behind it in a scenario goes on from where the branch began."""
     opens_node: ClassVar[bool] = False
     """True for what has a spring inside (gear, sensor, coupling): its output shaft is a node of its own."""
 

@@ -88,7 +88,7 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
             for key, spread in item.uncertainties.items():
                 uncertainties[f"{part.name}.{key}"] = Estimate(getattr(part, key), rel_sd=spread, evidence="REF")
             assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
-            shaft = part.name if part.on_shaft else shaft
+            shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
     rig = _runnable(document, Rig(tuple(found), measured=str(data.get("measured", "torque_sensor"))), point, owners)
     return Scenario(document, str(data.get("scenario", document.path.stem)), point, rig, uncertainties, assumed)
 
