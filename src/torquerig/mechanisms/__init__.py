@@ -1,31 +1,80 @@
 """What can disturb the reading: one effect per file, the same class forwards (simulate) and backwards (diagnose).
 
-torque_ripple      measured lines of a shaft        cogging             magnets against teeth
-commutation_ripple in proportion to the torque      gear_mesh           transmission error of a gear
-torsional_mode     an inertia on a spring           backlash            a gap in a gear
-stribeck_friction  dry friction by direction        quadratic_drag      windage
-particle_load      hits and slow variation          blade_pass          a load pulse per blade
+Motor and drive
+    torque_ripple        measured lines of a shaft        cogging              magnets against teeth
+    commutation_ripple   in proportion to the torque      eccentricity         teeth that pull unequally
+    current_offset       order p, at any load             current_gain         order 2p, in proportion
+Shafts and gears
+    gear_mesh            transmission error of a gear     belt_lines           belt, its teeth and pulleys
+    torsional_mode       an inertia on a spring           backlash             a gap in a gear
+    misalignment         shafts at an angle, order 2      jaw_coupling         jaws and spider legs
+    imbalance            gravity, order 1                 bearing_defect       impacts that ring
+Load
+    particle_load        hits and slow variation          blade_pass           a load pulse per blade
+    stribeck_friction    dry friction by direction        quadratic_drag       windage
+Sensor, cable and file
+    sensor_bandwidth     a lower low-pass                 sensor_drift         a zero that moves
+    sensor_nonlinearity  bent, or of wrong gain           sensor_hysteresis    lags when torque turns back
+    bending_crosstalk    bending read as torque           mains_interference   hum of fixed frequency
+    pwm_aliasing         switching, folded                signal_dropout       moments without signal
+    clipping             saturation                       quantization         coarse codes
 """
 
 from torquerig.mechanisms.backlash import Backlash
+from torquerig.mechanisms.bearing_defect import BearingDefect
+from torquerig.mechanisms.belt_lines import BeltLines
+from torquerig.mechanisms.bending_crosstalk import BendingCrosstalk
 from torquerig.mechanisms.blade_pass import BladePass
+from torquerig.mechanisms.clipping import Clipping
 from torquerig.mechanisms.cogging import Cogging
 from torquerig.mechanisms.commutation_ripple import CommutationRipple
+from torquerig.mechanisms.current_gain import CurrentGain
+from torquerig.mechanisms.current_offset import CurrentOffset
+from torquerig.mechanisms.eccentricity import Eccentricity
 from torquerig.mechanisms.gear_mesh import GearMesh
+from torquerig.mechanisms.imbalance import Imbalance
+from torquerig.mechanisms.jaw_coupling import JawCoupling
+from torquerig.mechanisms.mains_interference import MainsInterference
+from torquerig.mechanisms.misalignment import Misalignment
 from torquerig.mechanisms.particle_load import ParticleLoad
+from torquerig.mechanisms.pwm_aliasing import PwmAliasing
 from torquerig.mechanisms.quadratic_drag import QuadraticDrag
+from torquerig.mechanisms.quantization import Quantization
+from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth
+from torquerig.mechanisms.sensor_drift import SensorDrift
+from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis
+from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity
+from torquerig.mechanisms.signal_dropout import SignalDropout
 from torquerig.mechanisms.stribeck_friction import StribeckFriction
 from torquerig.mechanisms.torque_ripple import TorqueRipple
 from torquerig.mechanisms.torsional_mode import TorsionalMode
 
 __all__ = [
     "Backlash",
+    "BearingDefect",
+    "BeltLines",
+    "BendingCrosstalk",
     "BladePass",
+    "Clipping",
     "Cogging",
     "CommutationRipple",
+    "CurrentGain",
+    "CurrentOffset",
+    "Eccentricity",
     "GearMesh",
+    "Imbalance",
+    "JawCoupling",
+    "MainsInterference",
+    "Misalignment",
     "ParticleLoad",
+    "PwmAliasing",
     "QuadraticDrag",
+    "Quantization",
+    "SensorBandwidth",
+    "SensorDrift",
+    "SensorHysteresis",
+    "SensorNonlinearity",
+    "SignalDropout",
     "StribeckFriction",
     "TorqueRipple",
     "TorsionalMode",

@@ -75,7 +75,7 @@ class Ringing:
             return recording
         if not self.frequency < 0.5 * recording.sample_rate:
             raise InputError(
-                f"a mode of {self.frequency:g} Hz cannot be sampled at {recording.sample_rate:g} Hz; "
+                f"{self.source}: a mode of {self.frequency:g} Hz cannot be sampled at {recording.sample_rate:g} Hz; "
                 "raise the sample rate above twice its frequency"
             )
         from scipy.signal import lfilter

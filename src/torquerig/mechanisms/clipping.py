@@ -1,0 +1,28 @@
+"""Clipping: the reading runs into a supply rail or the end of a range."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.rig import Rig
+from torquerig.signals.stages.clip import Clip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Clipping(Part):
+    """``V = min(max(V, -limit), limit)`` at the converter's input, noise included.
+
+    Flat tops, odd harmonics, a mean that is too small. Source: signatures.md 6.9. Not true for a rail that bends
+    before it breaks.
+    """
+
+    kind: Literal["clipping"] = "clipping"
+    group: Literal["sensor"] = "sensor"
+    limit: Annotated[float, Parameter("V", "largest reading, plus and minus", above=0)]
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return the limits."""
+        return (PlacedStage(position=PlacedStage.INPUT, stage=Clip(limit=self.limit)),)

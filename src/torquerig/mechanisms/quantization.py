@@ -1,0 +1,27 @@
+"""Quantization: codes coarser than the converter's data sheet promises."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.rig import Rig
+from torquerig.signals.stages.rounding import Rounding
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quantization(Part):
+    """``V = step round(V / step)``, after the converter: a wrong range, a digital sensor, a file with few digits.
+
+    Source: Widrow & Kollar, Quantization Noise: a floor of step / sqrt(12) rms where the signal crosses many codes.
+    """
+
+    kind: Literal["quantization"] = "quantization"
+    group: Literal["sensor"] = "sensor"
+    step: Annotated[float, Parameter("V", "distance of two codes", low=0)]
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return the coarser codes."""
+        return (PlacedStage(position=PlacedStage.FILE, stage=Rounding(step=self.step)),)

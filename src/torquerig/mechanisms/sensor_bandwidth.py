@@ -1,0 +1,37 @@
+"""Sensor bandwidth: the amplifier's low-pass sits lower than the data sheet says."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.errors import InputError
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Term
+
+
+@dataclass(frozen=True, kw_only=True)
+class SensorBandwidth(Part):
+    """``|H(f)| = 1 / sqrt(1 + (f/fc)^4)``: the second-order Butterworth low-pass of the sensor, at ``cutoff``.
+
+    It takes the place of the sensor's own low-pass where it is lower; there is never a second one behind it. Source:
+    signatures.md 6.1 (data sheets: 0.2 to 3 kHz). Not true for a digital sensor, which updates and holds.
+    """
+
+    kind: Literal["sensor_bandwidth"] = "sensor_bandwidth"
+    group: Literal["sensor"] = "sensor"
+    sensor: str = "torque_sensor"
+    cutoff: Annotated[float, Parameter("Hz", "true bandwidth at -3 dB", above=0)]
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return none, the sensor carries the cutoff; InputError where ``sensor`` is none."""
+        if not isinstance(rig.part(self.sensor), TorqueSensor):
+            raise InputError(f"{self.name}: sensor: {self.sensor!r} is no torque sensor; name one")
+        return ()
+
+    def amplifier_cutoff(self, sensor: str) -> float | None:
+        """Return the cutoff if ``sensor`` is the one it lives in."""
+        return self.cutoff if sensor == self.sensor else None
