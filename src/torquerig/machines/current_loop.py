@@ -1,0 +1,33 @@
+"""How a sampled current loop is tuned: from resistance, inductance and bandwidth."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import NamedTuple
+
+LARGEST_SHARE = 0.1  # of the sampling frequency: 1.5 periods of delay then leave 36 degrees of phase margin
+
+
+class Gains(NamedTuple):
+    """PI gains of a current loop: proportional [V/A], integral [V/(A s)]."""
+
+    proportional: float
+    integral: float
+
+
+def current_gains(*, resistance: float, inductance: float, bandwidth: float) -> Gains:
+    """Return PI gains that cancel the winding's pole and leave a first-order lag of ``bandwidth`` [Hz].
+
+    ``kp = a L``, ``ki = a R`` with a = 2 pi bandwidth; a disturbing voltage still decays with L/R.
+    Source: Harnefors & Nee 1998, IEEE Trans. Industry Applications 34(1), internal model control.
+    """
+    return Gains(2 * pi * bandwidth * inductance, 2 * pi * bandwidth * resistance)
+
+
+def check_bandwidth(bandwidth: float, *, period: float) -> None:
+    """Raise ValueError where the loop asks for more than its sampling can hold steady."""
+    if bandwidth * period > LARGEST_SHARE * (1 + 1e-12):
+        raise ValueError(
+            f"bandwidth: {bandwidth:g} Hz is more than a tenth of the sampling rate {1 / period:g} Hz, the loop would "
+            f"ring; write at most {LARGEST_SHARE / period:g} Hz or shorten the period"
+        )

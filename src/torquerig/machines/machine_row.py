@@ -1,0 +1,17 @@
+"""A permanent-magnet machine as the kernel takes it."""
+
+from __future__ import annotations
+
+from torquerig.machines import kernel
+from torquerig.machines.permanent_magnet import PermanentMagnetMachine
+
+
+def machine_row(machine: PermanentMagnetMachine) -> kernel.Machine:
+    """Return the machine's numbers, flat."""
+    return kernel.Machine(
+        float(machine.pole_pairs),
+        machine.phase_resistance,
+        machine.phase_inductance,
+        machine.flux_linkage,
+        *machine.back_emf.kernel_rows(),
+    )
