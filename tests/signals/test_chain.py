@@ -30,7 +30,7 @@ def recording(torque):
 
 
 def test_the_twenty_bands_of_appendix_a():
-    # code lines 26-72: remove, 2 remove, 3 remove, 4 remove of each family, +-extra; seed-audit.md B4 for the slips
+    # code lines 26-72: remove, 2 remove, 3 remove, 4 remove of each family, +-extra; seed audit B4 for the slips
     rps, poles, magnets, gear, extra = 1000 / 60, 12, 14, 5, 0.5
     fundamentals = [rps * poles / 2, poles * magnets / 2 * rps / gear, rps, rps / gear, rps * magnets / 2]
     expected = [(k * f - extra, k * f + extra) for f in fundamentals for k in (1, 2, 3, 4)]
@@ -53,7 +53,7 @@ def test_the_seed_chain_keeps_the_mean_and_cuts_its_lines():
     [(10 / 3, 0.97), (20 / 3, 0.89), (10.0, 0.76), (40 / 3, 0.59), (50 / 3, 0.41)],
 )
 def test_the_text_of_the_seed_puts_the_shaft_lines_back(frequency, gain):
-    # seed-audit.md B3, two digits printed
+    # seed audit B3, two digits printed
     at = np.arange(30 * 7500) / RATE  # whole periods of every one of them
     (stage,) = seed_text_chain(SEED_MOTOR).stages
     answer = stage.apply(recording(np.sin(2 * pi * frequency * at))).torque()

@@ -1,4 +1,4 @@
-"""Coincidences at 1000 rpm against signatures.md section 7, and the search for a better speed."""
+"""Coincidences at 1000 rpm against handbook section 7, and the search for a better speed."""
 
 from math import pi
 
@@ -13,7 +13,7 @@ SEED_MOTOR = Kinematics(pole_pairs=7, slots=12, ratio=5, teeth=(Planetary(21, 84
 
 
 def test_every_motor_order_divisible_by_three_stands_on_the_mains_at_1000_rpm():
-    # signatures.md 0: f_m = 50/3 Hz, so M3k = 50 k Hz
+    # handbook 0: f_m = 50/3 Hz, so M3k = 50 k Hz
     found = coincidences(SEED_MOTOR.lines(), 1000 * RPM)
     expected = {
         line for line in SEED_MOTOR.lines() if line.motor_order % 3 == 0 and line.frequency(1000 * RPM) <= 40 * 50
@@ -24,7 +24,7 @@ def test_every_motor_order_divisible_by_three_stands_on_the_mains_at_1000_rpm():
 
 
 def test_equal_orders_of_the_handbook_table():
-    # signatures.md section 7: 14 = 2p = 2 x p, 84 = LCM = 12 p, ring 84 = the seed's code line 36
+    # handbook section 7: 14 = 2p = 2 x p, 84 = LCM = 12 p, ring 84 = the seed's code line 36
     groups = {
         group.motor_order: {(line.family, line.harmonic) for line in group.lines}
         for group in coincidences(SEED_MOTOR.lines(), 1000 * RPM).equal_orders

@@ -1,4 +1,4 @@
-"""The kinematic lines against the seed's eq. 3.1-3.4 and Table I, and against signatures.md."""
+"""The kinematic lines against the seed's eq. 3.1-3.4 and Table I, and against handbook."""
 
 from dataclasses import replace
 from math import pi
@@ -20,7 +20,7 @@ def frequencies(kinematics, family, rpm=1000.0, harmonics=4):
 @pytest.mark.parametrize(
     ("family", "printed"),
     [
-        # seed Table I; 12.32 there is 13.33 (seed-audit.md A), the others are printed to two digits
+        # seed Table I; 12.32 there is 13.33 (seed audit A), the others are printed to two digits
         ("shaft", [3.33, 6.66, 9.99, 13.33]),
         ("motor", [16.67, 33.33, 50.0, 66.66]),
         ("cogging_as_published", [100.0, 200.0, 300.0, 400.0, 500.0]),
@@ -36,7 +36,7 @@ def test_seed_table_i(family, printed):
 @pytest.mark.parametrize(
     ("family", "motor_order", "hertz"),
     [
-        # signatures.md section 7, at 1000 rpm
+        # handbook section 7, at 1000 rpm
         ("cogging", 84, 1400.0),
         ("cogging_tolerance_slots", 12, 200.0),
         ("cogging_tolerance_poles", 14, 700.0 / 3),
@@ -51,7 +51,7 @@ def test_handbook_coincidence_table(family, motor_order, hertz):
 
 
 def test_planetary_21_84_meshes_at_280_hz_at_1000_rpm():
-    # signatures.md section 9
+    # handbook section 9
     geared = replace(SEED_MOTOR, teeth=(Planetary(21, 84, 3),))
     assert frequencies(geared, "gear_mesh") == pytest.approx([280.0, 560.0, 840.0, 1120.0], rel=1e-12)
     assert frequencies(geared, "gear_mesh", rpm=600) == pytest.approx([168.0, 336.0, 504.0, 672.0], rel=1e-12)
@@ -60,7 +60,7 @@ def test_planetary_21_84_meshes_at_280_hz_at_1000_rpm():
 
 
 def test_two_stages_mesh_at_their_own_shafts():
-    # 20:50 then 42:84 stand at 84 per output turn, that is 280 Hz at 1000 rpm and 5:1 (seed-audit.md C)
+    # 20:50 then 42:84 stand at 84 per output turn, that is 280 Hz at 1000 rpm and 5:1 (seed audit C)
     geared = Kinematics(ratio=5, teeth=(Spur(20, 50), Spur(42, 84)))
     first, second = (line for line in geared.lines(1) if line.family == "gear_mesh")
     assert (first.motor_order, first.output_order) == (20.0, 100.0)

@@ -1,4 +1,4 @@
-"""Tooth counts against signatures.md 4.2 and seed-audit.md C."""
+"""Tooth counts against handbook 4.2 and seed audit C."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from torquerig.signals.teeth import Planetary, Spur
 
 
 def test_only_sun_21_and_ring_84_give_mesh_order_16_8_at_ratio_5():
-    # seed-audit.md C: zs zr / (zs + zr) = 16.8 with N = 5 has one solution
+    # seed audit C: zs zr / (zs + zr) = 16.8 with N = 5 has one solution
     stage = Planetary(21, 84, planets=3)
     assert stage.ratio == 5.0
     assert stage.mesh_order_in == pytest.approx(16.8, rel=1e-15)
@@ -29,7 +29,7 @@ def test_only_sun_21_and_ring_84_give_mesh_order_16_8_at_ratio_5():
     ],
 )
 def test_the_admissible_five_to_one_sets_of_the_audit_assemble(sun, ring, planets):
-    # seed-audit.md C, list of admissible 5:1 sets
+    # seed audit C, list of admissible 5:1 sets
     assert Planetary(sun, ring, planets).ratio == 5.0
 
 

@@ -52,7 +52,7 @@ def two_masses(*, gap: float = 0.0) -> Rig:
     return Rig((first, spring, second, Push(name="push", at="first", torque=1.0)), measured="shaft")
 
 
-def test_two_masses_reach_the_matrix_exponential_of_simulators_6_3() -> None:
+def test_two_masses_reach_the_matrix_exponential_of_the_simulator_survey_6_3() -> None:
     """1 N m on J1, from rest, at 1 s: w1 100.025004197, w2 99.974995803, shaft torque 0.486019685."""
     made = simulate(two_masses(), duration=1.00004, seed=0, settling=0.0, substeps=4)
     assert made.channels["true_sensor_torque_Nm"].values[-1] == pytest.approx(0.486019685, abs=2e-7)
@@ -60,7 +60,7 @@ def test_two_masses_reach_the_matrix_exponential_of_simulators_6_3() -> None:
 
 
 @pytest.mark.parametrize("substeps", [1, 4])
-def test_backlash_contacts_of_simulators_6_3_are_located(substeps: int) -> None:
+def test_backlash_contacts_of_the_simulator_survey_6_3_are_located(substeps: int) -> None:
     """Full gap 0.004 rad: torque 0.6791051 after 47 contacts; plain RK4 at 40 us gives 0.6801290."""
     made = simulate(two_masses(gap=0.004), duration=1.00004, seed=0, settling=0.0, substeps=substeps)
     assert made.channels["true_sensor_torque_Nm"].values[-1] == pytest.approx(0.6791051, abs=1e-6)
@@ -157,7 +157,7 @@ def test_motor_ripple_reaches_the_sensor_as_the_linear_twin_says(speed_rpm: floa
     assert found == pytest.approx(expected, rel=2e-3)
 
 
-def test_motor_ripple_below_the_mode_follows_signatures_section_0() -> None:
+def test_motor_ripple_below_the_mode_follows_the_handbook_section_0() -> None:
     """T_s = G(s) J2/(J1+J2) N T_motor: two masses, series stiffness, at a third of the mode."""
     rig = driven(TorqueRipple(name="ripple", at="motor", group="mechanical", amplitudes={4: 0.01}), speed_rpm=600.0)
     found = line(simulate(rig, duration=1.0, seed=3), 4)

@@ -71,7 +71,7 @@ def test_state_space_has_names_and_the_response_of_the_matrices() -> None:
     assert found == pytest.approx(expected, rel=1e-9)
 
 
-def test_closed_speed_loop_shuts_out_slow_ripple_as_signatures_section_0_says() -> None:
+def test_closed_speed_loop_shuts_out_slow_ripple_as_the_handbook_says() -> None:
     """Inside the loop's bandwidth motor disturbances are multiplied by 1/(1 + L): measured against the twin."""
     slow = rig(speed_rpm=200.0)
     made = simulate(slow, duration=3.0, seed=4)

@@ -64,7 +64,7 @@ def seed_code_chain(kinematics: Kinematics) -> Chain:
 def seed_text_chain(kinematics: Kinematics) -> Chain:
     """Return the filter that the seed's text describes: as its code, but around a rolling mean of 1000 samples.
 
-    Source: seed Appendix A, code line 11 (computed there and never used) and its text; seed-audit.md B3.
+    Source: seed Appendix A, code line 11 (computed there and never used) and its text; seed audit B3.
     """
     code = seed_code_chain(kinematics)
     stage = MovingMeanKept(samples=SEED_MEAN_SAMPLES, around=code.stages)

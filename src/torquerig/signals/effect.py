@@ -114,7 +114,7 @@ def chain_effect(
 
     Notes
     -----
-    A lower standard deviation is no proof of less noise: any notches lower it (seed-audit.md A, "std as merit").
+    A lower standard deviation is no proof of less noise: any notches lower it (seed audit A, "std as merit").
     """
     first, last = before.torque(), after.torque()
     if first.size != last.size or first.size < 2:

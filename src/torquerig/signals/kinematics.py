@@ -159,7 +159,7 @@ def kinematic_lines(
 
     Notes
     -----
-    Source: seed eq. 3.1-3.4 and Table I; signatures.md 0, 1, 2 and 4. Slip of an induction machine, bearing and belt
+    Source: seed eq. 3.1-3.4 and Table I; handbook 0, 1, 2 and 4. Slip of an induction machine, bearing and belt
     lines are not among them, and orders say nothing of amplitudes.
     """
     if harmonics < 1:

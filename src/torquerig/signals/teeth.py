@@ -26,7 +26,7 @@ class Planetary:
 
     Notes
     -----
-    Source: signatures.md 4.2 (McFadden & Smith 1985; Kahraman & Blankenship 1994). The planets of a real set may be
+    Source: handbook 4.2 (McFadden & Smith 1985; Kahraman & Blankenship 1994). The planets of a real set may be
     made with half a tooth more or less and profile shift (21/31/84), so their own count is not a condition here.
     """
 
@@ -78,7 +78,7 @@ class Planetary:
 
 @dataclass(frozen=True)
 class Spur:
-    """Teeth of a fixed-axis pair or toothed belt: ``pinion`` drives ``wheel`` (signatures.md 4.1, 3.7)."""
+    """Teeth of a fixed-axis pair or toothed belt: ``pinion`` drives ``wheel`` (handbook 4.1, 3.7)."""
 
     pinion: int
     wheel: int

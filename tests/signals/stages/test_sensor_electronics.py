@@ -48,7 +48,7 @@ def test_converter_errs_by_half_a_step_at_most_and_by_step_over_root_12_rms():
 
 
 def test_converter_of_16_bit_and_10_volts_has_the_handbook_noise():
-    # signatures.md 6.8: 0.09 mV rms
+    # handbook 6.8: 0.09 mV rms
     assert Converter(range_V=10.0, bits=16).step / np.sqrt(12) == pytest.approx(0.09e-3, rel=0.03)
 
 

@@ -34,7 +34,7 @@ class HarmonicRegression:
 
     Notes
     -----
-    Source: signatures.md 0 (order-locked lines need order tracking; Fyfe & Munck 1997). Where it stops being true:
+    Source: handbook 0 (order-locked lines need order tracking; Fyfe & Munck 1997). Where it stops being true:
     load within about 1 / block of a line is subtracted with it, and an amplitude that changes faster than a block is
     followed only in part. Without an encoder nothing follows faster than some tenths of a second.
     """

@@ -37,7 +37,7 @@ class IdealBandstop:
     Source: seed Appendix A (MATLAB's ``idealfilter(..., 'notch')`` on data without their mean, band by band; the bands
     commute, so all are cut in one transform). Where it stops being true: the filter is not causal, rings for about
     1 / (2 half_width) around a step, wraps around at the ends of the record, misses a line whose speed is off by more
-    than half_width / frequency (0.18 % at 280 Hz), and takes the load within the bands along (seed-audit.md B5, B6).
+    than half_width / frequency (0.18 % at 280 Hz), and takes the load within the bands along (seed audit B5, B6).
     """
 
     lines: tuple[KinematicLine, ...]

@@ -30,7 +30,7 @@ class MovingMeanKept:
     Notes
     -----
     Source: the text of the seed on its filter (its code computes the mean and does not use it). A line at f is kept by
-    sin(pi f n / rate) / (n sin(pi f / rate)): 97 % of the shaft line at 3.33 Hz comes back (seed-audit.md B3).
+    sin(pi f n / rate) / (n sin(pi f / rate)): 97 % of the shaft line at 3.33 Hz comes back (seed audit B3).
     """
 
     samples: int

@@ -32,7 +32,7 @@ class AmplifierLowPass:
 
     Notes
     -----
-    Source: signatures.md 6.1; first-order hold: Franklin, Powell & Workman, Digital Control of Dynamic Systems, ch. 6.
+    Source: handbook 6.1; first-order hold: Franklin, Powell & Workman, Digital Control of Dynamic Systems, ch. 6.
     Straight lines between samples lose sinc^2(f / rate) of a sine: under 1 % below 0.055 of the sample rate, 5 % at
     0.12. Above that, simulate at a higher rate; what lies above half the rate is aliased before it comes here.
     """

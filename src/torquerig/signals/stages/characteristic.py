@@ -24,7 +24,7 @@ class Characteristic:
 
     Notes
     -----
-    Source: signatures.md 6.5, 6.13 (DIN 51309). A sine of amplitude A gets a second harmonic n A^2 / (2 full scale), a
+    Source: handbook 6.5, 6.13 (DIN 51309). A sine of amplitude A gets a second harmonic n A^2 / (2 full scale), a
     third m A^3 / (4 full scale^2), and a mean n A^2 / (2 full scale). Not true much beyond full scale.
     """
 

@@ -24,7 +24,7 @@ class Clip:
 
     Notes
     -----
-    Source: signatures.md 6.9. Real rails differ in sign and take microseconds to recover; neither is in here.
+    Source: handbook 6.9. Real rails differ in sign and take microseconds to recover; neither is in here.
     """
 
     limit: float

@@ -28,7 +28,7 @@ class Converter:
 
     Notes
     -----
-    Source: signatures.md 6.8, 6.9 (Widrow & Kollar, Quantization Noise): the error is at most half a step within the
+    Source: handbook 6.8, 6.9 (Widrow & Kollar, Quantization Noise): the error is at most half a step within the
     range, step / sqrt(12) rms where the signal crosses many codes. Non-linearity and missing codes are not in here.
     """
 

@@ -32,7 +32,7 @@ class Crosstalk:
 
     Notes
     -----
-    Source: signatures.md 6.4, 3.1. The moment of an unbalance turns with the shaft and would read as a constant in a
+    Source: handbook 6.4, 3.1. The moment of an unbalance turns with the shaft and would read as a constant in a
     straight bridge; C holds for the part that a bearing's uneven stiffness turns back into the space-fixed frame.
     """
 

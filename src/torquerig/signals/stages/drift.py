@@ -26,7 +26,7 @@ class Drift:
 
     Notes
     -----
-    Source: signatures.md 6.3; a body that warms up follows the exponential (one thermal mass). Not true where several
+    Source: handbook 6.3; a body that warms up follows the exponential (one thermal mass). Not true where several
     masses warm up one after the other; a straight line is its beginning, for recordings much shorter than tau.
     """
 

@@ -30,7 +30,7 @@ class Dropout:
 
     Notes
     -----
-    Source: signatures.md 6.10. On a worn slip ring the moments are locked to the shaft's turn; that is not in here.
+    Source: handbook 6.10. On a worn slip ring the moments are locked to the shaft's turn; that is not in here.
     """
 
     duration: float

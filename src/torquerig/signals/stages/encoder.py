@@ -31,7 +31,7 @@ class Encoder:
 
     Notes
     -----
-    Source: the definition of an incremental encoder; magnet or graduation error (signatures.md 2.5) is not in here.
+    Source: the definition of an incremental encoder; magnet or graduation error (handbook 2.5) is not in here.
     """
 
     counts_per_rev: int

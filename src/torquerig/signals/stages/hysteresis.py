@@ -31,7 +31,7 @@ class Hysteresis:
 
     Notes
     -----
-    Source: signatures.md 6.6; play operator: Visintin, Differential Models of Hysteresis, ch. III; one element of the
+    Source: handbook 6.6; play operator: Visintin, Differential Models of Hysteresis, ch. III; one element of the
     Prandtl-Ishlinskii sum. Rate-independent: creep of the measuring body is not in here. A loop of area
     2 width (A - r) for a swing from -A to A.
     """

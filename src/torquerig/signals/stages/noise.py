@@ -22,7 +22,7 @@ class WhiteNoise:
 
     Notes
     -----
-    Source: signatures.md 6.7. The same recording seed gives the same noise, whatever other stages draw. Real noise
+    Source: handbook 6.7. The same recording seed gives the same noise, whatever other stages draw. Real noise
     has more power at low frequencies and lines of the carrier, which are not in here.
     """
 

@@ -44,7 +44,7 @@ class Ringing:
 
     Notes
     -----
-    Source: signatures.md 3.8 (Randall & Antoni 2011, MSSP 25(2): impacts, a resonance, slip of 1 to 2 %). The mode is
+    Source: handbook 3.8 (Randall & Antoni 2011, MSSP 25(2): impacts, a resonance, slip of 1 to 2 %). The mode is
     local: what it does to the shafts' motion is left out.
     """
 

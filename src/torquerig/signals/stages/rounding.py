@@ -24,7 +24,7 @@ class Rounding:
 
     Notes
     -----
-    Source: signatures.md 6.8 (Widrow & Kollar, Quantization Noise): step / sqrt(12) rms where the signal crosses many
+    Source: handbook 6.8 (Widrow & Kollar, Quantization Noise): step / sqrt(12) rms where the signal crosses many
     codes; where it stays within one or two, the error is tonal and the mean may be off by half a step.
     """
 

@@ -30,7 +30,7 @@ class Tone:
 
     Notes
     -----
-    Source: signatures.md 2.7, 2.8, 6.12. Not true for a mains whose frequency wanders (0.01 to 0.1 Hz) over minutes.
+    Source: handbook 2.7, 2.8, 6.12. Not true for a mains whose frequency wanders (0.01 to 0.1 Hz) over minutes.
     """
 
     frequency: float
@@ -64,6 +64,6 @@ class Tone:
 def folded(frequency: float, sample_rate: float) -> float:
     """Return where ``frequency`` appears in samples taken at ``sample_rate``: |f - n rate|, at most half the rate [Hz].
 
-    Source: signatures.md 6.12 (Oppenheim & Schafer, Discrete-Time Signal Processing, sampling theorem).
+    Source: handbook 6.12 (Oppenheim & Schafer, Discrete-Time Signal Processing, sampling theorem).
     """
     return abs((frequency + 0.5 * sample_rate) % sample_rate - 0.5 * sample_rate)
