@@ -20,6 +20,7 @@ from torquerig.mechanisms import (
     CurrentGain,
     CurrentOffset,
     Eccentricity,
+    GearMesh,
     Imbalance,
     JawCoupling,
     MainsInterference,
@@ -31,6 +32,7 @@ from torquerig.mechanisms import (
     SensorHysteresis,
     SensorNonlinearity,
     SignalDropout,
+    TorqueRipple,
 )
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, MotorEncoder, SpeedController, TorqueSensor
@@ -61,7 +63,7 @@ EFFECTS: list[tuple[str, Part, Part]] = [
         SensorDrift(name="it", span=-0.2, time_constant=2.0),
         SensorDrift(name="it", span=0.0),
     ),
-    ("{kind: clipping, limit: 1.04 V}", Clipping(name="it", limit=1.04), Clipping(name="it", limit=20.0)),
+    ("{kind: clipping, limit: 1.1 V}", Clipping(name="it", limit=1.1), Clipping(name="it", limit=20.0)),
     ("{kind: quantization, step: 50 mV}", Quantization(name="it", step=0.05), Quantization(name="it", step=0.0)),
     (
         "{kind: signal_dropout, duration: 5 ms, rate: 600 per minute, level: -10 V}",
@@ -128,7 +130,10 @@ KIND_OF_ROW = [meant.kind for _, meant, _ in EFFECTS]
 
 
 def sensed(*effects: Part) -> Rig:
-    """A driven 5:1 rig with a real sensor, 1 N m of load and all of the measuring chain."""
+    """A driven 5:1 rig with a real sensor, 1 N m of load, all of the measuring chain, and odd lines on each shaft.
+
+    The lines make the kernel's cosines differ to the last bits once a wave of a new order joins them.
+    """
     return Rig(
         (
             Motor(name="motor", inertia=1.5e-4, torque_limit=10.0),
@@ -141,6 +146,9 @@ def sensed(*effects: Part) -> Rig:
             Body(name="wear_part", after="coupling", inertia=2e-3, viscous=0.05),
             SpeedController(name="controller", kp=0.05, ki=0.5),
             MotorEncoder(name="encoder"),
+            TorqueRipple(name="rotor", at="motor", group="cogging", amplitudes={2.5: 0.01, 7.5: 0.01}),
+            TorqueRipple(name="drum", at="wear_part", group="mechanical", amplitudes={0.8: 0.05, 5.6: 0.05}),
+            GearMesh(name="mesh", order_output=84.7, transmission_error=(1e-5, 1e-5)),
             *effects,
         ),
         Run(speed=1000 * pi / 30),
