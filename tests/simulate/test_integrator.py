@@ -196,9 +196,12 @@ def test_momentum_is_conserved_without_friction() -> None:
 
 
 def test_effects_of_zero_amplitude_change_nothing() -> None:
-    plain = simulate(driven(), duration=0.2, seed=5)
+    sounding = TorqueRipple(name="lines", at="motor", group="mechanical", amplitudes={1: 0.01, 4: 0.003})
+    plain = simulate(driven(sounding), duration=0.2, seed=5)
     nothing = simulate(
         driven(
+            sounding,
+            TorqueRipple(name="odd", at="motor", group="mechanical", amplitudes={1.3: 0.0}),
             TorqueRipple(name="ripple", at="motor", group="cogging", amplitudes={6: 0.0}),
             GearMesh(name="mesh", order_output=84, transmission_error=(0.0,)),
             Backlash(name="gap", gap=0.0),

@@ -70,8 +70,11 @@ def lower(rig: Rig, seed: int) -> Lowered:
     for term in inertias:
         if term.inertia > 0:
             inertia[number[term.node]] += term.inertia
-    springs, harmonics = _of(terms, Spring), _of(terms, HarmonicTorque)
-    blades, drives = _of(terms, BladeTorque), _of(terms, Drive)
+    # a wave of no amplitude must not change how the others are multiplied together
+    springs = tuple(replace(spring, error=_sounding(spring.error)) for spring in _of(terms, Spring))
+    harmonics = tuple(replace(term, waves=_sounding(term.waves)) for term in _of(terms, HarmonicTorque))
+    drives = tuple(replace(drive, ripple=_sounding(drive.ripple)) for drive in _of(terms, Drive))
+    blades = tuple(blade for blade in _of(terms, BladeTorque) if blade.amplitude)
     loads: tuple[Load | AppliedTorque, ...] = (*_of(terms, Load), *_of(terms, AppliedTorque))
     table = WaveTable.of(
         [(number[s.b], w.order) for s in springs for w in s.error]
@@ -205,6 +208,10 @@ def _drives(terms: Sequence[Drive], number: dict[str, int], table: WaveTable, se
         r_s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
         reference=np.zeros((0, 0)),
     )
+
+
+def _sounding(waves: Sequence[Wave]) -> tuple[Wave, ...]:
+    return tuple(wave for wave in waves if wave.amplitude)
 
 
 def _of(terms: Sequence[Term], kind: type[Kind]) -> tuple[Kind, ...]:
