@@ -103,4 +103,4 @@ class ParticleProcess:
         expected = self.rate / rate * self.shape / (1 - exp(-1 / (rate * self.decay)))
         hits = (pulses - expected) / deviation * self.hit_rms
         slow = self.slow_rms * low_passed_noise(count, rate, self.slow_cutoff, rng)
-        return np.maximum(0.0, self.mean * (1 + hits + slow))
+        return np.asarray(np.maximum(0.0, self.mean * (1 + hits + slow)))
