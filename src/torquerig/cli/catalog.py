@@ -11,8 +11,8 @@ from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.table import catalog_tables
 from torquerig.cli.inputs import catalog_beside, catalog_option
-from torquerig.cli.tables import grid
 from torquerig.errors import UnknownNameError, did_you_mean
+from torquerig.plain_table import grid
 
 
 @click.command("catalog")

@@ -9,9 +9,9 @@ import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, set_option
 from torquerig.cli.progress import drive_progress
-from torquerig.cli.tables import grid
 from torquerig.document import read_document
 from torquerig.errors import InputError
+from torquerig.plain_table import grid
 from torquerig.report.study_report import write_study_report
 from torquerig.report.study_text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden

@@ -10,9 +10,9 @@ import click
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
-from torquerig.cli.tables import grid
 from torquerig.errors import InputError, did_you_mean
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.plain_table import grid
 from torquerig.signals.chain import Chain
 from torquerig.signals.chain_file import read_chains
 from torquerig.signals.effect import FilterEffect, chain_effect

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from torquerig.cli.tables import grid
+from torquerig.plain_table import grid
 from torquerig.signals.files import read_recording, recording_info
 
 

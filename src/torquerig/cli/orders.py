@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
-from torquerig.cli.tables import grid, wrapped
 from torquerig.errors import InputError, UnitError
+from torquerig.plain_table import grid, wrapped
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.orders import orders_report
 from torquerig.signals.orders_telling import ORDERS_HEADER, orders_rows, orders_sentences

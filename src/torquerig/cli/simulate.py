@@ -10,8 +10,8 @@ import click
 
 from torquerig.catalog.entry import Entry
 from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
-from torquerig.cli.tables import grid
 from torquerig.errors import InputError, UnitError, UnknownNameError
+from torquerig.plain_table import grid
 from torquerig.rig.parts import SpeedController
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.signals.files import check_target, write_recording

@@ -7,20 +7,19 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from torquerig.decide.criterion import YES_NO, Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.file_schema import STRICT, GoalText, ScaleText
 from torquerig.decide.kesselring import TEACHING, Profile, rated_criteria
 from torquerig.decide.matrix import UNKNOWN, Cell, DecisionMatrix
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, TorquerigError, UnitError, did_you_mean
 from torquerig.units import in_unit, parse_quantity, si_unit
 
-_STRICT: dict[str, Any] = {"extra": "forbid"}
-
 Keys = tuple[str | int, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Demand:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     min: float | None = None
     max: float | None = None
     in_question: str = ""
@@ -28,14 +27,14 @@ class _Demand:
 
 @dataclass(frozen=True, kw_only=True)
 class _Indifference:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     absolute: float = 0.0
     relative: float = 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Criterion:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     unit: str = "1"
     better: Better = Better.MORE
     band: tuple[float, float] | None = None
@@ -49,7 +48,7 @@ class _Criterion:
 
 @dataclass(frozen=True, kw_only=True)
 class _Cell:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     value: str | float | None = None
     low: str | float | None = None
     high: str | float | None = None
@@ -61,28 +60,14 @@ class _Cell:
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Goal:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
-    name: str
-    words: tuple[str, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Scale:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
-    min: float
-    max: float
-
-
-@dataclass(frozen=True, kw_only=True)
 class _File:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     criteria: dict[str, _Criterion]
     alternatives: dict[str, dict[str, Any]]
     name: str = "matrix"
     datum: str = ""
-    goal: _Goal | None = None
-    scale: _Scale = field(default_factory=lambda: _Scale(min=TEACHING.p_min, max=TEACHING.p_max))
+    goal: GoalText | None = None
+    scale: ScaleText = field(default_factory=lambda: ScaleText(min=TEACHING.p_min, max=TEACHING.p_max))
     draws: int = 10_000
     seed: int = 0
 

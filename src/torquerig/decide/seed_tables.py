@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from torquerig.decide.criterion import Kind
+from torquerig.decide.file_schema import STRICT, GoalText, ScaleText
 from torquerig.decide.kesselring import Profile
 from torquerig.decide.sheet import SAME, UNKNOWN, Alias, Book, Entry, Method, Row, Sheet
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, did_you_mean
 
-_STRICT: dict[str, Any] = {"extra": "forbid"}
 _MARKS = {Method.ELIMINATION: ("+", "-", "?", "!"), Method.PUGH: ("+", "-", "0", "S", "?")}
 _PROCEED = {"yes": True, "no": False}
 
@@ -21,22 +21,8 @@ Keys = tuple[str | int, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Goal:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
-    name: str
-    words: tuple[str, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Scale:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
-    min: float
-    max: float
-
-
-@dataclass(frozen=True, kw_only=True)
 class _Row:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     cells: tuple[str | float | None, ...]
     proceed: str | None = None
     weight: float | None = None
@@ -48,7 +34,7 @@ class _Row:
 
 @dataclass(frozen=True, kw_only=True)
 class _Table:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     name: str
     method: Method
     columns: tuple[str, ...]
@@ -57,7 +43,7 @@ class _Table:
     title: str = ""
     datum: str = ""
     ideal: str = ""
-    scale: _Scale = field(default_factory=lambda: _Scale(min=1, max=5))
+    scale: ScaleText = field(default_factory=lambda: ScaleText(min=1, max=5))
     follows_rating: tuple[str, ...] = ()
     sums: tuple[float | None, ...] = ()
     ranks: tuple[int | None, ...] = ()
@@ -69,17 +55,17 @@ class _Table:
 
 @dataclass(frozen=True, kw_only=True)
 class _Alias:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     names: tuple[str, ...]
     reason: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
 class _File:
-    __pydantic_config__: ClassVar[dict[str, Any]] = _STRICT
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     tables: tuple[_Table, ...]
     source: str = ""
-    goal: _Goal | None = None
+    goal: GoalText | None = None
     ratings: dict[str, str] = field(default_factory=dict)
     aliases: tuple[_Alias, ...] = ()
 
@@ -229,7 +215,7 @@ def _mark(document: Document, keys: Keys, entry: Entry | None, method: Method) -
     return shown
 
 
-def _points(document: Document, keys: Keys, entry: Entry | None, scale: _Scale) -> Entry:
+def _points(document: Document, keys: Keys, entry: Entry | None, scale: ScaleText) -> Entry:
     if entry is None or entry == UNKNOWN:
         return UNKNOWN
     if isinstance(entry, str):

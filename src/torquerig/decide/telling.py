@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from textwrap import fill
 
 from torquerig.decide.criterion import Criterion
 from torquerig.decide.eliminate import SelectionChart
@@ -13,27 +12,12 @@ from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.pugh import DatumSweep, PughResult, Sign
 from torquerig.decide.ranks import shown_rank
 from torquerig.decide.robustness import BestShares, FlipWeight
-
-WIDTH = 120
+from torquerig.plain_table import grid, wrapped
 
 
 def heading(text: str) -> str:
     """Return a heading with a line under it."""
     return f"{text}\n{'=' * len(text)}"
-
-
-def grid(rows: Sequence[Sequence[str]]) -> str:
-    """Return rows as aligned columns, the first row ruled off."""
-    widths = [max(len(row[place]) for row in rows) for place in range(len(rows[0]))]
-    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
-    return "\n".join([lines[0], "-" * max(len(line) for line in lines), *lines[1:]])
-
-
-def wrapped(text: str, *, first: str = "", rest: str = "  ") -> str:
-    """Return one paragraph at most ``WIDTH`` wide."""
-    return fill(
-        text, WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
-    )
 
 
 def span(low: float, high: float) -> str:

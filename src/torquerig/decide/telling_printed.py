@@ -17,7 +17,8 @@ from torquerig.decide.recompute import (
     undeciding_rows,
 )
 from torquerig.decide.sheet import Entry, Method, Sheet
-from torquerig.decide.telling import grid, heading, span, tell_kesselring, wrapped
+from torquerig.decide.telling import heading, span, tell_kesselring
+from torquerig.plain_table import grid, wrapped
 
 
 def tell_sheet(sheet: Sheet) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from torquerig.plain_table import cut, grid
 from torquerig.report.layout import figure_text, plain
 from torquerig.report.shares_figure import SHARES
 from torquerig.report.study_tables import decision_words
@@ -30,7 +31,7 @@ def ranked_text(decided: Decided, *, most: int = 10) -> str:
     head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "demands"]
     here = decided.alternatives[decided.datum].drive.margins["new_parts"].value == 0
     note = "stands on the rig today" if here else "the present motor on this gearbox, without a filter: the datum"
-    return f"{_grid([head, *rows], left=(1, 2, 7))}\n* {note}"
+    return f"{_fitted([head, *rows], left=(1, 2, 7))}\n* {note}"
 
 
 def shares_text(runs: StudyRuns) -> str:
@@ -43,25 +44,15 @@ def shares_text(runs: StudyRuns) -> str:
         percent = drive.shares.percent()
         cells = [f"{getattr(drive.shares, name):.4f} {percent[name]:5.1f} %" for name in SHARES]
         rows.append([drive.candidate.name, f"{drive.shares.mean:.3f}", *cells])
-    table = _grid([["drive", "mean", *SHARES], *rows], left=(0,))
+    table = _fitted([["drive", "mean", *SHARES], *rows], left=(0,))
     why = [f"{drive.candidate.name}: {drive.out_of_reach}" for drive in runs.drives if drive.out_of_reach]
-    return "\n".join([table, *(_cut(line, WIDTH) for line in why)])
+    return "\n".join([table, *(cut(line, WIDTH) for line in why)])
 
 
-def _grid(rows: Sequence[Sequence[str]], *, left: tuple[int, ...]) -> str:
+def _fitted(rows: Sequence[Sequence[str]], *, left: tuple[int, ...]) -> str:
     """Return aligned columns, those of ``left`` to the left; the widest of these is cut where a row is too wide."""
     widths = [max(len(row[place]) for row in rows) for place in range(len(rows[0]))]
     while sum(widths) + 2 * (len(widths) - 1) > WIDTH:
         widths[max(left, key=lambda place: widths[place])] -= 1
-    lines = []
-    for row in rows:
-        cells = [
-            _cut(cell, width).ljust(width) if place in left else cell.rjust(width)
-            for place, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        lines.append("  ".join(cells).rstrip())
-    return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
-
-
-def _cut(text: str, width: int) -> str:
-    return text if len(text) <= width else f"{text[: width - 1]}…"
+    fitted = [[cut(cell, width) for cell, width in zip(row, widths, strict=True)] for row in rows]
+    return grid(fitted, right=set(range(len(widths))) - set(left))

@@ -1,0 +1,26 @@
+"""What the YAML of published tables and of one's own matrix have in common."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+STRICT: dict[str, Any] = {"extra": "forbid"}
+
+
+@dataclass(frozen=True, kw_only=True)
+class GoalText:
+    """The stated goal, and the words by which a criterion for it is known."""
+
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
+    name: str
+    words: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ScaleText:
+    """The lowest and the highest points."""
+
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
+    min: float
+    max: float

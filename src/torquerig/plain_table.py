@@ -1,0 +1,50 @@
+"""Aligned columns and wrapped sentences for the terminal: no colour, nothing computed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from textwrap import fill
+
+WIDTH = 120
+
+
+def grid(rows: Sequence[Sequence[str]], *, right: Collection[int] | None = None) -> str:
+    """Return rows as aligned columns, the first row ruled off.
+
+    Parameters
+    ----------
+    rows : sequence of rows of equal length
+    right : collection of int, optional
+        Columns to set to the right; those that hold only numbers when not given.
+    """
+    columns = range(len(rows[0]))
+    widths = [max(len(row[place]) for row in rows) for place in columns]
+    if right is None:
+        right = [place for place in columns if _holds_numbers([row[place] for row in rows[1:]])]
+    lines = [
+        "  ".join(row[place].rjust(widths[place]) if place in right else row[place].ljust(widths[place])
+                  for place in columns).rstrip()
+        for row in rows
+    ]  # fmt: skip
+    return "\n".join([lines[0], "-" * max(len(line) for line in lines), *lines[1:]])
+
+
+def wrapped(text: str, *, first: str = "", rest: str = "  ") -> str:
+    """Return one paragraph at most ``WIDTH`` wide, its first and its other lines set in as stated."""
+    return fill(
+        text, WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def cut(text: str, width: int) -> str:
+    """Return ``text``, shortened with an ellipsis where it is longer than ``width``."""
+    return text if len(text) <= width else f"{text[: width - 1]}…"
+
+
+def _holds_numbers(cells: Sequence[str]) -> bool:
+    """Whether there is a number and nothing but numbers, ``-`` and ``?``."""
+    plain = [cell.removesuffix("%").strip() for cell in cells if cell not in ("", "-", "?")]
+    try:
+        return bool([float(cell) for cell in plain])
+    except ValueError:
+        return False
