@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from math import pi
 from pathlib import Path
 
+from torquerig.metrics.figure import Figure
 from torquerig.parameter import EVIDENCE
 from torquerig.report.layout import listed, plain
 from torquerig.report.study_chapters import rule_text
@@ -16,10 +17,6 @@ from torquerig.study.settings import SpeedLoopRule
 
 Facts = tuple[tuple[str, str], ...]
 
-SIX_STEP = (
-    "The nominal lines of the present BLDC motor are those of the reference rig, which states no six-step commutation "
-    "ripple: if the real drive commutates in six steps, its electrical share is larger than shown here."
-)
 MESH = (
     "Gear mesh lines are absent unless the scenario states a mesh with its teeth; the seed's 280 Hz family is of this "
     "kind."
@@ -83,11 +80,22 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
     )
     simulated = "All readings are simulated; none is a measurement of a motor that could be bought."
     shares = "The shares are told apart by leaving out one group of effects at a time; they need not add up in square."
-    present = runs.study.catalog.motor(runs.study.settings.present.motor)
-    lines = (SIX_STEP,) if present.kind == "bldc" else ()
     rig = runs.study.document.data.get("rig", {})
     mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
-    return (simulated, *lines, *mesh, copies, CLASS, shares)
+    return (simulated, *omitted_ripple(runs), *mesh, copies, CLASS, shares)
+
+
+def omitted_ripple(runs: StudyRuns) -> tuple[str, ...]:
+    """Return what six-step commutation would add where a motor's known lines leave it out; nothing where none does."""
+    sentences = []
+    for motor in dict.fromkeys(drive.candidate.motor for drive in runs.drives if not drive.omitted.unknown):
+        drives = [drive for drive in runs.drives if drive.candidate.motor == motor]
+        added = "; ".join(f"{_millinewtonmetres(drive.omitted)} at {drive.candidate.ratio:g}:1" for drive in drives)
+        sentences.append(
+            f"The known lines of {motor} hold no six-step commutation ripple. If its drive commutates in six steps, "
+            f"the ripple of its class would add to the reading, by the linear twin: {added}."
+        )
+    return tuple(sentences)
 
 
 def evidence() -> Facts:
@@ -114,3 +122,9 @@ def command(runs: StudyRuns, edits: Sequence[str]) -> str:
     path = Path(runs.study.document.path)
     shown = path.name if path.is_absolute() else path.as_posix()
     return shlex.join(["torquerig", "compare", shown, *(part for edit in edits for part in ("--set", edit))])
+
+
+def _millinewtonmetres(figure: Figure) -> str:
+    if figure.high is None or figure.high < 1e-6:
+        return "nothing that counts"
+    return f"{1e3 * (figure.low or 0.0):.2g} to {1e3 * figure.high:.2g} mN m rms"

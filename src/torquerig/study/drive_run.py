@@ -9,6 +9,7 @@ from math import prod
 from torquerig.errors import InputError
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
+from torquerig.metrics.omitted_ripple import omitted_six_pulse
 from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
 from torquerig.rig.parts import Motor, SpeedController
@@ -47,8 +48,15 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
         disturbance=Figure(unit="N*m", missing=reason),
         chains={},
         recording=None,
+        omitted=_omitted(candidate, scenario, study),
     )
     return still if reason else _simulated(still, scenario, study)
+
+
+def _omitted(candidate: Candidate, scenario: Scenario, study: Study) -> Figure:
+    gain = kinematics_of(scenario.rig).ratio * prod(gear.efficiency for gear in gears_to_sensor(scenario.rig))
+    torque = mean_load(scenario.rig) / gain
+    return omitted_six_pulse(scenario.rig, study.catalog.motor(candidate.motor), motor_torque=torque)
 
 
 def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_limit: float) -> Mapping[str, Figure]:

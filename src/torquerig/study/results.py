@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from torquerig import __version__
 from torquerig.metrics.figure import Figure
@@ -45,6 +45,8 @@ class DriveResult:
     disturbance : Figure
         Rms of the lines in the unfiltered reading over this and the drawn copies [N m].
     chains : mapping of str to ChainResult
+    omitted : Figure
+        Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
     recording : Recording or None
         The reading, with its truth.
     """
@@ -60,6 +62,7 @@ class DriveResult:
     disturbance: Figure
     chains: Mapping[str, ChainResult]
     recording: Recording | None
+    omitted: Figure = field(default_factory=lambda: Figure(unit="N*m"))
 
 
 @dataclass(frozen=True, kw_only=True)
