@@ -51,7 +51,7 @@ def test_lines_under_two_per_cent_wander_fall_by_40_db_with_an_encoder():
     source = recording(2.0 + lines, angle)
     left = HarmonicRegression(lines=LINES).apply(source).torque() - 2.0
     assert decibel(left, lines) < -40
-    # fixed notches of +-0.5 Hz cannot follow: issue 4 states 8 dB for them
+    # fixed notches of +-0.5 Hz cannot follow: about 8 dB is what they reach
     assert decibel(IdealBandstop(lines=LINES).apply(source).torque() - 2.0, lines) > -12
 
 
