@@ -74,7 +74,7 @@ def _scenario(
     document = edited(path, settings)
     if motor is None and gearbox is None:
         made = read_scenario(document, catalog, seed=seed)
-        if any(isinstance(part, SpeedController) for part in made.rig.parts) and made.rig.run.speed is None:
+        if made.rig.parts_of(SpeedController) and made.rig.run.speed is None:
             raise InputError(
                 f"{path}: operating_point states no speed; write motor_speed or output_speed, such as 200 rpm"
             )

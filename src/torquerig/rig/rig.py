@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, field, replace
 from math import isclose
+from typing import TypeVar
 
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.rig.part import Part
 from torquerig.rig.terms import Inertia, Spring, Term
 from torquerig.signals.run import Run
 from torquerig.signals.stage import Stage
+
+AnyPart = TypeVar("AnyPart", bound=Part)
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,10 @@ class Rig:
             if part.name == name:
                 return part
         raise UnknownNameError(f"the rig has no part {name!r}; {did_you_mean(name, [p.name for p in self.parts])}")
+
+    def parts_of(self, kind: type[AnyPart]) -> tuple[AnyPart, ...]:
+        """Return the parts of one class, in their order."""
+        return tuple(part for part in self.parts if isinstance(part, kind))
 
     def node(self, name: str) -> str:
         """Return the node that the part ``name`` turns with (of a gear, sensor or coupling: its output side)."""

@@ -11,7 +11,7 @@ from torquerig.signals.kinematics import Kinematics
 
 def kinematics_of(rig: Rig) -> Kinematics:
     """Return poles and slots of the rig's first motor, and ratio and teeth of the gears up to the measured part."""
-    motor = next((part for part in rig.parts if isinstance(part, Motor)), None)
+    motor = next(iter(rig.parts_of(Motor)), None)
     gears = gears_to_sensor(rig)
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
@@ -30,3 +30,8 @@ def gears_to_sensor(rig: Rig) -> tuple[Gear, ...]:
         gears += [part] if isinstance(part, Gear) else []
         name = part.after
     return tuple(reversed(gears))
+
+
+def torque_gain(rig: Rig) -> float:
+    """Return the steady torque at the measured part per torque of the motor: the gears' ratios times efficiencies."""
+    return prod(abs(gear.ratio) * gear.efficiency for gear in gears_to_sensor(rig))

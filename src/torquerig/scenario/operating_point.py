@@ -64,8 +64,8 @@ class OperatingPoint(BaseModel):
 
 def run_at(point: OperatingPoint, rig: Rig) -> Run:
     """Return the test sheet of the operating point on this rig."""
-    motor = next((part for part in rig.parts if isinstance(part, Motor)), None)
-    drive = next((part for part in rig.parts if isinstance(part, SpeedController)), None)
+    motor = next(iter(rig.parts_of(Motor)), None)
+    drive = next(iter(rig.parts_of(SpeedController)), None)
     if motor is None or drive is None:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
                    particle_size=point.load.particle_size)  # fmt: skip

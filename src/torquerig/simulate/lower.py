@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import cos, pi, sin
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -111,9 +111,30 @@ def phase_of(owner: str, wave: Wave, seed: int) -> float:
     return float(random_for(seed, f"phase {key}").uniform(0, 2 * pi))
 
 
+class _Phased(NamedTuple):
+    """Waves of several owners one after the other: where each owner's start, slots, orders, cosine and sine parts."""
+
+    first: NDArray[np.int64]
+    slot: NDArray[np.uint64]
+    order: NDArray[np.float64]
+    c: NDArray[np.float64]
+    s: NDArray[np.float64]
+
+
+def _phased(owners: Sequence[tuple[str, int, Sequence[Wave]]], table: WaveTable, seed: int) -> _Phased:
+    """Return the waves of (name, node of the angle, waves) with their phases drawn."""
+    flat = [(node, wave, phase_of(name, wave, seed)) for name, node, waves in owners for wave in waves]
+    return _Phased(
+        first=np.concatenate([[0], np.cumsum([len(waves) for _, _, waves in owners])]).astype(np.int64),
+        slot=_rows(table.slots[(node, wave.order)] for node, wave, _ in flat),
+        order=_floats(wave.order for _, wave, _ in flat),
+        c=_floats(wave.amplitude * cos(phase) for _, wave, phase in flat),
+        s=_floats(wave.amplitude * sin(phase) for _, wave, phase in flat),
+    )
+
+
 def _springs(springs: Sequence[Spring], number: dict[str, int], table: WaveTable, seed: int) -> Springs:
-    waves = [[(number[s.b], w, phase_of(s.name, w, seed)) for w in s.error] for s in springs]
-    flat = [item for group in waves for item in group]
+    errors = _phased([(s.name, number[s.b], s.error) for s in springs], table, seed)
     return Springs(
         a=_rows(number[s.a] for s in springs),
         b=_rows(number[s.b] for s in springs),
@@ -123,22 +144,22 @@ def _springs(springs: Sequence[Spring], number: dict[str, int], table: WaveTable
         inverse_ratio=_floats(1 / s.ratio for s in springs),
         loss_mean=_floats(0.5 * (1 / s.efficiency + s.efficiency) for s in springs),
         loss_half=_floats(0.5 * (1 / s.efficiency - s.efficiency) for s in springs),
-        e_first=_starts(waves),
-        e_slot=_rows(table.slots[(node, w.order)] for node, w, _ in flat),
-        e_order=_floats(w.order for _, w, _ in flat),
-        e_cos=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
-        e_sin=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
+        e_first=errors.first,
+        e_slot=errors.slot,
+        e_order=errors.order,
+        e_cos=errors.c,
+        e_sin=errors.s,
     )
 
 
 def _harmonics(terms: Sequence[HarmonicTorque], number: dict[str, int], table: WaveTable, seed: int) -> Harmonics:
-    flat = [(term, wave, phase_of(term.name, wave, seed)) for term in terms for wave in term.waves]
+    waves = _phased([(t.name, number[t.angle], t.waves) for t in terms], table, seed)
     return Harmonics(
-        on=_rows(number[t.on] for t, _, _ in flat),
-        against=_rows(number[t.against] for t, _, _ in flat),
-        slot=_rows(table.slots[(number[t.angle], w.order)] for t, w, _ in flat),
-        c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
-        s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
+        on=_rows(number[t.on] for t in terms for _ in t.waves),
+        against=_rows(number[t.against] for t in terms for _ in t.waves),
+        slot=waves.slot,
+        c=waves.c,
+        s=waves.s,
     )
 
 
@@ -193,8 +214,7 @@ def _blades(terms: Sequence[BladeTorque], number: dict[str, int], table: WaveTab
 
 
 def _drives(terms: Sequence[Drive], number: dict[str, int], table: WaveTable, seed: int) -> Drives:
-    waves = [[(number[t.on], w, phase_of(t.name, w, seed)) for w in t.ripple] for t in terms]
-    flat = [item for group in waves for item in group]
+    ripple = _phased([(t.name, number[t.on], t.ripple) for t in terms], table, seed)
     return Drives(
         on=_rows(number[t.on] for t in terms),
         against=_rows(number[t.against] for t in terms),
@@ -202,10 +222,10 @@ def _drives(terms: Sequence[Drive], number: dict[str, int], table: WaveTable, se
         ki=_floats(t.ki for t in terms),
         limit=_floats(t.torque_limit for t in terms),
         inverse_lag=_floats(1 / t.lag for t in terms),
-        r_first=_starts(waves),
-        r_slot=_rows(table.slots[(node, w.order)] for node, w, _ in flat),
-        r_c=_floats(w.amplitude * cos(phase) for _, w, phase in flat),
-        r_s=_floats(w.amplitude * sin(phase) for _, w, phase in flat),
+        r_first=ripple.first,
+        r_slot=ripple.slot,
+        r_c=ripple.c,
+        r_s=ripple.s,
         reference=np.zeros((0, 0)),
     )
 
@@ -238,7 +258,3 @@ def _rows(values: object) -> NDArray[np.uint64]:
 
 def _floats(values: object) -> NDArray[np.float64]:
     return np.array(list(values), dtype=np.float64)  # type: ignore[call-overload]
-
-
-def _starts(groups: Sequence[Sequence[object]]) -> NDArray[np.int64]:
-    return np.concatenate([[0], np.cumsum([len(group) for group in groups])]).astype(np.int64)

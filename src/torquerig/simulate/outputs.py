@@ -50,7 +50,7 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     ]
     if lowered.drive_terms:
         listed.append(Output("true_motor_torque_Nm", kernel.DRIVE_TORQUE, 0, "motor_torque", "N*m"))
-    for probe in (part for part in rig.parts if isinstance(part, Probe)):
+    for probe in rig.parts_of(Probe):
         kind, suffix, unit = _PROBED[probe.quantity]
         spring = probe.quantity == "torque"
         row = lowered.spring_names.index(probe.at) if spring else lowered.node(rig.node(probe.at))

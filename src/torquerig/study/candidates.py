@@ -13,7 +13,7 @@ from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia
-from torquerig.scenario.kinematics import gears_to_sensor
+from torquerig.scenario.kinematics import torque_gain
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.study.settings import SpeedLoopRule
 from torquerig.study.study import Study
@@ -112,11 +112,8 @@ def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
 
 def drive_limited(rig: Rig, sensor_limit: float) -> Rig:
     """Return the rig with the drive's torque limit lowered so that the sensor sees at most ``sensor_limit`` [N m]."""
-    motor = next(part for part in rig.parts if isinstance(part, Motor))
-    gain = 1.0
-    for gear in gears_to_sensor(rig):
-        gain *= abs(gear.ratio) * gear.efficiency
-    return rig.changed(replace(motor, torque_limit=min(motor.torque_limit, sensor_limit / gain)))
+    motor = rig.parts_of(Motor)[0]
+    return rig.changed(replace(motor, torque_limit=min(motor.torque_limit, sensor_limit / torque_gain(rig))))
 
 
 def loop_tuned(rig: Rig, rule: SpeedLoopRule) -> Rig:
@@ -125,7 +122,7 @@ def loop_tuned(rig: Rig, rule: SpeedLoopRule) -> Rig:
     The crossover of the open loop ``kp / (J s)``; it must stay well below the first torsional mode, which is not
     checked here (the drives of the study have theirs at 100 to 210 Hz).
     """
-    controller = next(part for part in rig.parts if isinstance(part, SpeedController))
+    controller = rig.parts_of(SpeedController)[0]
     ratios = rig.speed_ratios(rig.node(controller.motor))
     inertias = [term for part in rig.parts for term in part.terms(rig) if isinstance(term, Inertia)]
     seen = sum(term.inertia * ratios.get(term.node, 0.0) ** 2 for term in inertias)

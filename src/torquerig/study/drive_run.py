@@ -15,7 +15,7 @@ from torquerig.metrics.truth_error import truth_error
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Friction, Load
-from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of
+from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of, torque_gain
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.effect import chain_effect
 from torquerig.simulate.simulate import simulate
@@ -32,8 +32,8 @@ SHORT_SETTLING = 0.8  # [s] of these runs: seven time constants of the slowest p
 def run_drive(candidate: Candidate, study: Study) -> DriveResult:
     """Return what one motor on one gearbox does: margins, shares of the reading, and every filter on it."""
     scenario = scenario_of(candidate, study, seed=study.settings.seed)
-    motor = next(part for part in scenario.rig.parts if isinstance(part, Motor))
-    controller = next(part for part in scenario.rig.parts if isinstance(part, SpeedController))
+    motor = scenario.rig.parts_of(Motor)[0]
+    controller = scenario.rig.parts_of(SpeedController)[0]
     speed = scenario.rig.run.speed or 0.0
     reason = out_of_reach(candidate, scenario, study)
     still = DriveResult(
@@ -54,8 +54,7 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
 
 
 def _omitted(candidate: Candidate, scenario: Scenario, study: Study) -> Figure:
-    gain = kinematics_of(scenario.rig).ratio * prod(gear.efficiency for gear in gears_to_sensor(scenario.rig))
-    torque = mean_load(scenario.rig) / gain
+    torque = mean_load(scenario.rig) / torque_gain(scenario.rig)
     return omitted_six_pulse(scenario.rig, study.catalog.motor(candidate.motor), motor_torque=torque)
 
 
