@@ -1,4 +1,4 @@
-"""CHOOSING: names, criteria and cells in; charts, signs, points, ranks and doubts out. Knows nothing of motors.
+"""Choosing: names, criteria and cells in; charts, signs, points, ranks and doubts out. Knows nothing of motors.
 
 criterion       what is asked: direction, demand, indifference band, value function, weight
 matrix          what is known of each alternative: a number, an interval or ``?`` per criterion
@@ -12,6 +12,7 @@ seed_tables     published tables read from YAML (``scenarios/seed_tables.yaml``)
 recompute       the same engines run over published cells
 fillings        which lost cells would give a printed sum
 matrix_file     one's own matrix read from YAML (``scenarios/matrix_example.yaml``)
+file_schema     what the YAML of both has in common
 lints           what is wrong with a table: one check per file
 telling         charts, matrices and findings as plain text
 telling_printed published tables beside what their cells give

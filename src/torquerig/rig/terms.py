@@ -1,8 +1,8 @@
 """The closed vocabulary of physics: every part and every mechanism is a sum of these terms, and nothing else.
 
 Each torque acts between two nodes, equal and opposite; ``GROUND`` is the frame. A node is a place on a shaft with one
-angle; a term names nodes by the parts that open them. A new term is a reasoned change here, in ``simulate/lower.py``,
-``simulate/kernel.py`` and ``simulate/linear.py``; everything else comes for free.
+angle; a term names nodes by the parts that open them. A new term is a reasoned change here, in ``simulate/arrays.py``,
+``simulate/lower.py``, ``simulate/kernel.py`` and ``simulate/linear.py``; everything else comes for free.
 
 Sign convention: positive torque on a node speeds it up in the positive direction; the torque of a spring is positive
 when ``a`` runs ahead of ``b``, which is how a driving motor loads the sensor.

@@ -1,6 +1,8 @@
-"""A study's file.
+"""A scenario's file.
 
-reading          file -> Rig with catalog values, uncertainties, assumptions    overrides   --set path=value
-operating_point  speed, profile, occupancy, particle size                       kinematics  poles, slots, ratio, teeth
-from_catalog     what a catalog entry gives a part, and the lines that come with a motor
+reading          file -> Rig with catalog values, uncertainties and assumptions
+operating_point  speed, profile, occupancy, particle size -> the test sheet of the run
+from_catalog     what a catalog entry gives a part              motor_effects  the lines that come with a motor
+filled           a part's data on its way to a validated part   overrides      --set path=value
+kinematics       poles, slots, ratio, teeth and torque gain of a rig
 """
