@@ -15,6 +15,7 @@ from torquerig.machines.ripple_orders import ripple_orders
 from torquerig.machines.shaft import ImposedSpeed
 from torquerig.machines.six_step import SixStep
 from torquerig.mechanisms import CommutationRipple
+from torquerig.rig.rig import Rig
 
 
 def machine(back_emf):
@@ -46,7 +47,7 @@ def test_commutation_ripple_of_the_lines_is_the_phase_level_torque(back_emf, con
         for line in found.lines
         for wave in CommutationRipple(
             name=f"order {line.order_motor}", order_motor=line.order_motor, depth=line.depth, phase=line.phase
-        ).drive_ripple("motor")
+        ).drive_ripple("motor", Rig(()))
     ]
     angle = run.angle[-1000:]
     factor = 1 + sum(wave.amplitude * np.cos(wave.order * angle + wave.phase) for wave in waves)

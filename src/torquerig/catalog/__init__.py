@@ -1,7 +1,7 @@
 """What can be bought: motors, gearboxes, torque sensors and couplings, one YAML file each, with evidence.
 
 - ``entry``     what all entries share: a name, a title, notes, and counts that must be whole
-- ``motor``     the schema of a motor file; ``ripple`` its torque ripple; ``winding`` which pole and slot pairs exist
+- ``motor``     the schema of a motor file; ``ripple`` its torque ripple
 - ``gearbox``   the schema of a gearbox file
 - ``sensor``    the schema of a torque sensor file
 - ``coupling``  the schema of a coupling file

@@ -9,8 +9,8 @@ from typing import Generic, TypeVar
 from torquerig.catalog.entry import Entry, counts_of, estimates
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
-from torquerig.catalog.winding import winding_pairs
 from torquerig.errors import InputError
+from torquerig.machines.winding import winding_pairs
 from torquerig.parameter import Estimate
 from torquerig.signals.recording import random_for
 from torquerig.signals.teeth import Teeth

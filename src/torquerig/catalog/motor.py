@@ -8,7 +8,7 @@ from pydantic import ValidationInfo, field_validator, model_validator
 
 from torquerig.catalog.entry import UNKNOWN, Entry, Fact, Record, Text, Whole, counts_of
 from torquerig.catalog.ripple import Ripple
-from torquerig.catalog.winding import winding_pairs
+from torquerig.machines.winding import no_winding, winding_pairs
 from torquerig.parameter import Estimate, Parameter
 
 KT_TOLERANCE = 0.10  # rated torque and current are rounded and taken at another temperature than the constant
@@ -108,10 +108,7 @@ class Motor(Entry):
     def _has_winding(cls, slots: Estimate, info: ValidationInfo) -> Estimate:
         poles = counts_of(info.data.get("pole_pairs", UNKNOWN))
         if poles and not slots.unknown and not winding_pairs(poles, counts_of(slots)):
-            wound = f"slots {slots.shown()} and pole pairs {' or '.join(map(str, poles))}"
-            raise ValueError(
-                f"no three-phase winding exists for {wound}; slots / (3 x greatest common divisor) must be whole"
-            )
+            raise ValueError(no_winding(poles[0], counts_of(slots)[0]))
         return slots
 
     @model_validator(mode="after")

@@ -7,5 +7,5 @@ drive_run         torque and currents over time   ripple_orders   the lines, as 
 current_loop      PI gains from R, L, bandwidth   induction       torque over slip, speed under load
 induction_run     its fluxes over time            control         what every control can do
 kernel            the compiled loop               machine_row     a machine as the kernel takes it
-checks            declared bounds of the numbers
+checks            declared bounds of the numbers  winding         which slots fit which poles
 """

@@ -31,3 +31,14 @@ def check_bandwidth(bandwidth: float, *, period: float) -> None:
             f"bandwidth: {bandwidth:g} Hz is more than a tenth of the sampling rate {1 / period:g} Hz, the loop would "
             f"ring; write at most {LARGEST_SHARE / period:g} Hz or shorten the period"
         )
+
+
+def loop_admittance(*, resistance: float, inductance: float, bandwidth: float, frequency: float) -> complex:
+    """Return the current per volt [A/V] that a disturbing voltage of ``frequency`` [Hz] drives through the loop.
+
+    ``s / ((L s + R)(s + a))`` with the gains of ``current_gains``: no current at 0 Hz, 1/(2 a L) and more around the
+    bandwidth. The delay of computing and modulation, 1.5 periods, is left out: true below a fifth of the bandwidth
+    within 5 %, and within a third at the bandwidth.
+    """
+    s, pole = 2j * pi * frequency, 2 * pi * bandwidth
+    return s / ((inductance * s + resistance) * (s + pole))

@@ -31,7 +31,7 @@ class Machine(NamedTuple):
     """A permanent-magnet machine; ``flat_angle`` 0 stands for harmonics."""
 
     pole_pairs: float
-    resistance: float
+    resistance: Floats  # (3,)
     inductance: float
     flux: float
     flat_angle: float
@@ -126,7 +126,7 @@ def _slopes(state, slope, volts, opened, dead, machine, shaft, shape):
     emf = machine.flux * machine.pole_pairs * state[4]
     star = 0.0
     for x in range(3):
-        drop = machine.resistance * state[x] + dead * np.sign(state[x])
+        drop = machine.resistance[x] * state[x] + dead * np.sign(state[x])
         slope[x] = volts[x] - emf * shape[x] - drop
         if x != opened:
             star += slope[x]

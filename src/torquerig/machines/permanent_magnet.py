@@ -17,6 +17,7 @@ from torquerig.machines.checks import check_fields
 from torquerig.parameter import Parameter
 
 Floats = NDArray[np.float64]
+Shares = tuple[float, float, float]
 PHASE_LAG = np.array([0.0, 2 * pi / 3, 4 * pi / 3])
 
 
@@ -26,6 +27,8 @@ class PermanentMagnetMachine:
 
     The torque is written with the unit shape s and not as power over speed, so that it holds at standstill.
     ``phase_inductance`` is self minus mutual inductance, the same at every angle and current; no cogging.
+    ``resistance_unbalance`` is what the resistance of each phase, cable and connector included, differs from the
+    common one, as a share; the control is tuned for the common one.
     ``flux_linkage`` is the peak of e over the electrical speed where the shape is one (with a trapezoid, its flat top).
 
     Source: Pillay & Krishnan 1989, IEEE Trans. Industry Applications 25(2), part II, abc model.
@@ -36,6 +39,7 @@ class PermanentMagnetMachine:
     phase_inductance: Annotated[float, Parameter("H", "inductance of one phase", above=0)]
     flux_linkage: Annotated[float, Parameter("V*s", "flux linkage of one phase, per electrical radian", above=0)]
     back_emf: BackEmf = field(default_factory=HarmonicEmf)
+    resistance_unbalance: Annotated[Shares, Parameter("1", "extra resistance of a phase", above=-1)] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         check_fields(self)

@@ -16,6 +16,7 @@ from torquerig.machines.permanent_magnet import PermanentMagnetMachine
 from torquerig.machines.shaft import ImposedSpeed
 
 ELECTRICAL_ORDERS = 36  # up to six times the six-step line
+FEWEST_ORDERS = 6
 SETTLING = 25.0  # time constants: what is left is 1e-11
 FEWEST_SAMPLES = 4096
 
@@ -59,18 +60,19 @@ def ripple_orders(
 
     The speed is moved by up to half a period per measured stretch, so that whole turns fill whole periods and no line
     leaks into another; the number of periods shares no factor with that of the turns, so that what lies above half the
-    sampling rate does not fold onto a line. Mechanical sub-orders (unequal poles) are outside this model.
+    sampling rate does not fold onto a line. Orders go up to 36 per electrical turn, or to the last multiple of six that
+    the sampling shows. Mechanical sub-orders (unequal poles) are outside this model.
 
     Raises
     ------
     InputError
-        When the period is too long for the orders at this speed, or torque or speed is zero.
+        When the period is too long to show even six orders at this speed, or torque or speed is zero.
     """
     if speed == 0 or torque == 0:
         raise InputError(
             "ripple_orders: a ripple relative to the mean torque needs speed and torque; write both non-zero"
         )
-    turns, periods = _stretch(machine.pole_pairs * abs(speed), control.period)
+    orders, turns, periods = _stretch(machine.pole_pairs * abs(speed), control.period)
     run_speed = float(np.sign(speed)) * turns * 2 * pi / (machine.pole_pairs * periods * control.period)
     settling = SETTLING * (machine.time_constant + 1 / (2 * pi * control.bandwidth))
     settling_periods = periods * ceil(settling / (periods * control.period))
@@ -84,7 +86,7 @@ def ripple_orders(
     )
     spectrum = np.fft.rfft(run.torque[-periods:]) / periods
     mean = float(spectrum[0].real)
-    found = 2 * spectrum[turns * np.arange(1, ELECTRICAL_ORDERS + 1)] / mean
+    found = 2 * spectrum[turns * np.arange(1, orders + 1)] / mean
     if speed < 0:
         found = np.conj(found)
     lines = tuple(
@@ -94,16 +96,17 @@ def ripple_orders(
     return RippleOrders(run_speed, torque, mean, lines)
 
 
-def _stretch(electrical_speed: float, period: float) -> tuple[int, int]:
-    """Return electrical turns and sampling periods of the measured stretch, without a common factor."""
+def _stretch(electrical_speed: float, period: float) -> tuple[int, int, int]:
+    """Return orders that show, and electrical turns and sampling periods of the stretch, without a common factor."""
     per_turn = 2 * pi / (electrical_speed * period)
-    if per_turn <= 2 * ELECTRICAL_ORDERS:
+    if per_turn <= 2 * FEWEST_ORDERS:
         raise InputError(
-            f"ripple_orders: {per_turn:.3g} samples per electrical turn cannot show {ELECTRICAL_ORDERS} orders; "
-            f"shorten the period to {per_turn * period / (2 * ELECTRICAL_ORDERS + 1) * 1e6:.3g} us, or a lower speed"
+            f"ripple_orders: {per_turn:.3g} samples per electrical turn cannot show {FEWEST_ORDERS} orders; "
+            f"shorten the period to {per_turn * period / (2 * FEWEST_ORDERS + 1) * 1e6:.3g} us, or a lower speed"
         )
+    shown = min(ELECTRICAL_ORDERS, ceil(per_turn / (2 * FEWEST_ORDERS) - 1) * FEWEST_ORDERS)
     turns = max(7, ceil(FEWEST_SAMPLES / per_turn))
     periods = round(turns * per_turn)
     while gcd(turns, periods) > 1:
         periods += 1
-    return turns, periods
+    return shown, turns, periods

@@ -35,7 +35,7 @@ class CommutationRipple(Part):
             raise InputError(f"{self.name}: at: {self.at!r} is no motor; name one")
         return ()
 
-    def drive_ripple(self, motor: str) -> tuple[Wave, ...]:
+    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
         """Return the ripple if ``motor`` is the one it lives in."""
         if motor != self.at or self.depth == 0:
             return ()

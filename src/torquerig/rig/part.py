@@ -67,7 +67,7 @@ class Part:
         """Return the physics that this part adds to the shafts."""
         return ()
 
-    def drive_ripple(self, motor: str) -> tuple[Wave, ...]:
+    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
         """Return the ripple in proportion to the torque of the motor ``motor``; none for most parts."""
         return ()
 

@@ -4,6 +4,7 @@ motor             rotor, losses, torque limit          speed_controller  sampled
 gear              planetary, spur or belt stage        coupling          spring between two shafts
 torque_sensor     spring, amplifier, noise, converter  body              inertia with friction (wear part, flywheel)
 encoder           counts of the motor angle            probe             torque, speed or angle anywhere
+motor_phases      R, L, back-EMF and inverter
 """
 
 from torquerig.rig.parts.body import Body
@@ -11,8 +12,19 @@ from torquerig.rig.parts.coupling import Coupling
 from torquerig.rig.parts.encoder import MotorEncoder
 from torquerig.rig.parts.gear import Gear
 from torquerig.rig.parts.motor import Motor
+from torquerig.rig.parts.motor_phases import MotorPhases
 from torquerig.rig.parts.probe import Probe
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.torque_sensor import TorqueSensor
 
-__all__ = ["Body", "Coupling", "Gear", "Motor", "MotorEncoder", "Probe", "SpeedController", "TorqueSensor"]
+__all__ = [
+    "Body",
+    "Coupling",
+    "Gear",
+    "Motor",
+    "MotorEncoder",
+    "MotorPhases",
+    "Probe",
+    "SpeedController",
+    "TorqueSensor",
+]

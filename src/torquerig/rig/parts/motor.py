@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
+from torquerig.machines.winding import has_winding, no_winding
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
@@ -31,6 +32,14 @@ class Motor(Part):
     current_loop_bandwidth: Annotated[float, Parameter("Hz", "bandwidth of the current loop", above=0)] = 500.0
     pole_pairs: int | None = None
     slots: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.pole_pairs is None or self.slots is None:
+            return
+        if self.pole_pairs < 1 or self.slots < 3:
+            raise ValueError(f"{self.slots} slots and {self.pole_pairs} pole pairs cannot be; write at least 3 and 1")
+        if not has_winding(self.pole_pairs, self.slots):
+            raise ValueError(no_winding(self.pole_pairs, self.slots))
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return rotor inertia and losses."""

@@ -31,7 +31,7 @@ class SpeedController(Part):
         motor = rig.part(self.motor)
         if not isinstance(motor, Motor):
             raise InputError(f"{self.name}: motor: {self.motor!r} is no motor; name one")
-        ripple = tuple(wave for part in rig.parts for wave in part.drive_ripple(self.motor))
+        ripple = tuple(wave for part in rig.parts for wave in part.drive_ripple(self.motor, rig))
         return (
             Drive(
                 name=self.name,
