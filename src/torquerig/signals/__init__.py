@@ -2,6 +2,7 @@
 
 recording          equally sampled channels of one run
 run                the conditions on the test sheet; set_point: the speed that it promises, over time
+profiles           how that speed runs: steady, ramp, reversal, duty cycle, table
 files              recordings in and out of every format
 stage              the one verb of sensor stages and filters: Recording -> Recording
 stages             what the sensor and its electronics do, one effect per file

@@ -28,13 +28,7 @@ def set_point_speed(recording: Recording, purpose: str) -> float:
 def set_point_profile(recording: Recording, purpose: str) -> NDArray[np.float64]:
     """Return the set-point of the motor speed at each sample [rad/s], shape (samples,), by the run's profile.
 
-    ``steady`` holds the set-point; ``ramp`` runs from 10 % to 100 % of it and holds for the last tenth; ``reversal``
-    is two full sine periods (CONTRACTS.md, section 1).
+    The profile of the test sheet over the length of the recording (CONTRACTS.md, section 1, and ``signals/profiles``).
     """
     speed = set_point_speed(recording, purpose)
-    share = np.arange(recording.samples) / max(recording.samples, 1)
-    if recording.run.profile == "ramp":
-        return np.asarray(speed * np.minimum(0.1 + share, 1.0))
-    if recording.run.profile == "reversal":
-        return np.asarray(speed * np.sin(4 * np.pi * share))
-    return np.full(recording.samples, speed)
+    return recording.run.course().speed(recording.time(), top=speed, duration=recording.duration)

@@ -16,7 +16,7 @@ from torquerig.simulate.arrays import Terms
 from torquerig.simulate.linear import matrices
 from torquerig.simulate.lower import Lowered, lower
 from torquerig.simulate.outputs import as_arrays, channels_of, outputs_of
-from torquerig.simulate.profile import set_point
+from torquerig.simulate.profile import loads_as_planned, set_point
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
 SETTLING = 1.5  # [s] the rig turns this long before the recording starts
@@ -95,6 +95,7 @@ def _sampled(
     reference = set_point(rig.run, settling=settling, samples=samples, rate=rate, wander=wander, rng=rng)
     count = settling + samples + 1
     loads = [term.process.sample(count, rate, random_for(seed, term.name)) for term in lowered.load_terms]
+    loads = loads_as_planned(rig.run, loads, lowered.load_terms, settling=settling, samples=samples, rate=rate)
     return Terms(
         inverse_inertia=np.append(1 / lowered.inertia, 0.0),
         waves=lowered.waves,

@@ -60,6 +60,18 @@ class WrittenChannel:
 
 
 @dataclass(frozen=True, kw_only=True)
+class WrittenSetPoint:
+    """The points of a profile that a word does not say: straight lines, ``repeats`` times (null: without end)."""
+
+    __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
+
+    time_s: list[Annotated[float, _Number(ge=0)]]
+    speed_rpm: list[Annotated[float, _Number()]]
+    load_Nm: list[Annotated[float, _Number(ge=0)]] | None = None  # noqa: N815 (as the file writes it)
+    repeats: int | None = 1
+
+
+@dataclass(frozen=True, kw_only=True)
 class WrittenRun:
     """The known keys of ``run:``, in the units that they carry in their names."""
 
@@ -69,6 +81,7 @@ class WrittenRun:
     gear_ratio: Annotated[float, _Number(gt=0)] | None = None
     speed_rpm: Annotated[float, _Number()] | None = None
     profile: Annotated[str, _Word(partial(_one_of, PROFILES, "profile"))] = "steady"
+    set_point: WrittenSetPoint | None = None
     occupancy_percent: Annotated[float, _Number(ge=0, le=100)] | None = None
     particle_size_mm: Annotated[float, _Number(ge=0)] | None = None
 

@@ -11,6 +11,7 @@ from typing import Any, cast
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError
 from torquerig.signals.files.scale import known_si_per_unit, missing_scale, si_per_unit_from
+from torquerig.signals.files.set_point_text import read_set_point
 from torquerig.signals.files.sheet import WrittenChannel, WrittenRun, sidecar_schema
 from torquerig.signals.run import Profile, Run
 from torquerig.units import UNITS
@@ -69,7 +70,7 @@ def read_sidecar(path: Path) -> Sidecar:
         path=path,
         sample_rate=written.sample_rate_Hz,
         channels=channels,
-        run=_run(written.run or WrittenRun(), others),
+        run=_run(document, written.run or WrittenRun(), others),
         origin=written.origin or {},
     )
 
@@ -116,13 +117,14 @@ def _sheet(document: Document, name: str, entry: WrittenChannel, scales: Mapping
     return ChannelSheet(quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth)
 
 
-def _run(written: WrittenRun, others: dict[str, Any]) -> Run:
+def _run(document: Document, written: WrittenRun, others: dict[str, Any]) -> Run:
     speed, size = written.speed_rpm, written.particle_size_mm
     return Run(
         motor=written.motor,
         gear_ratio=written.gear_ratio,
         speed=None if speed is None else speed * UNITS["speed"]["rpm"],
         profile=cast(Profile, written.profile),
+        set_points=read_set_point(document, written),
         occupancy_percent=written.occupancy_percent,
         particle_size=None if size is None else size * UNITS["length"]["mm"],
         others=others,

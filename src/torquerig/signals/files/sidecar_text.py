@@ -10,6 +10,7 @@ import numpy as np
 import yaml
 
 from torquerig.signals.files.scale import written_scale
+from torquerig.signals.files.set_point_text import set_point_entry
 from torquerig.signals.recording import Channel, Recording
 from torquerig.signals.run import Run
 from torquerig.units import UNITS
@@ -48,6 +49,7 @@ def _run_entry(run: Run) -> dict[str, Any]:
         "gear_ratio": None if run.gear_ratio is None else _number(run.gear_ratio),
         "speed_rpm": None if run.speed is None else _counted_in(run.speed, UNITS["speed"]["rpm"]),
         "profile": run.profile,
+        "set_point": set_point_entry(run),
         "occupancy_percent": None if run.occupancy_percent is None else _number(run.occupancy_percent),
         "particle_size_mm": None
         if run.particle_size is None
