@@ -49,7 +49,8 @@ def test_unknown_ending_folder_and_sidecar(tmp_path: Path) -> None:
 def test_nan_names_channel_count_sample_and_time(tmp_path: Path) -> None:
     values = [0.0, 1.0, float("nan"), 3.0, float("inf"), 0.0]
     told = refusal(made(tmp_path, {"torque_V": values}))
-    assert "torque_V has 2 samples not a finite number, the first at sample 2 (0.002 s); cut the recording" in told
+    assert "torque_V has 2 samples not a finite number, the first at sample 2 (0.002 s)" in told
+    assert ": samples 2, 4; cut the recording" in told
 
 
 def test_a_missing_value_in_parquet_and_csv_is_no_number(tmp_path: Path) -> None:

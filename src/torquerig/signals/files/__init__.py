@@ -3,6 +3,10 @@
 ======================= ===========================================================================
 ``reading``             any file to a checked Recording; the table of endings
 ``writing``             a Recording to a file and its sidecar, whole or not at all
+``stream``              a recording described but not read; ``blocks``: cut into overlapping blocks
+``block_writing``       blocks to a file and its sidecar; ``mat_blocks``: to a .mat of v7.3
+``pieces``              what a file holds, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
+``gaps``                where time jumps
 ``info``                what stands in a recording, and what looks suspicious
 ``sidecar``             what the channels mean and the run they were taken in
 ``scale``               what one of a channel's units is in SI
@@ -20,6 +24,7 @@
 
 from torquerig.signals.files.info import recording_info
 from torquerig.signals.files.reading import read_recording
+from torquerig.signals.files.stream import open_stream
 from torquerig.signals.files.writing import check_target, write_recording
 
-__all__ = ["check_target", "read_recording", "recording_info", "write_recording"]
+__all__ = ["check_target", "open_stream", "read_recording", "recording_info", "write_recording"]

@@ -13,7 +13,11 @@ from torquerig.signals.recording import Recording
 
 def check_lengths(columns: Mapping[str, NDArray[np.float64]], where: str) -> int:
     """Return the number of samples that all columns have; RecordingError where they differ, or are fewer than two."""
-    lengths = {name: values.size for name, values in columns.items()}
+    return check_counts({name: values.size for name, values in columns.items()}, where)
+
+
+def check_counts(lengths: Mapping[str, int], where: str) -> int:
+    """Return the one number of samples of all columns; RecordingError as :func:`check_lengths`."""
     if len(set(lengths.values())) > 1:
         listed = ", ".join(f"{name} {length}" for name, length in lengths.items())
         raise RecordingError(
@@ -27,16 +31,39 @@ def check_lengths(columns: Mapping[str, NDArray[np.float64]], where: str) -> int
     return samples
 
 
-def check_finite(recording: Recording) -> Recording:
-    """Return the recording; RecordingError names channel, count and place of samples that are no finite numbers."""
+def check_finite(recording: Recording, *, first: int = 0) -> Recording:
+    """Return the recording; RecordingError names channel, count and places of samples that are no finite numbers.
+
+    ``first`` is the number of its first sample, where it is a block of a longer recording.
+    """
     for name, channel in recording.channels.items():
+        # a sum is finite unless a sample is not, or the sum overflows; it needs no memory
+        with np.errstate(over="ignore", invalid="ignore"):
+            if np.isfinite(channel.values.sum()):
+                continue
         bad = ~np.isfinite(channel.values)
         count = int(np.count_nonzero(bad))
         if count:
-            first = int(np.argmax(bad))
+            start = first + int(np.argmax(bad))
             raise RecordingError(
                 f"{recording.name}: {name} has {count} sample{'s' if count > 1 else ''} not a finite number, the first "
-                f"at sample {first} ({first / recording.sample_rate:.6g} s); cut the recording to a span without them, "
-                "or record it again"
+                f"at sample {start} ({start / recording.sample_rate:.6g} s){_runs_told(bad, first)}; cut the recording "
+                "to a span without them, or record it again"
             )
     return recording
+
+
+def runs_of(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Return the first sample and the length of each run of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], flags.view(np.int8), [0]])))
+    return [(int(start), int(stop - start)) for start, stop in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def _runs_told(bad: NDArray[np.bool_], first: int, most: int = 3) -> str:
+    runs = runs_of(bad)
+    if len(runs) == 1 and runs[0][1] == 1:
+        return ""
+    spans = [f"{first + start}..{first + start + length - 1}" if length > 1 else f"{first + start}"
+             for start, length in runs[:most]]  # fmt: skip
+    more = f" and {len(runs) - most} more runs" if len(runs) > most else ""
+    return f": samples {', '.join(spans)}{more}"

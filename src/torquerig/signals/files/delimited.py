@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +56,8 @@ class Text:
         The rows of numbers.
     first_line : int
         The line of the body's first row in the file, from 1.
+    start : int
+        The byte of the file where the body begins.
     """
 
     path: Path
@@ -63,6 +65,7 @@ class Text:
     dialect: Dialect
     body: bytes
     first_line: int
+    start: int = 0
 
 
 def read_delimited(path: Path) -> Text:
@@ -71,7 +74,38 @@ def read_delimited(path: Path) -> Text:
     Blanks separate the cells where no semicolon, tab or comma does. A comma is the decimal sign where something else
     separates the cells.
     """
-    data = path.read_bytes()
+    return _split(path, path.read_bytes())
+
+
+def read_head(path: Path, size: int) -> Text:
+    """Read the whole lines among the first ``size`` bytes, as :func:`read_delimited`."""
+    with path.open("rb") as file:
+        data = file.read(size)
+    return _split(path, data if len(data) < size else data[: data.rfind(b"\n") + 1])
+
+
+def texts_of(head: Text, step: int) -> Iterator[Text]:
+    """Go through the body of a large file in pieces of whole lines, about ``step`` bytes each."""
+    line, left = head.first_line, b""
+    with head.path.open("rb") as file:
+        file.seek(head.start)
+        while data := file.read(step):
+            data = left + data
+            end = data.rfind(b"\n") + 1
+            body, left = data[:end], data[end:]
+            if end:
+                yield _piece(head, body, line)
+                line += body.count(b"\n")
+    if left.strip():
+        yield _piece(head, left, line)
+
+
+def _piece(head: Text, body: bytes, line: int) -> Text:
+    return replace(head, body=_single_blanks(body) if head.dialect.separator == " " else body, first_line=line)
+
+
+def _split(path: Path, data: bytes) -> Text:
+    whole = len(data)
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise RecordingError(f"{path}: the text is UTF-16; save it as UTF-8")
     if b"\0" in data[:4096]:
@@ -79,6 +113,7 @@ def read_delimited(path: Path) -> Text:
     data = data.removeprefix(b"\xef\xbb\xbf")
     start = re.match(rb"(?:[ \t]*(?:[#%][^\n]*)?\r?\n)*", data)
     skipped = start.end() if start else 0
+    begin = whole - len(data) + skipped
     first, _, rest = data[skipped:].partition(b"\n")
     header, line = _decoded(first), data.count(b"\n", 0, skipped) + 1
     unquoted = re.sub(r'"[^"]*"', "", header)
@@ -90,8 +125,8 @@ def read_delimited(path: Path) -> Text:
     decimal = "," if separator != "," and (b"," in rest or "," in header) else "."
     dialect = Dialect(separator, decimal)
     if all(dialect.number(cell) is not None for cell in dialect.cells(header)):
-        return Text(path, [], dialect, header.encode() + b"\n" + rest, line)
-    return Text(path, dialect.cells(header), dialect, rest, line + 1)
+        return Text(path, [], dialect, header.encode() + b"\n" + rest, line, begin)
+    return Text(path, dialect.cells(header), dialect, rest, line + 1, begin + len(first) + 1)
 
 
 def numbers(text: Text, names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
@@ -102,13 +137,22 @@ def numbers(text: Text, names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
     RecordingError
         With the line and the remedy, for a row of more or fewer cells or a cell that is no number.
     """
-    if not text.body.strip():
-        return {name: np.empty(0) for name in names}
+    return parsed(text, names, number_columns(text, names))
+
+
+def number_columns(text: Text, names: Sequence[str]) -> list[str]:
+    """Return the names of the columns that do not begin and end with a word."""
     first = text.dialect.cells(_decoded(text.body.lstrip().partition(b"\n")[0]))
     last = text.dialect.cells(_decoded(text.body.rstrip().rpartition(b"\n")[2]))
     ends = zip(names, first, last, strict=False)
     words = [name for name, *cells in ends if all(_is_word(text.dialect, cell) for cell in cells)]
-    kept = [name for name in names if name not in words]
+    return [name for name in names if name not in words]
+
+
+def parsed(text: Text, names: Sequence[str], kept: Sequence[str]) -> dict[str, NDArray[np.float64]]:
+    """Return the columns ``kept`` among ``names``; RecordingError with the line as in :func:`numbers`."""
+    if not text.body.strip():
+        return {name: np.empty(0) for name in kept}
     quick = _parsed_quickly(text, names, kept) if kept and text.dialect.separator else None
     return quick if quick is not None else _parsed_by_line(text, names, kept)
 

@@ -6,13 +6,14 @@ import re
 import struct
 import warnings
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
+from torquerig.signals.files.pieces import PIECE, Columns, TablePieces, pieces_of
 from torquerig.signals.files.table import Table
 from torquerig.signals.recording import Recording
 
@@ -58,6 +59,44 @@ def read_mat(path: Path) -> Table:
     return Table(columns=exact, rates=dict.fromkeys(exact, rates[0]) if rates and rates[0] > 0 else {})
 
 
+def mat_pieces(path: Path) -> TablePieces:
+    """Go through a v7.3 file; an older one is read whole, because its variables are compressed each as a whole."""
+    import h5py
+
+    if not h5py.is_hdf5(path):
+        return pieces_of(
+            read_mat(path), reason="a .mat file before v7.3 is read whole; save it with -v7.3, or as TDMS or Parquet"
+        )
+    try:
+        with h5py.File(path, "r") as file:
+            found = dict(_datasets(file))
+            rates = [
+                float(item[()].flat[0])
+                for name, (item, _) in found.items()
+                if name.lower() in _RATE_NAMES and item.size == 1
+            ]
+            vectors = {
+                name: item for name, (item, _) in found.items() if item.size > 1 and max(item.shape) == item.size
+            }
+            lengths = {name: int(item.size) for name, item in vectors.items()}
+            places = {name: found[name][1] for name in vectors}
+    except (*_BROKEN, RuntimeError) as error:
+        raise RecordingError(f"{path}: not a whole .mat file ({error}); save it again in MATLAB") from None
+    if not vectors:
+        return pieces_of(read_mat(path), reason="a .mat file of one matrix is read whole; save its columns as vectors")
+
+    def pieces(names: Sequence[str]) -> Iterator[Columns]:
+        try:
+            with h5py.File(path, "r") as file:
+                for first in range(0, max((lengths[name] for name in names), default=0), PIECE):
+                    yield {name: _stretch(file[places[name]], first) for name in names}
+        except (*_BROKEN, RuntimeError) as error:
+            raise RecordingError(f"{path}: not a whole .mat file ({error}); save it again in MATLAB") from None
+
+    known = dict.fromkeys(vectors, rates[0]) if rates and rates[0] > 0 else {}
+    return TablePieces(names=tuple(vectors), lengths=lengths, pieces=pieces, rates=known)
+
+
 def write_mat(recording: Recording, path: Path) -> None:
     """Write a v5 file: each channel a column vector, and the scalar ``sample_rate_Hz``; same recording, same bytes.
 
@@ -68,18 +107,24 @@ def write_mat(recording: Recording, path: Path) -> None:
     """
     from scipy.io import savemat
 
+    refuse_variable_names(recording.channels, path)
     for name, channel in recording.channels.items():
-        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,30}", name):
-            raise InputError(
-                f"{path}: {name!r} cannot name a MATLAB variable; rename the channel (letters, digits and _, at most "
-                "31, a letter first), or write Parquet"
-            )
         if channel.values.nbytes >= 2**31:
             raise InputError(f"{path}: {name} is larger than the 2 GiB of a v5 .mat file; write Parquet or TDMS")
     vectors = {name: np.asarray(channel.values, dtype=np.float64) for name, channel in recording.channels.items()}
     savemat(path, {**vectors, "sample_rate_Hz": recording.sample_rate}, appendmat=False, oned_as="column")
     with path.open("r+b") as file:
         file.write(b"MATLAB 5.0 MAT-file, written by torquerig".ljust(_TITLE_LENGTH))
+
+
+def refuse_variable_names(names: Iterable[str], path: Path) -> None:
+    """Raise InputError for a channel whose name MATLAB does not take."""
+    for name in names:
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,30}", name):
+            raise InputError(
+                f"{path}: {name!r} cannot name a MATLAB variable; rename the channel (letters, digits and _, at most "
+                "31, a letter first), or write Parquet"
+            )
 
 
 def _variables_v5(path: Path) -> dict[str, np.ndarray]:
@@ -109,19 +154,27 @@ def _flattened(content: Mapping[str, Any]) -> Iterator[tuple[str, np.ndarray]]:
 def _variables_hdf5(path: Path) -> dict[str, np.ndarray]:
     import h5py
 
-    found: dict[str, np.ndarray] = {}
-
-    def collect(group: Any) -> None:
-        for name, item in group.items():
-            if isinstance(item, h5py.Group) and not name.startswith("#"):
-                collect(item)
-            # MATLAB marks text, and writes an empty array as its sizes
-            elif isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" and not _is_text_or_empty(item):
-                found[name] = np.asarray(item[()])
-
     with h5py.File(path, "r") as file:
-        collect(file)
-    return found
+        return {name: np.asarray(item[()]) for name, (item, _) in _datasets(file)}
+
+
+def _datasets(group: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
+    """Give name, dataset and place of each variable of numbers, the fields of structs among them."""
+    import h5py
+
+    for name, item in group.items():
+        if isinstance(item, h5py.Group) and not name.startswith("#"):
+            yield from _datasets(item)
+        # MATLAB marks text, and writes an empty array as its sizes
+        elif isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" and not _is_text_or_empty(item):
+            yield name, (item, str(item.name))
+
+
+def _stretch(item: Any, first: int) -> np.ndarray:
+    """Return one piece of a vector that lies along any of the dataset's axes."""
+    along = int(np.argmax(item.shape))
+    place = tuple(slice(first, first + PIECE) if axis == along else 0 for axis in range(item.ndim))
+    return np.asarray(item[place], dtype=np.float64).reshape(-1)
 
 
 def _is_text_or_empty(item: Any) -> bool:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.signals.files.pieces import PIECE, Columns, TablePieces
 from torquerig.signals.files.table import Table
 from torquerig.signals.recording import Recording
 
@@ -20,14 +23,41 @@ def read_parquet(path: Path) -> Table:
     try:
         table = parquet.read_table(path)
     except (pa.ArrowException, OSError) as error:
-        reason = str(error).splitlines()[0].rstrip(". ")
-        raise RecordingError(f"{path}: not a whole Parquet file ({reason}); copy it again from its source") from None
+        raise _not_whole(path, error) from None
     columns = {
-        name: np.asarray(table[name].cast(pa.float64()).to_numpy(), dtype=np.float64)
+        name: _numbers(table[name])
         for name, kind in zip(table.schema.names, table.schema.types, strict=True)
         if not name.startswith("__index") and (pa.types.is_floating(kind) or pa.types.is_integer(kind))
     }
     return Table(columns=columns)
+
+
+def parquet_pieces(path: Path) -> TablePieces:
+    """Go through the columns of numbers; a piece needs the memory of a row group's compressed columns at most."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        with parquet.ParquetFile(path) as file:
+            schema, rows = file.schema_arrow, file.metadata.num_rows
+    except (pa.ArrowException, OSError) as error:
+        raise _not_whole(path, error) from None
+    kept = [
+        name
+        for name, kind in zip(schema.names, schema.types, strict=True)
+        if not name.startswith("__index") and (pa.types.is_floating(kind) or pa.types.is_integer(kind))
+    ]
+
+    def pieces(names: Sequence[str]) -> Iterator[Columns]:
+        try:
+            # a buffered column is read as it is needed, not a row group at a time
+            with parquet.ParquetFile(path, buffer_size=2**20, pre_buffer=False) as file:
+                for batch in file.iter_batches(PIECE, columns=list(names), use_threads=False):
+                    yield {name: _numbers(batch[name]) for name in names}
+        except (pa.ArrowException, OSError) as error:
+            raise _not_whole(path, error) from None
+
+    return TablePieces(names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces)
 
 
 def write_parquet(recording: Recording, path: Path) -> None:
@@ -51,3 +81,31 @@ def compact(values: NDArray[np.float64]) -> NDArray[np.float64] | NDArray[np.flo
         if np.array_equal(single, values):
             return single
     return values
+
+
+def parquet_writer(path: Path, recording: Recording) -> Any:
+    """Return what writes blocks of the channels of ``recording`` one after the other, as float64."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    schema = pa.schema([(name, pa.float64()) for name in recording.channels])
+    return parquet.ParquetWriter(path, schema, compression="zstd", compression_level=1, use_dictionary=False)
+
+
+def append_parquet(writer: Any, columns: Mapping[str, NDArray[np.float64]]) -> None:
+    """Write one more block."""
+    import pyarrow as pa
+
+    writer.write_table(pa.table(dict(columns), schema=writer.schema), row_group_size=PIECE)
+
+
+def _numbers(column: Any) -> NDArray[np.float64]:
+    import pyarrow as pa
+
+    values = column if pa.types.is_float64(column.type) else column.cast(pa.float64())
+    return np.asarray(values.to_numpy(zero_copy_only=False), dtype=np.float64)
+
+
+def _not_whole(path: Path, error: Exception) -> RecordingError:
+    reason = str(error).splitlines()[0].rstrip(". ")
+    return RecordingError(f"{path}: not a whole Parquet file ({reason}); copy it again from its source")

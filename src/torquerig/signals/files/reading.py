@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from torquerig.errors import InputError, RecordingError, did_you_mean
@@ -13,7 +13,7 @@ from torquerig.signals.files.mat import read_mat
 from torquerig.signals.files.naming import sheet_by_name
 from torquerig.signals.files.parquet import read_parquet
 from torquerig.signals.files.sidecar import ChannelSheet, Sidecar, read_sidecar, sidecar_path
-from torquerig.signals.files.table import Table
+from torquerig.signals.files.table import Table, time_among
 from torquerig.signals.files.tdms import read_tdms
 from torquerig.signals.files.text import read_text
 from torquerig.signals.files.timebase import sample_rate_of
@@ -49,11 +49,12 @@ def read_recording(path: Path) -> Recording:
         are no numbers; a rate that nothing states, or that two statements contradict.
     """
     path = Path(path)
-    reader = _reader_of(path)
+    check_readable(path)
+    reader = READERS[path.suffix.lower()]
     beside = sidecar_path(path)
     sidecar = read_sidecar(beside) if beside.is_file() else None
     table = reader(path)
-    sheets = _sheets(table, sidecar, path)
+    sheets = sheets_of(list(table.columns), table.units, sidecar, path)
     time = table.time_name()
     check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(sheets)}, str(path))
     rate = sample_rate_of(table, sheets, sidecar=sidecar, where=str(path))
@@ -78,7 +79,8 @@ def read_recording(path: Path) -> Recording:
     )
 
 
-def _reader_of(path: Path) -> Callable[[Path], Table]:
+def check_readable(path: Path) -> None:
+    """Raise InputError for a missing file, a folder, a sidecar or an ending that is no format of a recording."""
     if path.is_dir():
         raise InputError(f"{path}: is a folder; name a recording in it")
     if not path.exists():
@@ -90,15 +92,18 @@ def _reader_of(path: Path) -> Callable[[Path], Table]:
         raise InputError(f"{path}: is a sidecar; name the table beside it ({path.stem}.parquet, {path.stem}.csv, ...)")
     if ending not in READERS:
         raise InputError(f"{path}: the ending {ending!r} is no format of a recording; read are {', '.join(READERS)}")
-    return READERS[ending]
 
 
-def _sheets(table: Table, sidecar: Sidecar | None, path: Path) -> Mapping[str, ChannelSheet]:
-    names = table.signal_names()
+def sheets_of(
+    columns: Sequence[str], units: Mapping[str, str], sidecar: Sidecar | None, path: Path
+) -> Mapping[str, ChannelSheet]:
+    """Return what each channel means: what the sidecar says, else what the names of the columns but the time say."""
+    time = time_among(columns)
+    names = [name for name in columns if name != time]
     if sidecar is None or not sidecar.channels:
         if not names:
             raise RecordingError(f"{path}: there is no channel of numbers in it; add one, for example torque_V")
-        return {name: sheet_by_name(name, unit=table.units.get(name), where=str(path)) for name in names}
+        return {name: sheet_by_name(name, unit=units.get(name), where=str(path)) for name in names}
     for name in sidecar.channels:
         if name not in names:
             raise RecordingError(

@@ -31,13 +31,18 @@ class Table:
 
     def time_name(self) -> str | None:
         """Return the name of the time column [s], or None; ``time_s`` goes before ``time``, and that before ``t``."""
-        lowered = {name.strip().lower(): name for name in reversed(list(self.columns))}
-        return next((lowered[known] for known in TIME_NAMES if known in lowered), None)
+        return time_among(self.columns)
 
     def signal_names(self) -> list[str]:
         """Return the names of all columns but the time, in the order of the file."""
         time = self.time_name()
         return [name for name in self.columns if name != time]
+
+
+def time_among(names: Iterable[str]) -> str | None:
+    """Return the name among ``names`` that means the time [s], or None; ``time_s`` goes before ``time`` and ``t``."""
+    lowered = {name.strip().lower(): name for name in reversed(list(names))}
+    return next((lowered[known] for known in TIME_NAMES if known in lowered), None)
 
 
 def distinct(names: Iterable[str]) -> list[str]:

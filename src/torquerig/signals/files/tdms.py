@@ -5,14 +5,16 @@ from __future__ import annotations
 import logging
 import struct
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.signals.files.pieces import PIECE
 from torquerig.signals.files.table import Table
 from torquerig.signals.files.timebase import shortest_rate
 from torquerig.signals.recording import Recording
@@ -31,15 +33,88 @@ def read_tdms(path: Path) -> Table:
     """
     from nptdms import TdmsFile
 
-    with _told() as warnings:
+    with told_by_nptdms() as warnings:
         try:
             file = TdmsFile.read(path)
-            channels = [channel for group in file.groups() for channel in group.channels()]
-            data = {channel.path: channel[:] for channel in channels if channel.dtype.kind in "fiu"}
-            cut_short = file.file_status.incomplete_final_segment
+            named = channel_names([channel for group in file.groups() for channel in group.channels()])
+            columns = {name: np.asarray(channel[:], dtype=np.float64) for name, channel in named.items()}
+            incomplete = file.file_status.incomplete_final_segment
         except (ValueError, EOFError, OSError, KeyError, TypeError, struct.error) as error:
-            raise RecordingError(f"{path}: not a whole TDMS file ({error}); copy it again from its source") from None
-    if cut_short or any(sign in told for told in warnings for sign in _CUT_SHORT):
+            raise not_whole(path, error) from None
+    check_whole(path, warnings, incomplete=incomplete)
+    rates, units = stated(named)
+    return Table(columns=columns, rates=rates, units=units)
+
+
+def write_tdms(recording: Recording, path: Path) -> None:
+    """Write one group ``recording`` with a waveform of float64 for each channel; same recording, same bytes.
+
+    The samples stand in segments of 2**20, so that a reader needs to hold no more than that at a time.
+    """
+    with path.open("wb") as file:
+        writer = tdms_writer(file, recording)
+        for first in range(0, recording.samples, PIECE):
+            append_tdms(writer, {name: one.values[first : first + PIECE] for name, one in recording.channels.items()})
+        writer[0].close()
+
+
+def tdms_writer(file: BinaryIO, recording: Recording) -> tuple[Any, Recording]:
+    """Return what writes blocks of the channels of ``recording`` one after the other."""
+    from nptdms import TdmsWriter
+
+    writer = TdmsWriter(file)
+    writer.open()
+    return writer, recording
+
+
+def append_tdms(writer: tuple[Any, Recording], columns: Mapping[str, NDArray[np.float64]]) -> None:
+    """Write one more segment."""
+    from nptdms import ChannelObject
+
+    file, recording = writer
+    file.write_segment(
+        [
+            ChannelObject(
+                "recording",
+                name,
+                np.asarray(values, dtype=np.float64),
+                {
+                    "wf_increment": 1 / recording.sample_rate,
+                    "wf_start_offset": 0.0,
+                    "wf_samples": values.size,
+                    "unit_string": recording.channels[name].unit,
+                },
+            )
+            for name, values in columns.items()
+        ]
+    )
+
+
+def channel_names(channels: list[Any]) -> dict[str, Any]:
+    """Return the channels of numbers by name, ``group/name`` where two groups share one."""
+    doubled = {name for name, count in Counter(channel.name for channel in channels).items() if count > 1}
+    return {
+        f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name: channel
+        for channel in channels
+        if channel.dtype.kind in "fiu"
+    }
+
+
+def stated(named: Mapping[str, Any]) -> tuple[dict[str, float], dict[str, str]]:
+    """Return the rates [Hz] and the units that the file states, by channel."""
+    rates, units = {}, {}
+    for name, channel in named.items():
+        increment = float(channel.properties.get("wf_increment", 0.0))
+        if increment > 0:
+            rates[name] = shortest_rate(1 / increment, tolerance=1e-11)
+        if channel.properties.get("unit_string"):
+            units[name] = str(channel.properties["unit_string"])
+    return rates, units
+
+
+def check_whole(path: Path, warnings: list[str], *, incomplete: bool) -> None:
+    """Raise RecordingError where npTDMS told of a file that is cut short or of a scale that it does not know."""
+    if incomplete or any(sign in told for told in warnings for sign in _CUT_SHORT):
         raise RecordingError(
             f"{path}: the TDMS file ends in the middle of its last segment (the writing was cut short); copy it again "
             "from its source, or open it in LabVIEW and save the span that is whole"
@@ -50,45 +125,11 @@ def read_tdms(path: Path) -> Table:
                 f"{path}: a channel has a scale that is not supported ({told.rpartition(': ')[2]}); in LabVIEW, write "
                 "the scaled values"
             )
-    return _table(channels, data)
 
 
-def write_tdms(recording: Recording, path: Path) -> None:
-    """Write one group ``recording`` with a waveform of float64 for each channel; same recording, same bytes."""
-    from nptdms import ChannelObject, TdmsWriter
-
-    objects = [
-        ChannelObject(
-            "recording",
-            name,
-            np.asarray(channel.values, dtype=np.float64),
-            {
-                "wf_increment": 1 / recording.sample_rate,
-                "wf_start_offset": 0.0,
-                "wf_samples": channel.values.size,
-                "unit_string": channel.unit,
-            },
-        )
-        for name, channel in recording.channels.items()
-    ]
-    with path.open("wb") as file, TdmsWriter(file) as writer:
-        writer.write_segment(objects)
-
-
-def _table(channels: list[Any], data: dict[str, np.ndarray]) -> Table:
-    doubled = {name for name, count in Counter(channel.name for channel in channels).items() if count > 1}
-    columns, rates, units = {}, {}, {}
-    for channel in channels:
-        if channel.path not in data:
-            continue
-        name = f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name
-        columns[name] = np.asarray(data[channel.path], dtype=np.float64)
-        increment = float(channel.properties.get("wf_increment", 0.0))
-        if increment > 0:
-            rates[name] = shortest_rate(1 / increment, tolerance=1e-11)
-        if channel.properties.get("unit_string"):
-            units[name] = str(channel.properties["unit_string"])
-    return Table(columns=columns, rates=rates, units=units)
+def not_whole(path: Path, error: Exception) -> RecordingError:
+    """Return the sentence for a file that npTDMS cannot make sense of."""
+    return RecordingError(f"{path}: not a whole TDMS file ({error}); copy it again from its source")
 
 
 class _Collector(logging.Handler):
@@ -103,7 +144,7 @@ class _Collector(logging.Handler):
 
 
 @contextmanager
-def _told() -> Iterator[list[str]]:
+def told_by_nptdms() -> Iterator[list[str]]:
     """Collect what npTDMS logs instead of letting it print; its handlers are put back afterwards."""
     from nptdms.log import log_manager
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,15 +25,24 @@ def sample_rate_of(table: Table, names: Iterable[str], *, sidecar: Sidecar | Non
     RecordingError
         When nothing states the rate, or two statements differ by more than 0.1 %.
     """
+    time = table.time_name()
+    by_time = None if time is None else rate_of_times(table.columns[time], name=time, where=where)
+    return agreed_rate(table.rates, names, by_time=by_time, time_name=time, sidecar=sidecar, where=where)
+
+
+def agreed_rate(
+    rates: Mapping[str, float], names: Iterable[str], *, by_time: float | None, time_name: str | None,
+    sidecar: Sidecar | None, where: str,
+) -> float:  # fmt: skip
+    """Return the rate that sidecar, file and time column agree upon [Hz]; RecordingError as :func:`sample_rate_of`."""
     stated: dict[str, float] = {}
     if sidecar is not None and sidecar.sample_rate is not None:
         stated[f"{sidecar.path.name} (sample_rate_Hz)"] = sidecar.sample_rate
     for name in names:
-        if name in table.rates:
-            stated[f"the file's entry for {name}"] = table.rates[name]
-    time = table.time_name()
-    if time is not None:
-        stated[f"the column {time}"] = rate_of_times(table.columns[time], name=time, where=where)
+        if name in rates:
+            stated[f"the file's entry for {name}"] = rates[name]
+    if by_time is not None:
+        stated[f"the column {time_name}"] = by_time
     if not stated:
         raise RecordingError(
             f"{where}: nothing states the sample rate; write it into a sidecar {_stem(where)}.yaml as "

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.signals.files.pieces import PIECE, Columns, TablePieces, pieces_of
 from torquerig.signals.files.table import Table
 
 
@@ -22,22 +25,54 @@ def read_wav(path: Path) -> Table:
     RecordingError
         When the file is no WAV file, or ends before its header says.
     """
+    rate, samples = _opened(path, mapped=False)
+    table = np.atleast_2d(samples.T)
+    names = [f"channel_{number + 1}" for number in range(table.shape[0])]
+    columns = {name: _share_of_full_scale(row) for name, row in zip(names, table, strict=True)}
+    return Table(columns=columns, rates=dict.fromkeys(names, float(rate)), units=dict.fromkeys(names, "FS"))
+
+
+def wav_pieces(path: Path) -> TablePieces:
+    """Go through a WAV file; one of 24 bits is read whole, because scipy cannot map it."""
+    try:
+        rate, samples = _opened(path, mapped=True)
+    except RecordingError:
+        return pieces_of(read_wav(path), reason="a WAV file of 24 bits, or one without samples, is read whole")
+    frames, width = samples.shape[0], 1 if samples.ndim == 1 else samples.shape[1]
+    kind, position = samples.dtype, samples.offset
+    every = [f"channel_{number + 1}" for number in range(width)]
+
+    def pieces(names: Sequence[str]) -> Iterator[Columns]:
+        # read, not mapped: mapped pages would count as memory
+        with path.open("rb") as file:
+            file.seek(position)
+            for first in range(0, frames, PIECE):
+                block = np.fromfile(file, kind, min(PIECE, frames - first) * width).reshape(-1, width)
+                yield {name: _share_of_full_scale(block[:, every.index(name)]) for name in names}
+
+    return TablePieces(
+        names=tuple(every),
+        lengths=dict.fromkeys(every, frames),
+        pieces=pieces,
+        rates=dict.fromkeys(every, float(rate)),
+        units=dict.fromkeys(every, "FS"),
+    )
+
+
+def _opened(path: Path, *, mapped: bool) -> tuple[int, Any]:
     from scipy.io import wavfile
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
             # scipy stumbles over its own unset variable (a NameError) where a file has no chunks
-            rate, samples = wavfile.read(path)
+            rate, samples = wavfile.read(path, mmap=mapped)
         except (ValueError, EOFError, OSError, TypeError, NameError) as error:
             raise RecordingError(f"{path}: not a whole WAV file ({error}); copy it again from its source") from None
     # other warnings tell of text chunks that are skipped
     if any("prematurely" in str(warning.message) for warning in caught):
         raise RecordingError(f"{path}: the WAV file ends before its header says; copy it again from its source")
-    table = np.atleast_2d(samples.T)
-    names = [f"channel_{number + 1}" for number in range(table.shape[0])]
-    columns = {name: _share_of_full_scale(row) for name, row in zip(names, table, strict=True)}
-    return Table(columns=columns, rates=dict.fromkeys(names, float(rate)), units=dict.fromkeys(names, "FS"))
+    return rate, samples
 
 
 def _share_of_full_scale(samples: np.ndarray) -> np.ndarray:

@@ -40,14 +40,28 @@ def write_recording(recording: Recording, path: Path, *, overwrite: bool = False
     """
     path = Path(path)
     write = _writer_of(path)
-    sidecar = sidecar_path(path)
-    _refuse_overwriting(path, sidecar, overwrite=overwrite)
-    _refuse_names(recording, path)
+    _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+    refuse_names(recording, path)
     check_lengths({name: channel.values for name, channel in recording.channels.items()}, str(path))
     check_finite(recording)
+    return put_in_place(lambda partial: write(recording, partial), recording, path, overwrite=overwrite)
+
+
+def put_in_place(
+    write: Callable[[Path], None], recording: Recording, path: Path, *, overwrite: bool = False
+) -> list[Path]:
+    """Let ``write`` write the table under another name, then its sidecar, then rename both; return their paths.
+
+    Raises
+    ------
+    InputError
+        As :func:`write_recording`, before anything is written.
+    """
+    check_target(path, overwrite=overwrite)
+    sidecar = sidecar_path(path)
     partial, partial_sidecar = _partial(path), _partial(sidecar)
     try:
-        write(recording, partial)
+        write(partial)
         partial_sidecar.write_bytes(sidecar_text(recording).encode())
         partial.replace(path)
         partial_sidecar.replace(sidecar)
@@ -72,7 +86,8 @@ def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
     return WRITERS[ending]
 
 
-def _refuse_names(recording: Recording, path: Path) -> None:
+def refuse_names(recording: Recording, path: Path) -> None:
+    """Raise InputError for a channel called like the time, or one whose name cannot be written."""
     for name in recording.channels:
         if name.strip().lower() in (*TIME_NAMES, "sample_rate_hz"):
             raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")

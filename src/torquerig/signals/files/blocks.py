@@ -1,0 +1,117 @@
+"""How a long recording is cut into blocks that overlap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.signals.files.checks import check_counts, check_finite
+from torquerig.signals.files.gaps import gaps_in, refuse_gaps
+from torquerig.signals.files.stream import RecordingStream
+from torquerig.signals.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class Block:
+    """Some samples of a recording, with their neighbours.
+
+    Parameters
+    ----------
+    recording : Recording
+        The samples that the block answers for and the overlap beside them.
+    first : int
+        The number of the first sample that it answers for, in the whole recording.
+    kept : slice
+        Where those samples stand in ``recording``.
+    times : ndarray or None
+        Their times [s], where the file has a column of times.
+    """
+
+    recording: Recording
+    first: int
+    kept: slice
+    times: NDArray[np.float64] | None = None
+
+    def answer(self, recording: Recording | None = None) -> Recording:
+        """Return the samples that the block answers for: of its own recording, or of what a stage made of it."""
+        made = recording or self.recording
+        for name, channel in made.channels.items():
+            made = made.with_values(name, channel.values[self.kept])
+        return made
+
+
+@dataclass(frozen=True, kw_only=True)
+class Blocking:
+    """Blocks of ``samples``, each with ``overlap`` samples on either side where the recording has them.
+
+    The last block answers for half as many samples or up to one and a half times as many, so that none is too short
+    for what works on it.
+    """
+
+    samples: int
+    overlap: int = 0
+
+    def __post_init__(self) -> None:
+        if self.samples < 2 or self.overlap < 0:
+            raise InputError(
+                f"blocks of {self.samples} samples that overlap by {self.overlap} cannot be; write at least 2 and 0"
+            )
+
+    def cut(self, stream: RecordingStream) -> Iterator[Block]:
+        """Go through the recording block by block, as it stands in the file: it may hold NaN and gaps."""
+        held: list[Mapping[str, NDArray[np.float64]]] = []
+        begin = start = have = 0
+        for piece in stream.columns():
+            held.append(piece)
+            have += _size(piece)
+            while have - start >= self.samples + self.samples // 2 + self.overlap:
+                held = [_joined(held)]
+                yield self._block(stream, held[0], begin=begin, start=start, stop=start + self.samples)
+                start += self.samples
+                lost = max(start - self.overlap - begin, 0)
+                held, begin = [{name: values[lost:] for name, values in held[0].items()}], begin + lost
+        check_counts({"the table": have}, str(stream.path))
+        yield self._block(stream, _joined(held), begin=begin, start=start, stop=have)
+
+    def _block(
+        self, stream: RecordingStream, columns: Mapping[str, NDArray[np.float64]], *, begin: int, start: int, stop: int
+    ) -> Block:
+        size = _size(columns)
+        low, high = max(start - self.overlap - begin, 0), min(stop + self.overlap - begin, size)
+        cut = {name: values[low:high] for name, values in columns.items()}
+        kept = slice(start - begin - low, stop - begin - low)
+        time = stream.table.time_name()
+        times = cut[time][kept] if time is not None else None
+        return Block(recording=stream.of(cut), first=start, kept=kept, times=times)
+
+
+def sound_blocks(stream: RecordingStream, blocking: Blocking) -> Iterator[Block]:
+    """Go through a recording whose every sample must serve.
+
+    Raises
+    ------
+    RecordingError
+        At the first sample that is no finite number, or the first jump of time; with its number in the recording.
+    """
+    before = None
+    for block in blocking.cut(stream):
+        if block.times is not None:
+            gaps = gaps_in(block.times, stream.sample_rate, first=block.first, before=before)
+            refuse_gaps(gaps, name=str(stream.table.time_name()), rate=stream.sample_rate, where=str(stream.path))
+            before = float(block.times[-1])
+        check_finite(block.recording, first=block.first - block.kept.start)
+        yield block
+
+
+def _size(columns: Mapping[str, NDArray[np.float64]]) -> int:
+    return next((values.size for values in columns.values()), 0)
+
+
+def _joined(pieces: list[Mapping[str, NDArray[np.float64]]]) -> Mapping[str, NDArray[np.float64]]:
+    if len(pieces) <= 1:
+        return pieces[0] if pieces else {}
+    return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
