@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import exp, sqrt
+from math import exp, pi, sqrt
 from typing import Annotated, Literal
 
 import numpy as np
@@ -104,3 +104,14 @@ class ParticleProcess:
         hits = (pulses - expected) / deviation * self.hit_rms
         slow = self.slow_rms * low_passed_noise(count, rate, self.slow_cutoff, rng)
         return np.asarray(np.maximum(0.0, self.mean * (1 + hits + slow)))
+
+    def density(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the one-sided spectral density [(N m)^2/Hz] at ``frequencies`` [Hz], the mean left out.
+
+        The hits' is a Lorentz curve (Campbell's theorem for exponential pulses), the slow part's that of a
+        second-order Butterworth low-pass; never being negative is left out.
+        """
+        hits = 4 * self.decay * self.hit_rms**2 / (1 + (2 * pi * frequencies * self.decay) ** 2)
+        noise_bandwidth = self.slow_cutoff * pi / (2 * sqrt(2))
+        slow = self.slow_rms**2 / noise_bandwidth / (1 + (frequencies / self.slow_cutoff) ** 4)
+        return np.asarray(self.mean**2 * (hits + slow))
