@@ -5,9 +5,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from torquerig.decide.flips import flip_weights
 from torquerig.decide.kesselring import kesselring_from_points
 from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, ValueFunction
-from torquerig.decide.robustness import best_shares, flip_weights
+from torquerig.decide.robustness import best_shares
 from torquerig.errors import InputError, UnknownNameError
 
 IDENTITY = ValueFunction(((1.0, 1.0), (5.0, 5.0)))

@@ -115,11 +115,35 @@ class ValueFunction:
         """Return the points of each value, same shape."""
         return np.interp(values, [value for value, _ in self.knots], [points for _, points in self.knots])
 
+    def at(self, value: float) -> float:
+        """Return the points of one value."""
+        if value <= self.knots[0][0]:
+            return self.knots[0][1]
+        for (left, low), (right, high) in pairwise(self.knots):
+            if value <= right:
+                return low + (high - low) * (value - left) / (right - left)
+        return self.knots[-1][1]
+
     def span(self, low: float, high: float) -> tuple[float, float]:
         """Return the fewest and the most points that a value between ``low`` and ``high`` may get."""
-        inside = [points for value, points in self.knots if low < value < high]
-        candidates = [*inside, *(float(end) for end in self.points(np.array([low, high])))]
+        candidates = [self.at(low), self.at(high), *(points for value, points in self.knots if low < value < high)]
         return min(candidates), max(candidates)
+
+    def bends(self, low: float, high: float) -> tuple[float, float, tuple[tuple[float, float], ...]]:
+        """Return the points between ``low`` and ``high`` as ``base + slope v + sum of turn max(0, v - knot)``.
+
+        Returns
+        -------
+        base, slope : float
+        bends : tuple of (knot, turn)
+            Only the knots inside, with the change of slope there.
+        """
+        edges = [low, *(value for value, _ in self.knots if low < value < high), high]
+        slopes = [(self.at(right) - self.at(left)) / (right - left) for left, right in pairwise(edges)]
+        turns = tuple(
+            (edge, after - before) for edge, (before, after) in zip(edges[1:], pairwise(slopes), strict=False)
+        )
+        return self.at(low) - slopes[0] * low, slopes[0], turns
 
     def check(self, better: Better) -> None:
         """Raise InputError where the points do not run the way that ``better`` says."""

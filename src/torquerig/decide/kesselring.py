@@ -8,13 +8,13 @@ here it cannot. Source: Kesselring 1951; VDI 2225 sheet 3 (1998), whose conformi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.matrix import Criterion, DecisionMatrix
+from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix
 from torquerig.decide.ranks import competition_ranks, rank_intervals
 from torquerig.errors import InputError
 
@@ -74,6 +74,8 @@ class KesselringResult:
         Fewest and most points that the cells allow; the whole scale where nothing is known.
     middle : ndarray, shape (alternatives, criteria)
         Points of the stated value, else the middle of low and high.
+    by_hand : mapping of (alternative, criterion) to str
+        The cells that somebody set by hand, with the reason.
     """
 
     profile: Profile
@@ -83,6 +85,7 @@ class KesselringResult:
     low: Array
     high: Array
     middle: Array
+    by_hand: Mapping[tuple[str, str], str] = field(default_factory=dict)
 
     @cached_property
     def normalised(self) -> Array:
@@ -163,7 +166,11 @@ def kesselring(matrix: DecisionMatrix, *, profile: Profile = TEACHING) -> Kessel
     low, high, middle = (np.empty((len(matrix.alternatives), len(rated))) for _ in range(3))
     for column, criterion in enumerate(rated):
         for row, alternative in enumerate(matrix.alternatives):
-            low[row, column], high[row, column], middle[row, column] = _points(matrix, alternative, criterion, profile)
+            cell = matrix.cell(alternative, criterion.name)
+            try:
+                low[row, column], high[row, column], middle[row, column] = points_of_cell(cell, criterion, profile)
+            except InputError as error:
+                raise InputError(f"{alternative}, {criterion.name}: {error}") from None
     return KesselringResult(
         profile=profile,
         alternatives=matrix.alternatives,
@@ -172,6 +179,12 @@ def kesselring(matrix: DecisionMatrix, *, profile: Profile = TEACHING) -> Kessel
         low=low,
         high=high,
         middle=middle,
+        by_hand={
+            (alternative, criterion.name): cell.by_hand.reason
+            for alternative in matrix.alternatives
+            for criterion in rated
+            if (cell := matrix.cell(alternative, criterion.name)).by_hand is not None
+        },
     )
 
 
@@ -229,13 +242,14 @@ def _weighted(points: Array, weights: Array) -> Array:
     return np.asarray((points * weights).sum(axis=1))
 
 
-def _points(
-    matrix: DecisionMatrix, alternative: str, criterion: Criterion, profile: Profile
-) -> tuple[float, float, float]:
-    cell = matrix.cell(alternative, criterion.name)
+def points_of_cell(cell: Cell, criterion: Criterion, profile: Profile) -> tuple[float, float, float]:
+    """Return the fewest, the most and the middle points of one cell; the whole scale where nothing is known."""
+    if (given := cell.points_by_hand) is not None:
+        if not profile.p_min <= given <= profile.p_max:
+            raise InputError(f"{given:g} points by hand are outside the scale {profile.p_min:g}..{profile.p_max:g}")
+        return given, given, given
     if cell.unknown or criterion.value is None:
         return profile.p_min, profile.p_max, (profile.p_min + profile.p_max) / 2
     low, high = criterion.value.span(*cell.bounds)
-    if cell.value is None:
-        return low, high, (low + high) / 2
-    return low, high, float(criterion.value.points(np.array([cell.value]))[0])
+    value = cell.used.value
+    return low, high, (low + high) / 2 if value is None else criterion.value.at(value)

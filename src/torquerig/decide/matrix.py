@@ -5,101 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from math import isfinite, nan
 
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.decide.cell import UNKNOWN, Cell
 from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
-from torquerig.parameter import Estimate
-from torquerig.units import in_unit
 
 __all__ = ["Better", "Cell", "Criterion", "DecisionMatrix", "Demand", "Indifference", "Kind", "ValueFunction"]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Cell:
-    """What is known of one alternative under one criterion, and from where.
-
-    Parameters
-    ----------
-    value : float or None
-        The number [unit of the criterion]; None where only an interval is known, or nothing.
-    low, high : float or None
-        The interval that the value lies in; both or neither.
-    text : str
-        How a table shows it, where that differs from the number (``yes``).
-    source, evidence : str
-        Where the number comes from.
-    note : str
-        A remark for the reader; the reason, where the cell was set by hand.
-    unknown_reason : str
-        What fact is missing, for the list of open questions.
-    """
-
-    value: float | None = None
-    low: float | None = None
-    high: float | None = None
-    text: str = ""
-    source: str = ""
-    evidence: str = ""
-    note: str = ""
-    unknown_reason: str = ""
-
-    def __post_init__(self) -> None:
-        if any(number is not None and not isfinite(number) for number in (self.value, self.low, self.high)):
-            raise InputError("a cell holds a finite number, an interval or ?; write ? where nothing is known")
-        if (self.low is None) != (self.high is None):
-            raise InputError("an interval needs both low and high")
-        if self.low is not None and self.high is not None:
-            middle = self.low if self.value is None else self.value
-            if not self.low <= middle <= self.high:
-                raise InputError(f"the interval {self.low:g}..{self.high:g} must run upwards and contain the value")
-
-    @property
-    def known(self) -> bool:
-        """Whether it is one number, without doubt."""
-        return self.value is not None and (self.low is None or self.low == self.high)
-
-    @property
-    def unknown(self) -> bool:
-        """Whether nothing is known: the ``?`` of the matrices."""
-        return self.value is None and self.low is None
-
-    @property
-    def bounds(self) -> tuple[float, float]:
-        """The lowest and highest value that it may have [unit of the criterion]; NaN where unknown."""
-        if self.low is not None and self.high is not None:
-            return self.low, self.high
-        return (nan, nan) if self.value is None else (self.value, self.value)
-
-    def shown(self) -> str:
-        """Return the text for a table: ``1.27``, ``0.3..0.5``, ``0.4 (0.3..0.5)`` or ``?``."""
-        if self.text:
-            return self.text
-        if self.unknown:
-            return "?"
-        if self.known:
-            return f"{self.value:.4g}"
-        interval = f"{self.low:.3g}..{self.high:.3g}"
-        return interval if self.value is None else f"{self.value:.4g} ({interval})"
-
-    @classmethod
-    def from_estimate(cls, estimate: Estimate, unit: str) -> Cell:
-        """Return the cell of a catalog value, counted in ``unit``; a guess becomes an interval, never a number."""
-        if estimate.unknown:
-            return cls(evidence=estimate.evidence, source=estimate.source, unknown_reason=estimate.note)
-        low, high = (in_unit(end, unit) for end in estimate.bounds)
-        value = None if estimate.value is None else in_unit(estimate.value, unit)
-        if low == high and value is not None:
-            return cls(value=value, evidence=estimate.evidence, source=estimate.source, note=estimate.note)
-        return cls(
-            value=value, low=low, high=high, evidence=estimate.evidence, source=estimate.source, note=estimate.note
-        )
-
-
-UNKNOWN = Cell()
 
 
 @dataclass(frozen=True, kw_only=True)

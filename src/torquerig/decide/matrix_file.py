@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar
 
+from torquerig.decide.cell import UNKNOWN, Cell
 from torquerig.decide.criterion import YES_NO, Better, Criterion, Demand, Indifference, Kind, ValueFunction
 from torquerig.decide.file_schema import STRICT, GoalText, ScaleText
 from torquerig.decide.kesselring import TEACHING, Profile, rated_criteria
-from torquerig.decide.matrix import UNKNOWN, Cell, DecisionMatrix
+from torquerig.decide.matrix import DecisionMatrix
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, TorquerigError, UnitError, did_you_mean
 from torquerig.units import in_unit, parse_quantity, si_unit

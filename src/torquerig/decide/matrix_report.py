@@ -6,12 +6,13 @@ from pathlib import Path
 
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Decision, Mark, SelectionChart, eliminate
+from torquerig.decide.flips import flip_weights
 from torquerig.decide.kesselring import KesselringResult, kesselring
 from torquerig.decide.lints.audit import audit
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.matrix_file import MatrixCase, matrix_from
 from torquerig.decide.pugh import PughResult, pugh, sweep_datums
-from torquerig.decide.robustness import best_shares, flip_weights
+from torquerig.decide.robustness import best_shares
 from torquerig.decide.seed_tables import tables_from
 from torquerig.decide.sheet import Book, Method, Row, Sheet
 from torquerig.decide.telling import (

@@ -1,75 +1,25 @@
-"""How sure the winner is: the weight that would flip it, and how often each alternative is best over the intervals."""
+"""How sure the winner is: how often each alternative takes each rank when everything in doubt is drawn at once."""
 
 from __future__ import annotations
 
-import zlib
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.kesselring import TEACHING, KesselringResult, Profile, kesselring, rated_criteria
+from torquerig.decide.draws import VALUES_ONLY, Doubt, Draws, prepared, sources
+from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.ranks import TIE
-from torquerig.errors import InputError, UnknownNameError, did_you_mean
+from torquerig.errors import InputError
 
-
-@dataclass(frozen=True, kw_only=True)
-class FlipWeight:
-    """The raw weight of one criterion at which winner and rival tie, the other raw weights held.
-
-    ``flip`` is None where no weight of at least 0 makes them tie. ``change`` is the step from the present weight.
-    """
-
-    criterion: str
-    winner: str
-    rival: str
-    weight: float
-    flip: float | None
-
-    @property
-    def change(self) -> float | None:
-        """The step from the present weight to the flip."""
-        return None if self.flip is None else self.flip - self.weight
-
-
-def flip_weights(result: KesselringResult, *, rival: str | None = None) -> tuple[FlipWeight, ...]:
-    """Return for each criterion the weight that would make the rival catch up with the winner, in closed form.
-
-    With lead D = T_winner - T_rival and the difference d_i of their points, the tie is at g_i - D / d_i.
-
-    Parameters
-    ----------
-    result : KesselringResult
-        Winner and runner-up are taken by ``total``, the first named where they tie.
-    rival : str or None
-        Another alternative than the runner-up.
-    """
-    if len(result.alternatives) < 2:
-        raise InputError("one alternative has no rival; a flip weight needs two")
-    order = np.argsort(-result.total, kind="stable")
-    best, second = int(order[0]), int(order[1])
-    if rival is not None:
-        if rival not in result.alternatives:
-            raise UnknownNameError(f"{rival!r} is no alternative; {did_you_mean(rival, result.alternatives)}")
-        second = result.alternatives.index(rival)
-        best = best if second != best else int(order[1])
-    lead = float(result.total[best] - result.total[second])
-    flips = []
-    for column, criterion in enumerate(result.criteria):
-        weight = float(result.weights[column])
-        difference = float(result.middle[best, column] - result.middle[second, column])
-        flip = weight - lead / difference if abs(difference) > TIE else None
-        flips.append(
-            FlipWeight(
-                criterion=criterion,
-                winner=result.alternatives[best],
-                rival=result.alternatives[second],
-                weight=weight,
-                flip=flip if flip is not None and flip >= -TIE else None,
-            )
-        )
-    return tuple(flips)
+Array = NDArray[np.float64]
+CHUNK = 1 << 16  # draws of one thread at a time; fixed, so that sums do not depend on how many threads there are
+THREADS = 2
+FEW = 25_000  # draws up to which a second thread costs more than it saves
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,38 +27,122 @@ class BestShares:
     """How often each alternative has the highest T; a tie is shared equally."""
 
     alternatives: tuple[str, ...]
-    p_best: NDArray[np.float64]
+    p_best: Array
     draws: int
     seed: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Acceptability:
+    """How often each alternative takes each rank.
+
+    Parameters
+    ----------
+    shares : ndarray, shape (alternatives, ranks)
+        Rows and columns sum to 1; a tie shares the ranks that it covers equally.
+    mean_share : ndarray, shape (alternatives,)
+        The mean of T/T_max over the draws.
+    doubt : Doubt
+        What was drawn.
+
+    Notes
+    -----
+    The rank acceptability index b_i^r of Lahdelma and Salminen, SMAA-2, Operations Research 49 (2001) 444-454.
+    """
+
+    alternatives: tuple[str, ...]
+    shares: Array
+    mean_share: Array
+    doubt: Doubt
+    draws: int
+    seed: int
+
+    @property
+    def p_best(self) -> Array:
+        """How often each is best, shape (alternatives,)."""
+        return np.asarray(self.shares[:, 0])
+
+    @cached_property
+    def mean_rank(self) -> Array:
+        """The mean rank, shape (alternatives,)."""
+        return np.asarray(self.shares @ np.arange(1, self.shares.shape[1] + 1))
+
+    def chance(self, alternative: str) -> float:
+        """Return how often one alternative is best."""
+        return float(self.p_best[self.alternatives.index(alternative)])
+
+
+def rank_acceptability(
+    matrix: DecisionMatrix,
+    *,
+    profile: Profile = TEACHING,
+    doubt: Doubt | None = None,
+    draws: int = 10_000,
+    seed: int = 0,
+) -> Acceptability:
+    """Draw values, points and weights jointly, as far as ``doubt`` has them, and count who takes which rank.
+
+    Values are drawn evenly over their intervals (evenly in the logarithm where high/low > 5) and go through the value
+    functions; an unknown cell gets points from the whole scale. Cells that rest on one fact are drawn together, all
+    others independently; where catalog values share an error that no ``fact`` names, the result looks surer than it is.
+    """
+    doubt = Doubt() if doubt is None else doubt
+    ready = prepared(matrix, profile=profile, doubt=doubt, seed=seed)
+    counts, sums = _counted(ready, draws, ranks=len(matrix.alternatives))
+    return Acceptability(
+        alternatives=matrix.alternatives,
+        shares=counts / draws,
+        mean_share=sums / (draws * profile.p_max),
+        doubt=doubt,
+        draws=draws,
+        seed=seed,
+    )
+
+
+def robustness(
+    matrix: DecisionMatrix,
+    *,
+    profile: Profile = TEACHING,
+    doubt: Doubt | None = None,
+    draws: int = 10_000,
+    seed: int = 0,
+) -> Mapping[str, Acceptability]:
+    """Return the acceptability for ``intervals``, ``scores`` and ``weights`` each alone, and ``together``."""
+    return {
+        name: rank_acceptability(matrix, profile=profile, doubt=one, draws=draws, seed=seed)
+        for name, one in sources(Doubt() if doubt is None else doubt).items()
+    }
 
 
 def best_shares(
     matrix: DecisionMatrix, *, profile: Profile = TEACHING, draws: int = 10_000, seed: int = 0
 ) -> BestShares:
-    """Draw every interval at once and count who is best; an unknown cell is drawn over the whole scale.
-
-    Values are drawn uniformly and independently over their intervals and go through the value functions. Each cell has
-    its own stream by name, so that adding an alternative does not change the draws of the others. Where catalog values
-    share an error (the same maker's tolerance), independence makes the result look surer than it is.
-    """
-    result = kesselring(matrix, profile=profile)
-    rated = rated_criteria(matrix, profile)
-    totals = np.repeat(result.total[:, None], draws, axis=1)
-    for row, column in np.argwhere(result.high - result.low > 0).tolist():
-        alternative, criterion = matrix.alternatives[row], rated[column]
-        rng = _stream(seed, alternative, criterion.name)
-        cell = matrix.cell(alternative, criterion.name)
-        if cell.unknown or criterion.value is None:
-            points = rng.uniform(profile.p_min, profile.p_max, draws)
-        else:
-            points = criterion.value.points(rng.uniform(*cell.bounds, draws))
-        totals[row] += criterion.weight * (points - result.middle[row, column])
-    best = totals >= totals.max(axis=0) - TIE
-    return BestShares(
-        alternatives=matrix.alternatives, p_best=(best / best.sum(axis=0)).mean(axis=1), draws=draws, seed=seed
-    )
+    """Draw every interval at once and count who is best, the points and weights kept; see `rank_acceptability`."""
+    counts, _ = _counted(prepared(matrix, profile=profile, doubt=VALUES_ONLY, seed=seed), draws, ranks=1)
+    return BestShares(alternatives=matrix.alternatives, p_best=counts[:, 0] / draws, draws=draws, seed=seed)
 
 
-def _stream(seed: int, *names: str) -> np.random.Generator:
-    keys = tuple(zlib.crc32(name.encode()) for name in names)
-    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=keys))
+def _counted(ready: Draws, draws: int, *, ranks: int) -> tuple[Array, Array]:
+    """Return how often each takes each of the first ``ranks`` (1 or all), and the sums of T over sum of weights."""
+    from torquerig.decide.kernel import count_ranks
+
+    if draws < 1:
+        raise InputError(f"{draws} draws tell nothing; ask for 1 or more")
+    rows = len(ready.alternatives)
+
+    def chunk(first: int) -> tuple[Array, Array]:
+        counts, sums = np.zeros((rows, ranks)), np.zeros(rows)
+        size = min(CHUNK, draws - first)
+        count_ranks(first, size, ready.cells, ready.weights, ready.scale, TIE, counts, sums)
+        return counts, sums
+
+    starts = range(0, draws, CHUNK)
+    if draws <= FEW:
+        parts = [chunk(first) for first in starts]
+    else:
+        with ThreadPoolExecutor(THREADS) as pool:
+            parts = list(pool.map(chunk, starts))
+    counts, sums = parts[0]
+    for more_counts, more_sums in parts[1:]:
+        counts, sums = counts + more_counts, sums + more_sums
+    return counts, sums

@@ -6,12 +6,13 @@ from collections.abc import Iterable, Sequence
 
 from torquerig.decide.criterion import Criterion
 from torquerig.decide.eliminate import SelectionChart
+from torquerig.decide.flips import FlipWeight
 from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.lints.finding import Finding
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.pugh import DatumSweep, PughResult, Sign
 from torquerig.decide.ranks import shown_rank
-from torquerig.decide.robustness import BestShares, FlipWeight
+from torquerig.decide.robustness import BestShares
 from torquerig.plain_table import grid, wrapped
 
 
