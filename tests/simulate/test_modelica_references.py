@@ -18,7 +18,8 @@ from torquerig.rig.parts import Body, Coupling, Gear
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import AppliedTorque, Term
 from torquerig.simulate import kernel
-from torquerig.simulate.arrays import Outputs, Terms
+from torquerig.simulate.arrays import Outputs
+from torquerig.simulate.inputs import Span, filled
 from torquerig.simulate.lower import lower
 from torquerig.simulate.simulate import simulate
 
@@ -73,16 +74,7 @@ def released(*, gap: float) -> tuple[float, float]:
     )
     lowered = lower(rig, 0)
     theta, omega = np.array([0.0, pi / 2, 0.0]), np.zeros(3)
-    terms = Terms(
-        np.append(1 / lowered.inertia, 0.0),
-        lowered.waves,
-        lowered.springs,
-        lowered.harmonics,
-        lowered.frictions,
-        lowered.loads._replace(samples=np.zeros((0, 25001))),
-        lowered.blades,
-        lowered.drives._replace(reference=np.zeros((0, 25001))),
-    )
+    terms = filled(rig, lowered, Span(settling=0, samples=25000, rate=25000.0, seed=0))
     none = Outputs(np.zeros(0, dtype=np.uint64), np.zeros(0, dtype=np.uint64))
     assert kernel.integrate(theta, omega, terms, none, 25000.0, 0, 1, np.empty((0, 25000))) == (-1, -1)
     return theta[1], omega[1]

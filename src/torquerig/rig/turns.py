@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from torquerig.errors import InputError
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import Drive, Inertia
+from torquerig.rig.terms import Drive, ImposedMotion, Inertia
 
 
 def turns_per_motor_turn(rig: Rig, name: str) -> float:
@@ -14,7 +14,7 @@ def turns_per_motor_turn(rig: Rig, name: str) -> float:
     that is 0.2 degrees. InputError where no shaft leads from the motor to the part.
     """
     terms = [term for part in rig.parts for term in part.terms(rig)]
-    driven = [term.on for term in terms if isinstance(term, Drive)]
+    driven = [term.on for kind in (Drive, ImposedMotion) for term in terms if isinstance(term, kind)]
     carried = [term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0]
     if not carried:
         raise InputError("the rig has no inertia at all; add a motor or a body")

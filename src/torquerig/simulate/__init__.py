@@ -1,6 +1,7 @@
 """Forwards: from a rig to a recording.
 
 simulate  the one verb              lower    Rig -> flat arrays       arrays   what the kernel and the twin read
-kernel    the compiled loop         waves    few sine calls           outputs  what a run keeps
-profile   set-point over time       linear   the same arrays as M, C, K and a python-control StateSpace
+kernel/   the compiled loop         rows     each kind of term        outputs  what a run keeps
+profile   set-point over time       waves    few sine calls           inputs   what is given at every sample
+linear    the same arrays as M, C, K and a python-control StateSpace
 """

@@ -85,7 +85,7 @@ class Blades(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """Speed-controlled motors; ``reference`` holds the set-point at every sample."""
+    """Motors; ``reference`` holds the set-point of the speed at every sample, ``demand`` the torque beside the PI."""
 
     on: Rows
     against: Rows
@@ -98,6 +98,17 @@ class Drives(NamedTuple):
     r_c: Floats
     r_s: Floats
     reference: Floats  # (drives, settling + samples + 1)
+    demand: Floats  # (drives, settling + samples + 1)
+
+
+class Imposed(NamedTuple):
+    """Nodes whose motion is given at every sample."""
+
+    on: Rows
+    inertia: Floats  # what sits on the node: it moves by its torques once it is released
+    release: Starts  # sample from which on it is no longer imposed
+    angle: Floats  # (imposed, settling + samples + 1)
+    speed: Floats
 
 
 class Outputs(NamedTuple):
@@ -118,3 +129,4 @@ class Terms(NamedTuple):
     loads: Loads
     blades: Blades
     drives: Drives
+    imposed: Imposed

@@ -37,7 +37,7 @@ _PROBED = {
 
 def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     """Return what the kernel is to keep: first the torque in the measured spring, then truth, then probes."""
-    motor = lowered.node(lowered.drive_terms[0].on) if lowered.drive_terms else 0
+    motor = lowered.node(lowered.leader())
     part = _worn(rig, lowered)
     listed = [
         Output(
@@ -50,6 +50,9 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     ]
     if lowered.drive_terms:
         listed.append(Output("true_motor_torque_Nm", kernel.DRIVE_TORQUE, 0, "motor_torque", "N*m"))
+    for row, term in enumerate(lowered.imposed_terms):
+        if not term.released:
+            listed.append(Output(f"true_{term.name}_torque_Nm", kernel.IMPOSING_TORQUE, row, "motor_torque", "N*m"))
     for probe in rig.parts_of(Probe):
         kind, suffix, unit = _PROBED[probe.quantity]
         spring = probe.quantity == "torque"

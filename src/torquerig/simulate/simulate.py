@@ -5,18 +5,16 @@ from __future__ import annotations
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 
 from torquerig import __version__
 from torquerig.errors import InputError, SimulationError
 from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording, random_for
+from torquerig.signals.recording import Recording
 from torquerig.simulate import kernel
-from torquerig.simulate.arrays import Terms
+from torquerig.simulate.inputs import Span, filled, held_while_settling, start
 from torquerig.simulate.linear import matrices
 from torquerig.simulate.lower import Lowered, lower
 from torquerig.simulate.outputs import as_arrays, channels_of, outputs_of
-from torquerig.simulate.profile import loads_as_planned, set_point
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
 SETTLING = 1.5  # [s] the rig turns this long before the recording starts
@@ -34,7 +32,8 @@ def simulate(
     duration : float
         Length of the recording [s].
     settling : float
-        How long the rig turns before the recording starts [s].
+        How long the rig turns before the recording starts [s]; where nothing controls or imposes a speed, it is held
+        at its set-point so long.
     seed : int
         Fixes phases, load and noise, each by its own name: the same seed gives the same bytes.
     wander : float
@@ -47,15 +46,17 @@ def simulate(
     SimulationError
         When a speed ceases to be finite: names the node and the time.
     """
-    lowered = lower(rig, seed)
     samples, unkept = round(duration * sample_rate), round(settling * sample_rate)
+    span = Span(settling=unkept, samples=samples, rate=sample_rate, seed=seed, wander=wander)
+    lowered = lower(rig, seed)
     if samples < 2:
         raise InputError(f"a recording of {duration:g} s at {sample_rate:g} Hz has {samples} samples; ask for more")
-    if not lowered.drive_terms and not lowered.load_terms:
+    if not lowered.drive_terms and not lowered.load_terms and not lowered.imposed_terms:
         raise InputError("nothing moves the rig; add a speed controller to the motor")
-    terms = _sampled(rig, lowered, settling=unkept, samples=samples, rate=sample_rate, wander=wander, seed=seed)
+    lowered = held_while_settling(lowered, span)
+    terms = filled(rig, lowered, span)
     outputs = outputs_of(rig, lowered)
-    theta, omega = _start(rig, lowered, terms.drives.reference)
+    theta, omega = start(rig, lowered, terms)
     kept = np.empty((len(outputs), samples))
     steps = substeps or steps_per_sample(lowered, sample_rate)
     failed, node = kernel.integrate(theta, omega, terms, as_arrays(outputs), sample_rate, unkept, steps, kept)
@@ -85,35 +86,3 @@ def steps_per_sample(lowered: Lowered, sample_rate: float) -> int:
     """
     fastest = float(np.abs(np.linalg.eigvals(matrices(lowered).state_matrix())).max())
     return max(1, ceil(fastest / sample_rate / STEP_ANGLE))
-
-
-def _sampled(
-    rig: Rig, lowered: Lowered, *, settling: int, samples: int, rate: float, wander: float, seed: int
-) -> Terms:
-    """Return the rig's arrays with the set-points and loads of every sample filled in."""
-    rng = random_for(seed, "speed wander")
-    reference = set_point(rig.run, settling=settling, samples=samples, rate=rate, wander=wander, rng=rng)
-    count = settling + samples + 1
-    loads = [term.process.sample(count, rate, random_for(seed, term.name)) for term in lowered.load_terms]
-    loads = loads_as_planned(rig.run, loads, lowered.load_terms, settling=settling, samples=samples, rate=rate)
-    return Terms(
-        inverse_inertia=np.append(1 / lowered.inertia, 0.0),
-        waves=lowered.waves,
-        springs=lowered.springs,
-        harmonics=lowered.harmonics,
-        frictions=lowered.frictions,
-        loads=lowered.loads._replace(samples=np.array(loads).reshape(-1, count)),
-        blades=lowered.blades,
-        drives=lowered.drives._replace(reference=np.tile(reference, (len(lowered.drive_terms), 1))),
-    )
-
-
-def _start(
-    rig: Rig, lowered: Lowered, reference: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return angles and speeds: everything turns at the first set-point, springs without torque."""
-    still = np.zeros(len(lowered.nodes) + 1)
-    if not lowered.drive_terms:
-        return still, still.copy()
-    ratios = rig.speed_ratios(lowered.drive_terms[0].on)
-    return still, np.array([ratios.get(node, 0.0) * reference[0, 0] for node in lowered.nodes] + [0.0])

@@ -1,0 +1,95 @@
+"""What shafts are made of: inertias, the springs between them, and motions that are imposed on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from torquerig.rig.terms.inputs import Motion
+
+GROUND = "ground"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inertia:
+    """``J d(omega)/dt``: inertia [kg m^2] that sits on ``node``; several add up."""
+
+    node: str
+    inertia: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wave:
+    """``amplitude cos(order theta + phase)`` of a node's angle; phase None is drawn from the seed of the run.
+
+    Waves of one term with the same ``phase_key`` share their drawn phase (the side lines of a modulated line).
+    """
+
+    order: float
+    amplitude: float
+    phase: float | None = None
+    phase_key: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spring:
+    """A spring and damper with gap, gear ratio, losses and kinematic error between two shafts.
+
+    ``twist = theta_a / ratio - theta_b + e(theta_b)``; ``T = k twist + c d(twist)/dt``. With a gap, k counts the twist
+    beyond it, the damping torque is at most the spring's and the sum never pulls (the contact law of the Modelica
+    Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T``, ``a`` gets ``-T / (ratio eta)``
+    while power flows from a to b and ``-T eta / ratio`` when it flows back.
+
+    Parameters
+    ----------
+    name : str
+        The part that owns it; a reading names the spring by it.
+    a, b : str
+        Nodes; ``a`` turns ``ratio`` times as fast.
+    stiffness : float
+        On the side of b [N m/rad].
+    damping : float
+        On the side of b [N m s/rad].
+    gap : float
+        Full gap [rad] on the side of b.
+    ratio : float
+        Turns of a per turn of b [1]; may be negative for a reversing stage.
+    efficiency : float
+        Share of the power that arrives [1].
+    error : tuple of Wave
+        Kinematic (transmission) error e [rad] on the side of b, a function of the angle of b.
+    """
+
+    name: str
+    a: str
+    b: str
+    stiffness: float
+    damping: float
+    gap: float = 0.0
+    ratio: float = 1.0
+    efficiency: float = 1.0
+    error: tuple[Wave, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ImposedMotion:
+    """A node whose angle and speed are given at every sample; the rest of the rig reacts.
+
+    Between samples the angle is the cubic Hermite polynomial through both angles and both speeds, so that angle and
+    speed have no jump. What the imposing takes, ``J d(omega)/dt - sum of all other torques``, can be recorded. Not true
+    above half the sample rate, and for angles in coarse counts unless they were smoothed first.
+
+    Parameters
+    ----------
+    motion : Motion or None
+        None: the set-point of the run.
+    factor : float
+        Multiplies the set-point of the run [1].
+    released : bool
+        Imposed only while the rig settles; then the node moves as its torques say.
+    """
+
+    name: str
+    on: str
+    motion: Motion | None = None
+    factor: float = 1.0
+    released: bool = False

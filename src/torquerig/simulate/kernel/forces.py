@@ -1,0 +1,109 @@
+"""The torques of one evaluation: what springs, frictions, loads and drives put on the nodes."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+FAST = {"contract", "reassoc", "arcp", "nsz", "afn"}  # not nnan and ninf: a run that blows up must be seen
+
+
+@njit(fastmath=FAST, inline="always")
+def direction(speed: float, inverse_smoothing: float) -> float:
+    """Return the sign of a speed, smoothed as tanh."""
+    scaled = speed * inverse_smoothing
+    if scaled > 20.0:
+        return 1.0
+    if scaled < -20.0:
+        return -1.0
+    return np.tanh(scaled)
+
+
+@njit(fastmath=FAST, inline="always")
+def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, contact, opposing, torque):
+    """Fill ``torque`` (per node) and the by-products of one evaluation."""
+    waves, springs, harmonics, frictions = terms.waves, terms.springs, terms.harmonics, terms.frictions
+    loads, blades, drives = terms.loads, terms.blades, terms.drives
+    torque[:] = 0.0
+    opposing[:] = 0.0
+    for i in range(waves.base_node.size):
+        angle = waves.base_order[i] * theta[waves.base_node[i]]
+        cosine[i] = np.cos(angle)
+        sine[i] = np.sin(angle)
+    for i in range(waves.first.size):
+        to, p, q = i + waves.base_node.size, waves.first[i], waves.second[i]
+        cosine[to] = cosine[p] * cosine[q] - sine[p] * sine[q]
+        sine[to] = sine[p] * cosine[q] + cosine[p] * sine[q]
+    for i in range(harmonics.on.size):
+        slot = harmonics.slot[i]
+        value = harmonics.c[i] * cosine[slot] - harmonics.s[i] * sine[slot]
+        torque[harmonics.on[i]] += value
+        torque[harmonics.against[i]] -= value
+    for i in range(springs.a.size):
+        a, b, r = springs.a[i], springs.b[i], springs.inverse_ratio[i]
+        twist = theta[a] * r - theta[b]
+        rate = omega[a] * r - omega[b]
+        for j in range(springs.e_first[i], springs.e_first[i + 1]):
+            slot = springs.e_slot[j]
+            twist += springs.e_cos[j] * cosine[slot] - springs.e_sin[j] * sine[slot]
+            slope = springs.e_cos[j] * sine[slot] + springs.e_sin[j] * cosine[slot]
+            rate -= springs.e_order[j] * slope * omega[b]
+        half = springs.half_gap[i]
+        if half > 0.0:
+            side = 1.0 if twist > 0.0 else -1.0
+            pressed = springs.stiffness[i] * (side * twist - half)
+            damped = side * springs.damping[i] * rate
+            if pressed <= 0.0:
+                value, contact[i] = 0.0, 0.0
+            elif damped > pressed:
+                value, contact[i] = side * 2.0 * pressed, side
+            elif damped > -pressed:
+                value, contact[i] = side * (pressed + damped), 2.0 * side
+            else:
+                value, contact[i] = 0.0, 3.0 * side
+        else:
+            value = springs.stiffness[i] * twist + springs.damping[i] * rate
+        spring_torque[i] = value
+        torque[b] += value
+        back = value * r
+        if springs.loss_half[i] != 0.0:
+            flow = direction(omega[b], 50.0) if value > 0.0 else -direction(omega[b], 50.0)
+            back *= springs.loss_mean[i] + springs.loss_half[i] * flow
+        torque[a] -= back
+    for i in range(frictions.on.size):
+        speed = omega[frictions.on[i]] - omega[frictions.against[i]]
+        value = frictions.viscous[i] * speed + frictions.quadratic[i] * speed * abs(speed)
+        way = 1 if speed > 0.0 else 0
+        grip = frictions.coulomb[i, way]
+        if frictions.excess[i, way] != 0.0:
+            scaled = speed * frictions.inverse_stribeck[i]
+            if abs(scaled) < 6.0:
+                grip += frictions.excess[i, way] * np.exp(-scaled * scaled)
+        if grip != 0.0:
+            value += grip * direction(speed, frictions.inverse_smoothing[i])
+        torque[frictions.on[i]] -= value
+        torque[frictions.against[i]] += value
+        opposing[frictions.on[i]] += value
+    for i in range(loads.on.size):
+        on = loads.on[i]
+        if loads.inverse_smoothing[i] == 0.0:
+            torque[on] += load_now[i]
+            continue
+        value = load_now[i] * direction(omega[on], loads.inverse_smoothing[i])
+        torque[on] -= value
+        opposing[on] += value
+    for i in range(blades.on.size):
+        on, slot = blades.on[i], blades.slot[i]
+        wave = blades.c[i] * cosine[slot] - blades.s[i] * sine[slot]
+        if wave > 0.0:
+            value = blades.amplitude[i] * wave * wave * direction(omega[on], blades.inverse_smoothing[i])
+            torque[on] -= value
+            opposing[on] += value
+    for i in range(drives.on.size):
+        factor = 1.0
+        for j in range(drives.r_first[i], drives.r_first[i + 1]):
+            slot = drives.r_slot[j]
+            factor += drives.r_c[j] * cosine[slot] - drives.r_s[j] * sine[slot]
+        value = tau[i] * factor
+        torque[drives.on[i]] += value
+        torque[drives.against[i]] -= value

@@ -1,0 +1,159 @@
+"""The rig through time by Runge-Kutta 4 with fixed substeps.
+
+Between two kinks of a contact law the right-hand side is smooth and the method has its fourth order; a step that would
+cross a kink (flanks meet or part, damping reaches the spring's torque) is shortened until it ends just behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from torquerig.simulate.kernel.control import control
+from torquerig.simulate.kernel.forces import FAST, forces
+from torquerig.simulate.kernel.imposed import free, impose
+from torquerig.simulate.kernel.keep import keep
+from torquerig.simulate.kernel.sources import sources_key
+
+LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
+
+
+def _built(key: int) -> Callable[..., Any]:
+    """Return the compiled loop; ``key`` is closed over so that the cache on disk is keyed by it."""
+
+    @njit(cache=True, nogil=True, fastmath=FAST)
+    def integrate(theta, omega, terms, outputs, rate, settling, substeps, kept):
+        """Step the rig through ``settling`` samples that are not kept and ``kept.shape[1]`` that are.
+
+        Parameters
+        ----------
+        theta, omega : ndarray, shape (nodes + 1,)
+            Start angles [rad] and speeds [rad/s]; changed in place to the end state; the ground is last.
+        terms : Terms
+        rate : float
+            Samples and control steps per second [Hz].
+        kept : ndarray, shape (outputs, samples)
+            Filled with the outputs at the instant of each sample.
+
+        Returns
+        -------
+        failed_sample, failed_node : int
+            -1, -1 when the run went through; else where a speed ceased to be finite (sample counted from the start of
+            settling).
+        """
+        drives, loads, imposed = terms.drives, terms.loads, terms.imposed
+        inverse_inertia = terms.inverse_inertia.copy()
+        nodes, n_drives, n_springs = theta.size, drives.on.size, terms.springs.a.size
+        moving = nodes - 1  # all but the ground
+        slots = terms.waves.base_node.size + terms.waves.first.size
+        cosine, sine = np.zeros(slots), np.zeros(slots)
+        spring_torque, contact, contact_before = np.zeros(n_springs), np.zeros(n_springs), np.zeros(n_springs)
+        opposing, torque, torque_before = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
+        tau, integral, command = np.zeros(n_drives), np.zeros(n_drives), np.zeros(n_drives)
+        theta_k, omega_k, tau_k = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
+        theta_sum, omega_sum, tau_sum = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
+        load_now = np.zeros(loads.on.size)
+        gaps = np.flatnonzero(terms.springs.half_gap > 0.0)
+        period = 1.0 / rate
+        h = period / substeps
+        rare = imposed.on.size > 0 or key < 0  # terms that most rigs lack: one test skips them all
+        for sample in range(settling + kept.shape[1]):
+            if rare:
+                free(imposed, sample, inverse_inertia)
+                impose(imposed, sample, 0.0, period, theta, omega)
+            control(drives, sample, omega, period, integral, command)
+            # the very first pass has no length: it makes the forces at the start; later ones are there
+            for step in range(-1 if sample == 0 else 0, substeps):
+                if step == 0 and sample >= settling:
+                    keep(
+                        kept,
+                        sample - settling,
+                        outputs,
+                        theta,
+                        omega,
+                        tau,
+                        spring_torque,
+                        opposing,
+                        torque_before,
+                        imposed,
+                        sample,
+                        period,
+                    )
+                start, remaining = max(0, step) * h, 0.0 if step < 0 else h
+                unfinished = True
+                while unfinished:
+                    low, high, length, accepted = 0.0, remaining, remaining, step < 0
+                    whole = True
+                    while True:
+                        for i in range(moving):
+                            slope = torque_before[i] * inverse_inertia[i]
+                            theta_sum[i], omega_sum[i] = length / 6.0 * omega[i], length / 6.0 * slope
+                            theta_k[i] = theta[i] + 0.5 * length * omega[i]
+                            omega_k[i] = omega[i] + 0.5 * length * slope
+                        for i in range(n_drives):
+                            slope = (command[i] - tau[i]) * drives.inverse_lag[i]
+                            tau_sum[i], tau_k[i] = length / 6.0 * slope, tau[i] + 0.5 * length * slope
+                        for stage in range(3 if step < 0 else 0, 4):
+                            ahead = 0.5 * length if stage < 2 else length
+                            if stage == 3:
+                                for i in range(moving):
+                                    theta_k[i], omega_k[i] = theta[i] + theta_sum[i], omega[i] + omega_sum[i]
+                                for i in range(n_drives):
+                                    tau_k[i] = tau[i] + tau_sum[i]
+                            part = (start + ahead) * rate
+                            for i in range(loads.on.size):
+                                u = loads.samples[i, sample]
+                                load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
+                            if rare:
+                                impose(imposed, sample, part, period, theta_k, omega_k)
+                            forces(theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
+                                    opposing, torque)  # fmt: skip
+                            if stage == 3:
+                                break
+                            weight = length / 6.0 if stage == 2 else length / 3.0
+                            ahead = 0.5 * length if stage == 0 else length
+                            for i in range(moving):
+                                slope = torque[i] * inverse_inertia[i]
+                                theta_sum[i] += weight * omega_k[i]
+                                omega_sum[i] += weight * slope
+                                theta_k[i] = theta[i] + ahead * omega_k[i]
+                                omega_k[i] = omega[i] + ahead * slope
+                            for i in range(n_drives):
+                                slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
+                                tau_sum[i] += weight * slope
+                                tau_k[i] = tau[i] + ahead * slope
+                        if accepted:
+                            break
+                        kinked = False
+                        for gap in gaps:
+                            kinked = kinked or contact[gap] != contact_before[gap]
+                        if whole and not kinked:
+                            break
+                        whole = False
+                        if kinked:
+                            high = length
+                        else:
+                            low = length
+                        accepted = high - low <= LOCATED * h
+                        length = high if accepted else 0.5 * (low + high)
+                    for i in range(moving):
+                        theta[i], omega[i], torque_before[i] = theta_k[i], omega_k[i], torque[i]
+                    for i in range(n_drives):
+                        tau[i] = tau_k[i]
+                    for gap in gaps:
+                        contact_before[gap] = contact[gap]
+                    start += length
+                    remaining -= length
+                    unfinished = remaining > LOCATED * h
+            for i in range(moving):
+                if not np.isfinite(omega[i]):
+                    return sample, i
+        return -1, -1
+
+    return integrate
+
+
+integrate = _built(sources_key())
