@@ -39,7 +39,10 @@ def page() -> str:
 
 
 def section(kind: str, cls: type[Part]) -> str:
-    """Return heading, first sentence and table of one kind."""
+    """Return heading, first sentence and table of one kind; another word for the same class refers to the first."""
+    first = next(word for word, known in KINDS.items() if known is cls)
+    if kind != first:
+        return f"### {kind}\n\nThe fields of `{first}`; docs and errors of the class say what this kind asks for.\n"
     module = sys.modules[cls.__module__]
     told = (getdoc(module) or "").splitlines()[0].replace("``", "`")
     hints = get_type_hints(cls, include_extras=True)

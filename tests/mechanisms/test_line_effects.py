@@ -183,7 +183,8 @@ def test_the_misalignment_is_the_first_term_of_the_cardan_joints_error() -> None
     b, theta = pi / 6, 2 * pi * np.arange(4096) / 4096
     ratio = cos(b) / (1 - np.sin(b) ** 2 * np.cos(theta) ** 2)
     slopes = np.abs(np.fft.rfft(ratio - 1)) * 2 / theta.size
-    (wave,) = Misalignment(name="it", angle=b).kinematic_error("coupling")
+    bent = Misalignment(name="it", angle=b)
+    (wave,) = bent.kinematic_error("coupling", driven(bent, speed_rpm=600.0))
     assert wave.order == 2.0
     assert wave.amplitude == pytest.approx(slopes[2] / 2, rel=1e-9)
     assert slopes[4] / 4 == pytest.approx(wave.amplitude**2 / 2, rel=1e-9)  # what is left out

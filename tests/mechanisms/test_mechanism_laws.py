@@ -192,7 +192,7 @@ def test_commutation_ripple_is_a_share_of_the_motor_torque(speed_rpm: float) -> 
 def test_planet_modulation_puts_side_lines_at_the_planet_order() -> None:
     """Amplitude modulation m = 0.5 gives m/2 at z - n and z + n; the transfer changes little from 81 to 87."""
     mesh = GearMesh(name="it", order_output=84, transmission_error=(5e-5,), planets=3, planet_modulation=0.5)
-    waves = {wave.order: wave.amplitude for wave in mesh.kinematic_error("gearbox")}
+    waves = {wave.order: wave.amplitude for wave in mesh.kinematic_error("gearbox", shaft(mesh))}
     assert waves == pytest.approx({84: 5e-5, 81: 1.25e-5, 87: 1.25e-5})
     made = simulate(shaft(mesh), duration=1.0, seed=3)
     assert line(made, 16.2) > 10 * line(made, 15.5)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
-from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
-from torquerig.rig.parts import Gear
+from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
 
@@ -34,11 +33,10 @@ class GearMesh(Part):
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return none, the gear carries the error; InputError where ``gear`` is none."""
-        if not isinstance(rig.part(self.gear), Gear):
-            raise InputError(f"{self.name}: gear: {self.gear!r} is no gear; name one")
+        gear_stage(rig, self.gear, owner=self.name)
         return ()
 
-    def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
+    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
         """Return the error waves if ``gear`` is the one it lives in; the modulation as its two side lines."""
         if gear != self.gear:
             return ()

@@ -41,7 +41,7 @@ class JawCoupling(Part):
             raise InputError(f"{self.name}: coupling: {self.coupling!r} is no coupling; name one")
         return ()
 
-    def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
+    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
         """Return the errors if ``gear`` is the coupling it lives in."""
         if gear != self.coupling:
             return ()

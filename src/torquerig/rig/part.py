@@ -71,7 +71,7 @@ class Part:
         """Return the ripple in proportion to the torque of the motor ``motor``; none for most parts."""
         return ()
 
-    def kinematic_error(self, gear: str) -> tuple[Wave, ...]:
+    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
         """Return the kinematic error [rad] that this part gives to the gear or coupling ``gear``; mostly none."""
         return ()
 

@@ -53,6 +53,8 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
     ),
 }
 
+BOUGHT_AS = {"planetary_gear": "gear", "fixed_axis_gear": "gear"}  # kinds that share a shelf and its fields
+
 COUPLING_MODE = 130.0  # [Hz] where a damping or loss ratio is turned into a damping: the wear rig's first mode
 
 
@@ -70,6 +72,9 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
         "torque_sensor": catalog.sensor,
         "coupling": catalog.coupling,
     }
+    if kind in BOUGHT_AS:
+        filled = filled_from_catalog(catalog, entry, kind=BOUGHT_AS[kind], name=name, seed=seed, place=place)
+        return replace(filled, values={**filled.values, "kind": kind})
     if kind not in shelves:
         raise InputError(f"{place}.catalog: a {kind} has no catalog; state its values and leave catalog: out")
     try:

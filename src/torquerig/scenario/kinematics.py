@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import prod
 
-from torquerig.rig.parts import Gear, Motor
+from torquerig.rig.parts import Motor
+from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.rig.rig import Rig
 from torquerig.signals.kinematics import Kinematics
 
@@ -21,13 +22,13 @@ def kinematics_of(rig: Rig) -> Kinematics:
     )
 
 
-def gears_to_sensor(rig: Rig) -> tuple[Gear, ...]:
+def gears_to_sensor(rig: Rig) -> tuple[GearStage, ...]:
     """Return the gears from the start of the shaft to the measured part; those of other branches do not count."""
-    gears: list[Gear] = []
+    gears: list[GearStage] = []
     name: str | None = rig.measured
     while name is not None:
         part = rig.part(name)
-        gears += [part] if isinstance(part, Gear) else []
+        gears += [part] if isinstance(part, GearStage) else []
         name = part.after
     return tuple(reversed(gears))
 

@@ -24,9 +24,10 @@ from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
 
 KINDS: dict[str, type[Part]] = {
-    get_args(get_type_hints(cls)["kind"])[0]: cls
+    word: cls
     for room in (parts, mechanisms)
     for cls in (getattr(room, name) for name in room.__all__)
+    for word in get_args(get_type_hints(cls)["kind"])
 }
 """Every kind of part and effect that a scenario may name, by the word it uses."""
 SECTIONS = ("scenario", "operating_point", "measured", "rig", "study")
@@ -110,7 +111,7 @@ def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mappi
         if not rig.part(rig.measured).opens_node:
             raise InputError(f"{rig.measured!r} has no spring whose torque could be read")
     with _placed(document, "rig"):
-        rig = rig.at(run_at(point, rig))
+        rig = rig.at(run_at(point, rig, folder=document.path.parent))
     for part in rig.parts:
         with _placed(document, "rig", owners[part.name]):
             part.terms(rig)

@@ -1,12 +1,14 @@
 """What a rig is made of; one kind of part per file.
 
 motor             rotor, losses, torque limit          speed_controller  sampled PI that drives a motor
-gear              planetary, spur or belt stage        coupling          spring between two shafts
+gear              planetary or fixed-axis stage        belt              pulleys and a belt
+gear_stage        what counts as a gear                coupling          spring between two shafts
 torque_sensor     spring, amplifier, noise, converter  body              inertia with friction (wear part, flywheel)
 encoder           counts of the motor angle            probe             torque, speed or angle anywhere
 motor_phases      R, L, back-EMF and inverter
 """
 
+from torquerig.rig.parts.belt import BeltStage
 from torquerig.rig.parts.body import Body
 from torquerig.rig.parts.coupling import Coupling
 from torquerig.rig.parts.encoder import MotorEncoder
@@ -18,6 +20,7 @@ from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.torque_sensor import TorqueSensor
 
 __all__ = [
+    "BeltStage",
     "Body",
     "Coupling",
     "Gear",

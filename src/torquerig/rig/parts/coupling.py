@@ -8,7 +8,8 @@ from typing import Annotated, ClassVar, Literal
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import Inertia, Spring, Term
+from torquerig.rig.stage_spring import stage_spring
+from torquerig.rig.terms import Inertia, Term
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,13 +26,5 @@ class Coupling(Part):
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the spring, with the kinematic errors that effects add, and the inertia of the output side."""
-        node = rig.node(self.name)
-        spring = Spring(
-            name=self.name,
-            a=rig.upstream(self.name),
-            b=node,
-            stiffness=self.stiffness,
-            damping=self.damping,
-            error=tuple(wave for part in rig.parts for wave in part.kinematic_error(self.name)),
-        )
-        return Inertia(node=node, inertia=self.inertia), spring
+        spring = stage_spring(rig, self.name, stiffness=self.stiffness, damping=self.damping)
+        return Inertia(node=rig.node(self.name), inertia=self.inertia), spring

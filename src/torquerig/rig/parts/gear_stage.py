@@ -1,0 +1,18 @@
+"""What counts as a stage between two speeds: gears and belts, the parts that effects of a gear may live in."""
+
+from __future__ import annotations
+
+from torquerig.errors import InputError
+from torquerig.rig.parts.belt import BeltStage
+from torquerig.rig.parts.gear import Gear
+from torquerig.rig.rig import Rig
+
+GearStage = Gear | BeltStage
+
+
+def gear_stage(rig: Rig, name: str, *, owner: str) -> GearStage:
+    """Return the gear or belt ``name``; InputError, said of the effect ``owner``, where it is none."""
+    part = rig.part(name)
+    if not isinstance(part, GearStage):
+        raise InputError(f"{owner}: gear: {name!r} is no gear; name one")
+    return part
