@@ -2,36 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import isclose
-from typing import Annotated, Any
+from pathlib import Path
+from typing import Annotated
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, model_validator
+from pydantic import BaseModel, ConfigDict, model_validator
 
-from torquerig.errors import InputError, UnitError
+from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.percent import Percent
+from torquerig.scenario.planned import planned
+from torquerig.scenario.profile_text import DutyCycleText, TableText
 from torquerig.signals.run import Profile, Run
-from torquerig.units import parse_quantity
-
-
-def _percent(written: Any) -> float:
-    """Return an occupancy in percent: ``21`` and ``"21 %"`` are 21."""
-    if isinstance(written, bool) or not isinstance(written, int | float | str):
-        raise ValueError(f"{written!r} is no occupancy; write for example 21 %")
-    try:
-        percent = float(written) if isinstance(written, int | float) else 100 * parse_quantity(written, "1")
-    except UnitError as error:
-        raise ValueError(str(error)) from None
-    if isinstance(written, str) and "%" not in written:
-        raise ValueError(f"{written!r} has no unit; write '{written} %'")
-    if not 0 <= percent <= 100:
-        raise ValueError(f"{percent:g} % is no occupancy; it lies between 0 and 100 %")
-    return percent
-
-
-Percent = Annotated[float, BeforeValidator(_percent)]
 
 
 class Load(BaseModel):
@@ -44,13 +30,19 @@ class Load(BaseModel):
 
 
 class OperatingPoint(BaseModel):
-    """Set-points of a study. One of the two speeds; the other follows from the gears."""
+    """Set-points of a study. One of the two speeds; the other follows from the gears.
+
+    The profiles ``duty_cycle`` and ``csv`` bring their own speeds, which go before the stated one; what they need
+    stands under the key of the same name, and may stand there while another profile is chosen.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     motor_speed: Annotated[float, Parameter("rad/s", "motor speed", low=0)] | None = None
     output_speed: Annotated[float, Parameter("rad/s", "output speed", low=0)] | None = None
     profile: Profile = "steady"
+    duty_cycle: DutyCycleText | None = None
+    csv: TableText | None = None
     load: Load = Load()
     speed_set_point_error_max: Annotated[float, Parameter("1", "largest error of the set-point", low=0)] = 0.0
     slow_speed_wander: Annotated[float, Parameter("1", "relative rms of the slow wander", low=0)] = 0.0
@@ -61,9 +53,17 @@ class OperatingPoint(BaseModel):
             raise ValueError("both motor_speed and output_speed are stated; keep one, the gears give the other")
         return self
 
+    @model_validator(mode="after")
+    def _has_its_points(self) -> OperatingPoint:
+        if self.profile == "duty_cycle" and self.duty_cycle is None:
+            raise ValueError("the profile duty_cycle needs its segments; add duty_cycle: {segments: [...]}")
+        if self.profile == "csv" and self.csv is None:
+            raise ValueError("the profile csv needs its table; add csv: {file: NAME.csv}")
+        return self
 
-def run_at(point: OperatingPoint, rig: Rig) -> Run:
-    """Return the test sheet of the operating point on this rig."""
+
+def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
+    """Return the test sheet of the operating point on this rig; a profile's table is looked for from ``folder``."""
     motor = next(iter(rig.parts_of(Motor)), None)
     drive = next(iter(rig.parts_of(SpeedController)), None)
     if motor is None or drive is None:
@@ -79,6 +79,11 @@ def run_at(point: OperatingPoint, rig: Rig) -> Run:
     stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
     ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
     winding = {"pole_pairs": motor.pole_pairs, "slots": motor.slots}  # drawn ones are known to nobody else
-    return Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed, profile=point.profile,
-               occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size,
-               others={key: count for key, count in winding.items() if count is not None})  # fmt: skip
+    run = Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed,
+              occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size,
+              others={key: count for key, count in winding.items() if count is not None})  # fmt: skip
+    points = point.duty_cycle if point.profile == "duty_cycle" else point.csv if point.profile == "csv" else None
+    if points is None:
+        return replace(run, profile=point.profile)
+    course = planned(points, rig.at(run), motor_turns=1 / turned, folder=folder)
+    return replace(run, profile=point.profile, set_points=course, speed=course.rows.top)

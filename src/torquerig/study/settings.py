@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, model_validator
 from torquerig.document import Document, validated
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.scenario.operating_point import Percent
+from torquerig.scenario.percent import Percent
 
 Metric = Literal[
     "truth_error", "disturbance", "speed_reserve", "speed_use", "continuous_output_torque", "torque_reserve",
