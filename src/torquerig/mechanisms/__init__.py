@@ -4,6 +4,10 @@ Motor and drive
     torque_ripple        measured lines of a shaft        cogging              magnets against teeth
     commutation_ripple   in proportion to the torque      eccentricity         teeth that pull unequally
     current_offset       order p, at any load             current_gain         order 2p, in proportion
+    six_step_commutation 6p out of the phases (BLDC)      field_oriented_control  what FOC leaves (PMSM)
+    hall_misplacement    unequal sectors: p, 2p, 3p       back_emf_harmonics   5th and 7th against sines, 6p
+    dead_time            the inverter's pauses, 6p        phase_unbalance      one phase differs, 2p
+    encoder_error        the speed loop's answer          pwm_ripple           switching, nearly nothing
 Shafts and gears
     gear_mesh            transmission error of a gear     belt_lines           belt, its teeth and pulleys
     torsional_mode       an inertia on a spring           backlash             a gap in a gear
@@ -20,6 +24,7 @@ Sensor, cable and file
     clipping             saturation                       quantization         coarse codes
 """
 
+from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics
 from torquerig.mechanisms.backlash import Backlash
 from torquerig.mechanisms.bearing_defect import BearingDefect
 from torquerig.mechanisms.belt_lines import BeltLines
@@ -30,14 +35,20 @@ from torquerig.mechanisms.cogging import Cogging
 from torquerig.mechanisms.commutation_ripple import CommutationRipple
 from torquerig.mechanisms.current_gain import CurrentGain
 from torquerig.mechanisms.current_offset import CurrentOffset
+from torquerig.mechanisms.dead_time import DeadTime
 from torquerig.mechanisms.eccentricity import Eccentricity
+from torquerig.mechanisms.encoder_error import EncoderError
+from torquerig.mechanisms.field_oriented_control import FieldOrientedControl
 from torquerig.mechanisms.gear_mesh import GearMesh
+from torquerig.mechanisms.hall_misplacement import HallMisplacement
 from torquerig.mechanisms.imbalance import Imbalance
 from torquerig.mechanisms.jaw_coupling import JawCoupling
 from torquerig.mechanisms.mains_interference import MainsInterference
 from torquerig.mechanisms.misalignment import Misalignment
 from torquerig.mechanisms.particle_load import ParticleLoad
+from torquerig.mechanisms.phase_unbalance import PhaseUnbalance
 from torquerig.mechanisms.pwm_aliasing import PwmAliasing
+from torquerig.mechanisms.pwm_ripple import PwmRipple
 from torquerig.mechanisms.quadratic_drag import QuadraticDrag
 from torquerig.mechanisms.quantization import Quantization
 from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth
@@ -45,11 +56,13 @@ from torquerig.mechanisms.sensor_drift import SensorDrift
 from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis
 from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity
 from torquerig.mechanisms.signal_dropout import SignalDropout
+from torquerig.mechanisms.six_step_commutation import SixStepCommutation
 from torquerig.mechanisms.stribeck_friction import StribeckFriction
 from torquerig.mechanisms.torque_ripple import TorqueRipple
 from torquerig.mechanisms.torsional_mode import TorsionalMode
 
 __all__ = [
+    "BackEmfHarmonics",
     "Backlash",
     "BearingDefect",
     "BeltLines",
@@ -60,14 +73,20 @@ __all__ = [
     "CommutationRipple",
     "CurrentGain",
     "CurrentOffset",
+    "DeadTime",
     "Eccentricity",
+    "EncoderError",
+    "FieldOrientedControl",
     "GearMesh",
+    "HallMisplacement",
     "Imbalance",
     "JawCoupling",
     "MainsInterference",
     "Misalignment",
     "ParticleLoad",
+    "PhaseUnbalance",
     "PwmAliasing",
+    "PwmRipple",
     "QuadraticDrag",
     "Quantization",
     "SensorBandwidth",
@@ -75,6 +94,7 @@ __all__ = [
     "SensorHysteresis",
     "SensorNonlinearity",
     "SignalDropout",
+    "SixStepCommutation",
     "StribeckFriction",
     "TorqueRipple",
     "TorsionalMode",

@@ -1,0 +1,86 @@
+"""Encoder error: an angle that is read wrong once or twice a turn makes the speed loop shake the motor."""
+
+from __future__ import annotations
+
+from cmath import phase
+from dataclasses import dataclass, field
+from math import pi
+from typing import Annotated, Literal
+
+import numpy as np
+
+from torquerig.errors import InputError
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import HarmonicTorque, Term, Wave
+
+Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, mechanical", low=0)]
+STEPS = 8192  # angles of a turn at which the torque that is left is looked at
+HIGHEST_ORDER = STEPS // 16
+SMALLEST_DEPTH = 1e-7
+
+
+@dataclass(frozen=True, kw_only=True)
+class EncoderError(Part):
+    """The reading is ``theta + e``, ``e = offset + sum_k a_k sin(k theta + phi_k)``, on the motor's shaft.
+
+    Two effects. The speed loop reads ``w + de/dt`` and answers ``-C(j k w) w k a_k cos(k theta + phi_k)``, C its PI
+    behind the current loop: grows with speed and gain, absent without a speed loop. And the current vector stands
+    wrong by p e, which leaves ``cos(p e)`` of the torque: orders 2k, k too where there is an offset, in proportion to
+    the load. k is 1 where the magnet sits off the centre, 2 where it is oval, a resolver's pole number, an
+    interpolator's lines. Phases that are not stated are 0.
+
+    Source: signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial Electronics 37). The answer is that of the
+    set-point's speed, and of a loop that samples fast against k turns.
+    """
+
+    kind: Literal["encoder_error"] = "encoder_error"
+    group: Literal["electrical"] = "electrical"
+    at: str = "motor"
+    amplitudes: dict[int, Angle]
+    phases: dict[int, float] = field(default_factory=dict)
+    offset: Annotated[float, Parameter("rad", "error of the encoder's zero, mechanical")] = 0.0
+
+    def __post_init__(self) -> None:
+        for order in self.amplitudes:
+            if not 1 <= order <= HIGHEST_ORDER:
+                raise ValueError(f"{order} is no order of an encoder's error; write 1..{HIGHEST_ORDER}")
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return what the speed loops of the motor make of the error; InputError where ``at`` is no motor."""
+        motor, node = self._motor(rig), rig.node(self.at)
+        waves = []
+        for controller in rig.parts_of(SpeedController):
+            if controller.motor != self.at:
+                continue
+            for order, angle in self.amplitudes.items():
+                s = 1j * order * (rig.run.speed or 0.0)
+                if not s or not angle:
+                    continue
+                answer = (controller.kp + controller.ki / s) / (1 + s / (2 * pi * motor.current_loop_bandwidth))
+                line = -answer * abs(s) * angle * np.exp(1j * self.phases.get(order, 0.0))
+                waves.append(Wave(order=float(order), amplitude=abs(line), phase=phase(line)))
+        return (HarmonicTorque(name=self.name, on=node, angle=node, waves=tuple(waves)),)
+
+    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
+        """Return what the misplaced current vector leaves, relative to its mean; none where no pole pairs are known."""
+        pairs = self._motor(rig).pole_pairs if motor == self.at else None
+        if not pairs or not any(self.amplitudes.values()):
+            return ()
+        theta = 2 * pi * np.arange(STEPS) / STEPS
+        waves = [a * np.sin(k * theta + self.phases.get(k, 0.0)) for k, a in self.amplitudes.items()]
+        lines = np.fft.rfft(np.cos(pairs * (self.offset + np.sum(waves, axis=0)))) / STEPS
+        found = 2 * lines / lines[0].real
+        return tuple(
+            Wave(order=float(order), amplitude=float(abs(found[order])), phase=float(np.angle(found[order])))
+            for order in range(1, 4 * HIGHEST_ORDER)
+            if abs(found[order]) > SMALLEST_DEPTH
+        )
+
+    def _motor(self, rig: Rig) -> Motor:
+        motor = rig.part(self.at)
+        if not isinstance(motor, Motor):
+            raise InputError(f"{self.name}: at: {self.at!r} is no motor; name one")
+        return motor
