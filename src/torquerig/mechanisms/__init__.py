@@ -9,7 +9,8 @@ Motor and drive
     dead_time            the inverter's pauses, 6p        phase_unbalance      one phase differs, 2p
     encoder_error        the speed loop's answer          pwm_ripple           switching, nearly nothing
 Shafts and gears
-    gear_mesh            transmission error of a gear     belt_lines           belt, its teeth and pulleys
+    gear_mesh            transmission error of a gear     tooth_mesh           the same out of its teeth
+    belt_lines           belt, its teeth and pulleys      parallel_offset      shafts beside each other, 1 and 2
     torsional_mode       an inertia on a spring           backlash             a gap in a gear
     misalignment         shafts at an angle, order 2      jaw_coupling         jaws and spider legs
     imbalance            gravity, order 1                 bearing_defect       impacts that ring
@@ -45,6 +46,7 @@ from torquerig.mechanisms.imbalance import Imbalance
 from torquerig.mechanisms.jaw_coupling import JawCoupling
 from torquerig.mechanisms.mains_interference import MainsInterference
 from torquerig.mechanisms.misalignment import Misalignment
+from torquerig.mechanisms.parallel_offset import ParallelOffset
 from torquerig.mechanisms.particle_load import ParticleLoad
 from torquerig.mechanisms.phase_unbalance import PhaseUnbalance
 from torquerig.mechanisms.pwm_aliasing import PwmAliasing
@@ -58,6 +60,7 @@ from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity
 from torquerig.mechanisms.signal_dropout import SignalDropout
 from torquerig.mechanisms.six_step_commutation import SixStepCommutation
 from torquerig.mechanisms.stribeck_friction import StribeckFriction
+from torquerig.mechanisms.tooth_mesh import ToothMesh
 from torquerig.mechanisms.torque_ripple import TorqueRipple
 from torquerig.mechanisms.torsional_mode import TorsionalMode
 
@@ -83,6 +86,7 @@ __all__ = [
     "JawCoupling",
     "MainsInterference",
     "Misalignment",
+    "ParallelOffset",
     "ParticleLoad",
     "PhaseUnbalance",
     "PwmAliasing",
@@ -96,6 +100,7 @@ __all__ = [
     "SignalDropout",
     "SixStepCommutation",
     "StribeckFriction",
+    "ToothMesh",
     "TorqueRipple",
     "TorsionalMode",
 ]

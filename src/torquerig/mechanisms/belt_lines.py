@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import Annotated, Literal
 
+from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
+from torquerig.rig.parts import BeltStage
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
+from torquerig.signals.belt import Belt
 
 Radians = Annotated[float, Parameter("rad", "zero-to-peak error at the output", low=0)]
 
@@ -19,42 +23,73 @@ class BeltLines(Part):
     """``e(theta) = sum A cos(order theta + phi)`` in a belt stage, theta and orders of its output shaft.
 
     Orders: belt pass ``z_wheel / z_belt`` and multiples (below both shafts: a belt is longer than its wheel's rim),
-    teeth ``z_wheel``, output pulley 1, input pulley ``z_wheel / z_pinion``. A pulley whose centre is off by x runs out
-    by x / r on its pitch radius r, at the output. Source: signatures.md 3.7; ISO 5296 for belts and pitches. Not true
-    where the tension is so low that teeth jump or the strand swings.
+    teeth ``z_wheel``, output pulley 1, input pulley ``z_wheel / z_pinion``. The counts are those of a belt stage; state
+    them where ``gear`` is a plain gear. A pulley whose centre is off by x (``wheel_eccentricity``,
+    ``pinion_eccentricity``, in a belt stage) runs out by x / r, r the radius of the output pulley; the other errors
+    are measured ones. Source: signatures.md 3.7; ISO 5296 for belts and pitches. Not true where the tension is so low
+    that teeth jump or the strand swings.
     """
 
     kind: Literal["belt_lines"] = "belt_lines"
     group: Literal["mechanical"] = "mechanical"
     gear: str = "gearbox"
-    pinion: int
-    wheel: int
-    belt_teeth: int
+    pinion: int | None = None
+    wheel: int | None = None
+    belt_teeth: int | None = None
     belt_error: tuple[Radians, ...] = ()
     tooth_error: Radians = 0.0
     wheel_runout: Radians = 0.0
     pinion_runout: Radians = 0.0
+    wheel_eccentricity: Annotated[float, Parameter("m", "output pulley's centre off its axis", low=0)] = 0.0
+    pinion_eccentricity: Annotated[float, Parameter("m", "input pulley's centre off its axis", low=0)] = 0.0
 
     def __post_init__(self) -> None:
-        if self.pinion < 1 or self.wheel < 1 or 2 * self.belt_teeth <= self.pinion + self.wheel:
+        stated = (self.pinion, self.wheel, self.belt_teeth)
+        if any(count is not None for count in stated) and None in stated:
             raise ValueError(
-                f"a belt of {self.belt_teeth} teeth does not go round pulleys of {self.pinion} and {self.wheel}; "
-                "it needs more than half of both together"
+                "pinion, wheel and belt_teeth belong together; write all three, or none beside a belt stage"
             )
+        try:
+            self._own()
+        except InputError as error:
+            raise ValueError(str(error)) from None
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return none, the stage carries the error; InputError where ``gear`` is none."""
-        gear_stage(rig, self.gear, owner=self.name)
+        """Return none, the stage carries the error; InputError where the stage cannot have it."""
+        stage = gear_stage(rig, self.gear, owner=self.name)
+        belt = self.belt(rig)
+        if self.tooth_error and not belt.toothed:
+            raise InputError(f"{self.name}: {self.gear} is a smooth belt; leave tooth_error out")
+        if (self.wheel_eccentricity or self.pinion_eccentricity) and not isinstance(stage, BeltStage):
+            raise InputError(f"{self.name}: {self.gear} states no radius; write a runout in rad, or make it a belt")
         return ()
 
-    def lines(self) -> tuple[tuple[str, float, float], ...]:
-        """Return cause, order on the output shaft and amplitude [rad] of each line that is not zero."""
-        belt = self.wheel / self.belt_teeth
+    def belt(self, rig: Rig) -> Belt:
+        """Return pulleys and belt: as stated here, else those of the belt stage it lives in."""
+        stage = gear_stage(rig, self.gear, owner=self.name)
+        own = self._own()
+        if not isinstance(stage, BeltStage):
+            if own is None:
+                raise InputError(f"{self.name}: {self.gear} is no belt; write pinion, wheel and belt_teeth")
+            return own
+        if own is not None and own != stage.geometry():
+            raise InputError(f"{self.name}: {own.spoken} is not the {stage.geometry().spoken} of {self.gear}; keep one")
+        return stage.geometry()
+
+    def lines(self, belt: Belt, radius: float = inf) -> tuple[tuple[str, float, float], ...]:
+        """Return cause, order on the output shaft and amplitude [rad] of each line that is not zero.
+
+        Parameters
+        ----------
+        belt : Belt
+        radius : float
+            Of the output pulley [m], for eccentricities.
+        """
         named = [
-            *((f"belt {k}", k * belt, error) for k, error in enumerate(self.belt_error, start=1)),
-            ("teeth", float(self.wheel), self.tooth_error),
-            ("wheel", 1.0, self.wheel_runout),
-            ("pinion", self.wheel / self.pinion, self.pinion_runout),
+            *((f"belt {k}", k * belt.belt_order_out, error) for k, error in enumerate(self.belt_error, start=1)),
+            ("teeth", belt.mesh_order_out, self.tooth_error),
+            ("wheel", 1.0, self.wheel_runout + self.wheel_eccentricity / radius),
+            ("pinion", belt.ratio, self.pinion_runout + self.pinion_eccentricity / radius),
         ]
         return tuple(line for line in named if line[2] > 0)
 
@@ -62,6 +97,14 @@ class BeltLines(Part):
         """Return the error waves if ``gear`` is the stage it lives in."""
         if gear != self.gear:
             return ()
+        stage = gear_stage(rig, self.gear, owner=self.name)
+        radius = stage.wheel_radius if isinstance(stage, BeltStage) else inf
         return tuple(
-            Wave(order=order, amplitude=error, phase_key=f"{self.name}.{cause}") for cause, order, error in self.lines()
+            Wave(order=order, amplitude=error, phase_key=f"{self.name}.{cause}")
+            for cause, order, error in self.lines(self.belt(rig), radius)
         )
+
+    def _own(self) -> Belt | None:
+        if self.pinion is None or self.wheel is None or self.belt_teeth is None:
+            return None
+        return Belt(self.pinion, self.wheel, self.belt_teeth)

@@ -79,12 +79,12 @@ class BeltStage(Part):
     @property
     def stiffness(self) -> float:
         """Torsional stiffness at the output pulley [N m/rad]."""
-        return 2 * self.belt_stiffness / (self.geometry().strand() * self._unit) * self._radius**2
+        return 2 * self.belt_stiffness / (self.geometry().strand() * self._unit) * self.wheel_radius**2
 
     @property
     def damping(self) -> float:
         """Torsional damping at the output pulley [N m s/rad]."""
-        return 2 * self.strand_damping * self._radius**2
+        return 2 * self.strand_damping * self.wheel_radius**2
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the pulleys and the spring between, with the errors that effects add."""
@@ -99,5 +99,6 @@ class BeltStage(Part):
         return self.pitch or 1.0
 
     @property
-    def _radius(self) -> float:
+    def wheel_radius(self) -> float:
+        """Pitch radius of the output pulley [m]."""
         return self.geometry().wheel * self._unit / (2 * pi)

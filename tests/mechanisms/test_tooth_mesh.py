@@ -1,0 +1,155 @@
+"""Mesh lines out of tooth counts: frequencies of handbook 4.2, sizes by the lever, and what planets cancel."""
+
+from __future__ import annotations
+
+from math import cos, pi
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.mechanisms import GearMesh, ToothMesh
+from torquerig.rig.part import Part
+from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController, TorqueSensor
+from torquerig.rig.rig import Rig
+from torquerig.signals.recording import Recording
+from torquerig.signals.run import Run
+from torquerig.signals.teeth import Planetary, Spur
+from torquerig.simulate.simulate import simulate
+
+IN_PHASE, SEQUENTIAL = Planetary(21, 84, 3), Planetary(22, 62, 3)
+LEVER = 0.5 * 1e-3 * cos(pi / 9)  # module 1 mm, per tooth
+
+
+def geared(teeth: Planetary | Spur, *effects: Part, speed_rpm: float = 1000.0) -> Rig:
+    gear = Gear(name="gearbox", after="motor", teeth=(teeth,), stiffness=11300, damping=2.0, output_inertia=7e-4)
+    return Rig(
+        (
+            Motor(name="motor", inertia=1.5e-4, torque_limit=10.0),
+            gear,
+            Coupling(name="sensor", after="gearbox", stiffness=1100, damping=0.12, inertia=4e-5),
+            Body(name="wear_part", after="sensor", inertia=2e-3),
+            SpeedController(name="controller", kp=1e-6, ki=0.0),
+            *effects,
+        ),
+        Run(speed=speed_rpm * pi / 30),
+        measured="sensor",
+    )
+
+
+def errors(teeth: Planetary | Spur, mesh: ToothMesh) -> dict[float, float]:
+    """Angle error [rad] by output order."""
+    return {wave.order: wave.amplitude for wave in mesh.kinematic_error("gearbox", geared(teeth, mesh))}
+
+
+def largest(made: Recording) -> float:
+    """Frequency [Hz] of the largest line of the sensor."""
+    values = made.torque() - made.torque().mean()
+    return float(np.argmax(np.abs(np.fft.rfft(values * np.hanning(values.size)))) * made.sample_rate / values.size)
+
+
+@pytest.mark.parametrize(("speed_rpm", "hertz"), [(1000.0, 280.0), (600.0, 168.0)])
+def test_handbook_section_9_21_84_meshes_at_280_and_168_hz(speed_rpm: float, hertz: float) -> None:
+    mesh = ToothMesh(name="mesh", module=1e-3, tooth_error=(5e-6,))
+    made = simulate(geared(IN_PHASE, mesh, speed_rpm=speed_rpm), duration=1.0, seed=1)
+    turned = made.channels["true_motor_speed_rad_s"].values.mean() / (speed_rpm * pi / 30)
+    assert turned == pytest.approx(1.0, rel=1e-3)
+    assert largest(made) == pytest.approx(hertz, abs=1.0)
+
+
+def test_a_tooth_mesh_is_the_gear_mesh_of_the_error_that_its_lever_gives() -> None:
+    """Sun and ring radii add up where the carrier is the output; the same bytes as the class it is a variant of."""
+    mesh = ToothMesh(name="mesh", module=1e-3, tooth_error=(5e-6, 2e-6))
+    plain = GearMesh(name="mesh", order_output=84, transmission_error=(5e-6 / (105 * LEVER), 2e-6 / (105 * LEVER)))
+    first, second = (simulate(geared(IN_PHASE, one), duration=0.1, seed=1) for one in (mesh, plain))
+    assert first.torque() == pytest.approx(second.torque(), rel=1e-9, abs=1e-12)
+    assert errors(Spur(20, 50), mesh) == pytest.approx({50.0: 5e-6 / (50 * LEVER), 100.0: 2e-6 / (50 * LEVER)})
+    assert errors(Planetary(21, 84, 3, fixed="carrier"), mesh)[84.0] == pytest.approx(5e-6 / (84 * LEVER))
+
+
+@pytest.mark.parametrize(("teeth", "left"), [(IN_PHASE, {84, 168, 252}), (SEQUENTIAL, {186})])
+def test_planets_cancel_harmonics_by_sun_teeth_over_planets(teeth: Planetary, left: set[int]) -> None:
+    mesh = ToothMesh(name="mesh", module=1e-3, tooth_error=(5e-6, 5e-6, 5e-6))
+    assert set(errors(teeth, mesh)) == left
+
+
+def brute(teeth: Planetary, modulation: tuple[float, ...], shares: tuple[float, ...]) -> NDArray[np.float64]:
+    """Amplitude by output order of what the planets, one after the other round the ring, make together."""
+    theta = 2 * pi * np.arange(4096) / 4096
+    total = np.zeros(4096)
+    for k, share in enumerate(shares):
+        place = theta + 2 * pi * k / len(shares)
+        wave = sum(m * np.cos(s * place) for s, m in enumerate(modulation, start=1))
+        total += share * (1 + wave) * np.cos(teeth.mesh_order_out * place)
+    return 2 * np.abs(np.fft.rfft(total)) / 4096
+
+
+@pytest.mark.parametrize("teeth", [IN_PHASE, SEQUENTIAL, Planetary(26, 78, 4)], ids=lambda teeth: teeth.spoken)
+@pytest.mark.parametrize("unequal", [False, True])
+def test_side_lines_are_those_of_planets_summed_one_by_one(teeth: Planetary, unequal: bool) -> None:
+    """McFadden & Smith 1985: of equal planets only multiples of their number are left, whatever modulates them."""
+    count = teeth.planets or 1
+    shares = tuple(1 / count + (0.1 if k == 0 else -0.1 / (count - 1)) * unequal for k in range(count))
+    mesh = ToothMesh(
+        name="mesh", module=1e-3, tooth_error=(5e-6,), position_modulation=(0.3, 0.2, 0.1, 0.05),
+        planet_shares=shares if unequal else (),
+    )  # fmt: skip
+    expected = brute(teeth, mesh.position_modulation, shares)
+    found = {int(order): e * 1e6 / 5 * teeth.lever_teeth * LEVER for order, e in errors(teeth, mesh).items()}
+    assert found == pytest.approx({int(o): expected[o] for o in np.flatnonzero(expected > 1e-9)}, abs=1e-9)
+    assert unequal or all(order % count == 0 for order in found)
+
+
+def test_an_eccentric_wheel_stands_at_its_turn_and_beside_the_mesh_line() -> None:
+    """Phase modulation of cos(h z (theta + (off/r) sin theta)): first side lines h off/module, within its square."""
+    mesh = ToothMesh(name="mesh", module=1e-3, tooth_error=(5e-6, 4e-6), pinion_eccentricity=3e-5,
+                     wheel_eccentricity=2e-5)  # fmt: skip
+    found = errors(Spur(20, 50), mesh)
+    assert set(found) == {50, 100, 1, 2.5, 49, 51, 47.5, 52.5, 99, 101, 97.5, 102.5}
+    assert found[1] == pytest.approx(2e-5 / (50 * LEVER))
+    assert found[2.5] == pytest.approx(3e-5 / (50 * LEVER))
+    theta = 2 * pi * np.arange(4096) / 4096
+    for harmonic in (1, 2):
+        shifted = np.cos(harmonic * 50 * (theta + 2e-5 / (0.5 * 50e-3 * 1) * np.sin(theta)))
+        side = np.abs(np.fft.rfft(shifted))[harmonic * 50 + 1] * 2 / 4096
+        assert found[harmonic * 50 + 1] / found[harmonic * 50] == pytest.approx(side, rel=2e-3)
+
+
+@pytest.mark.parametrize("harmonic", [8])
+@pytest.mark.parametrize("speed_rpm", [6000.0, 6030.0])
+def test_a_mesh_harmonic_above_12_5_khz_comes_back_below_it_and_moves_backwards(
+    harmonic: int, speed_rpm: float
+) -> None:
+    """Handbook 6.12: f_a = |f - 25 kHz|; 8 x 84 x 20 Hz = 13 440 Hz reads as 11 560 Hz, less when faster."""
+    mesh = ToothMesh(name="mesh", module=1e-3, tooth_error=(*[0.0] * (harmonic - 1), 2e-6))
+    rig = geared(IN_PHASE, mesh, speed_rpm=speed_rpm)
+    sensor = TorqueSensor(
+        name="sensor", after="gearbox", stiffness=1100, damping=0.12, inertia=4e-5, bandwidth=10_000, converter_bits=24
+    )
+    made = simulate(rig.changed(sensor), duration=0.5, seed=1)
+    output = made.channels["true_motor_speed_rad_s"].values.mean() / (2 * pi) / 5
+    assert harmonic * 84 * output > 12_500
+    assert largest(made) == pytest.approx(25_000 - harmonic * 84 * output, abs=2.0)
+
+
+@pytest.mark.parametrize(
+    ("teeth", "mesh", "told"),
+    [
+        (IN_PHASE, ToothMesh(name="it", module=1e-3, wheel_eccentricity=1e-5), "told of a fixed-axis pair"),
+        (IN_PHASE, ToothMesh(name="it", module=1e-3, planet_shares=(0.5, 0.5)), "write one per planet of gearbox"),
+        (Spur(20, 50), ToothMesh(name="it", module=1e-3, planet_shares=(1.0,)), "has no planets"),
+        (IN_PHASE, ToothMesh(name="it", gear="sensor", module=1e-3), "'sensor' is no gear"),
+    ],
+    ids=["eccentric planetary", "two shares", "no planets", "no gear"],
+)
+def test_a_mesh_that_its_gear_cannot_have_is_refused(teeth: Planetary | Spur, mesh: ToothMesh, told: str) -> None:
+    with pytest.raises(InputError, match=told):
+        geared(teeth, mesh).terms()
+
+
+def test_a_gear_without_teeth_has_no_tooth_mesh() -> None:
+    rig = geared(IN_PHASE, ToothMesh(name="it", module=1e-3, tooth_error=(1e-6,)))
+    bare = Gear(name="gearbox", after="motor", ratio=5, stiffness=11300, damping=2.0, output_inertia=7e-4)
+    with pytest.raises(InputError, match=r"gearbox states no teeth, .* write teeth of one stage"):
+        rig.changed(bare).terms()
