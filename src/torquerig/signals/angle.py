@@ -20,10 +20,14 @@ _COUNTS_SPANNED, _LONGEST_SMOOTHING = 16, 2e-3
 
 @dataclass(frozen=True)
 class MotorAngle:
-    """The angle of the motor shaft at each sample [rad], shape (samples,), and where it comes from, in words."""
+    """The angle of the motor shaft at each sample [rad], shape (samples,), and where it comes from, in words.
+
+    ``speed_sd`` is the standard uncertainty of the mean speed as a share of it [1]; nan where the source states none.
+    """
 
     values: NDArray[np.float64]
     origin: str
+    speed_sd: float = float("nan")
 
     def mean_speed(self, rate: float) -> float:
         """Return the mean motor speed [rad/s] at ``rate`` samples per second."""
@@ -55,9 +59,18 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
     for quantity, factor, read in readers:
         name = recording.find(quantity)
         if name is not None:
-            angle = read(recording.channels[name], recording.sample_rate) * factor
-            return MotorAngle(angle, f"from the channel {name}")
+            channel = recording.channels[name]
+            angle = read(channel, recording.sample_rate) * factor
+            return MotorAngle(angle, f"from the channel {name}", _rounding(channel, angle, factor))
     return None
+
+
+def _rounding(channel: Channel, angle: NDArray[np.float64], factor: float) -> float:
+    """Return the share of the mean speed that whole counts leave unknown: 1/sqrt(12) of a count at both ends."""
+    turned = abs(float(angle[-1] - angle[0])) if angle.size else 0.0
+    if channel.unit != "count" or not turned:
+        return float("nan")
+    return channel.si_per_unit * factor / float(np.sqrt(6)) / turned
 
 
 def _integral_of(channel: Channel, rate: float) -> NDArray[np.float64]:

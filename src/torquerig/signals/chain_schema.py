@@ -15,6 +15,7 @@ from torquerig.signals.filters.butterworth import ButterworthLowPass
 from torquerig.signals.filters.harmonic_regression import HarmonicRegression
 from torquerig.signals.filters.ideal_bandstop import IdealBandstop
 from torquerig.signals.filters.moving_mean import MovingMeanKept
+from torquerig.signals.filters.notch_bank import CausalNotchBank, NotchBank
 from torquerig.signals.filters.revolution_mean import RevolutionMean
 from torquerig.signals.kinematics import FAMILIES, Family, Kinematics
 from torquerig.signals.stage import Stage
@@ -90,6 +91,21 @@ class HarmonicRegressionText(_StageText):
         return HarmonicRegression(lines=lines, block=self.block), left_out
 
 
+class NotchBankText(_StageText):
+    """The YAML of a bank of notches; ``causal: true`` runs it forwards only, at the set-point."""
+
+    type: Literal["notch_bank"]
+    lines: Lines
+    half_width: Annotated[float, Parameter("Hz", "half of each notch at -3 dB", above=0)] = 0.5
+    causal: bool = False
+
+    def made_for(self, kinematics: Kinematics) -> Made:
+        """Return the notches for one drive."""
+        lines, left_out = select_lines(kinematics, self.lines)
+        made = CausalNotchBank if self.causal else NotchBank
+        return made(lines=lines, half_width=self.half_width), left_out
+
+
 class ButterworthLowPassText(_StageText):
     """The YAML of a zero-phase Butterworth low-pass."""
 
@@ -127,7 +143,14 @@ class MovingMeanKeptText(_StageText):
         return stage, tuple(word for _, left_out in made for word in left_out)
 
 
-_Texts = IdealBandstopText | HarmonicRegressionText | ButterworthLowPassText | RevolutionMeanText | MovingMeanKeptText
+_Texts = (
+    IdealBandstopText
+    | HarmonicRegressionText
+    | NotchBankText
+    | ButterworthLowPassText
+    | RevolutionMeanText
+    | MovingMeanKeptText
+)
 _TYPES = tuple(str(get_args(text.model_fields["type"].annotation)[0]) for text in get_args(_Texts))
 
 

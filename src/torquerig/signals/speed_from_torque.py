@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 _SET_POINT_ERROR = 0.015  # share by which the real speed may differ from the set-point (the rig's sheet: 0.01)
 _TURNS_PER_HOP = 2.0  # motor turns between the blocks that follow the wander; each block is twice as long
 _ACCELERATION = 1e-3  # 1/s, one sigma of the relative acceleration that a steady run may have
+_STANDS_OUT = 5.0  # robust standard deviations by which the comb's best score must exceed its median
 _ORDER_CAPS = (8.0, 16.0, 32.0, 90.0, np.inf)  # slow lines first: they bear the largest error of angle
 
 
@@ -44,8 +45,11 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
 
     Notes
     -----
+    ``speed_sd`` is the Cramer-Rao bound of the lines that stand out, phases unknown (Rife & Boorstyn 1974, IEEE Trans.
+    Inf. Theory 20, eq. 17): the real error is a little larger (Hann window, wander).
     Source: maximum likelihood of a harmonic comb in coloured noise (Fyfe & Munck 1997 for the need). It stops being
-    true where no line stands out, and it tells the course of the angle, not where the shaft's zero is.
+    true where no line stands out (then it is the set-point, and says so), and it tells the course of the angle, not
+    where the shaft's zero is.
     """
     if recording.run.profile == "reversal":
         raise RecordingError(
@@ -59,20 +63,24 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
     orders = np.array(sorted({float(f"{line.motor_order:.9g}") for line in lines}))
     comb = _comb(torque, nominal, orders)
     angle = nominal * comb.factor
+    if not comb.stands_out:
+        return MotorAngle(angle, "from the set-point alone: no comb of lines stands out", comb.sd)
     if recording.run.profile != "steady":
-        return MotorAngle(angle, f"from the set-point profile times {comb.factor:.5f}, by the comb of lines")
+        return MotorAngle(angle, f"from the set-point profile times {comb.factor:.5f}, by the comb of lines", comb.sd)
     wander = _wander(torque, angle, orders, comb.floor, recording.sample_rate)
     return MotorAngle(
-        angle + wander, f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines"
+        angle + wander, f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines", comb.sd
     )
 
 
 @dataclass(frozen=True)
 class _Comb:
-    """The factor on the set-point, and the noise power of one bin beside each line [unit^2]."""
+    """The factor on the set-point, its standard uncertainty, and the noise power of a bin beside each line [unit^2]."""
 
     factor: float
+    sd: float
     floor: NDArray[np.float64]
+    stands_out: bool
 
 
 def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64]) -> _Comb:
@@ -88,11 +96,19 @@ def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDA
     step = 0.25 * per_bin / max(seen.max(initial=1.0), 1.0)
     factors = 1 + np.arange(-_SET_POINT_ERROR, _SET_POINT_ERROR, step)
     score = np.zeros(factors.size)
+    information = np.zeros(factors.size)
     bins = np.arange(power.size)
     for order, level in zip(orders, floor, strict=True):
         if order in seen:
-            score += np.log1p(np.interp(order * factors / per_bin, bins, power) / level)
-    return _Comb(float(factors[int(np.argmax(score))]), floor)
+            excess = np.interp(order * factors / per_bin, bins, power) / level
+            score += np.log1p(excess)
+            # only what the floor itself hardly ever reaches (e^-7) is a line; 2 pi / per_bin samples of its phase
+            information += np.where(excess > 7, excess, 0.0) * (2 * np.pi * order / per_bin) ** 2 / 6
+    best = int(np.argmax(score))
+    spread = 1.4826 * float(np.median(np.abs(score - np.median(score))))
+    if not score[best] - np.median(score) > _STANDS_OUT * spread or not information[best]:
+        return _Comb(1.0, _SET_POINT_ERROR / np.sqrt(3), floor, stands_out=False)
+    return _Comb(float(factors[best]), float(1 / np.sqrt(information[best])), floor, stands_out=True)
 
 
 def _floor(power: NDArray[np.float64], position: float) -> float:

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.signals.angle import measured_motor_angle
+from torquerig.signals.best_angle import best_motor_angle
 from torquerig.signals.line_fit import FEWEST_PERIODS, fitted_lines
-from torquerig.signals.speed_from_torque import motor_angle_from_torque
 
 if TYPE_CHECKING:
     from torquerig.signals.kinematics import KinematicLine
@@ -21,8 +20,7 @@ if TYPE_CHECKING:
 class HarmonicRegression:
     """Subtracts the least-squares sines of ``lines`` from the torque and keeps everything else, the mean included.
 
-    The angle is that of an encoder or another angle or speed channel; without one, that of the set-point speed,
-    corrected until the comb of the lines fits the torque best.
+    The angle is the best that the recording has (:func:`~torquerig.signals.best_angle.best_motor_angle`).
 
     Parameters
     ----------
@@ -52,8 +50,7 @@ class HarmonicRegression:
             return recording
         name = recording.torque_name()
         values, rate = recording.channels[name].values, recording.sample_rate
-        ratio = self.lines[0].output_order / self.lines[0].motor_order
-        angle = measured_motor_angle(recording, ratio=ratio) or motor_angle_from_torque(recording, self.lines)
+        angle = best_motor_angle(recording, self.lines)
         orders = [line.motor_order for line in self.lines]
         turns = np.abs(np.diff(angle.values)).sum() / (2 * np.pi)
         if turns * max(orders) < FEWEST_PERIODS:
