@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
 
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.cli.filter_long import blocks_for, described, filter_long
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
-from torquerig.errors import InputError, did_you_mean
+from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.plain_table import grid
 from torquerig.signals.chain import Chain
 from torquerig.signals.chain_file import read_chains
 from torquerig.signals.effect import FilterEffect, chain_effect
-from torquerig.signals.files import check_target, read_recording, write_recording
+from torquerig.signals.files import check_target, open_stream, read_recording, write_recording
+from torquerig.signals.files.blocks import Blocking
+from torquerig.signals.files.stream import RecordingStream
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.recording import Recording
+from torquerig.units import parse_quantity
+
+_HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "energy change %")
 
 
 @click.command("filter")
@@ -31,35 +37,92 @@ from torquerig.signals.recording import Recording
 @click.option("--ratio", type=float, default=None, help="Motor turns per output turn, where the sidecar does not say.")
 @click.option("--out", type=click.Path(path_type=Path), default=None, help="Write the filtered recording (one chain).")
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the spectrum before and after.")
+@click.option(
+    "--block",
+    default=None,
+    metavar="TIME",
+    help="Filter in blocks of this length, such as '60 s'; a long recording is anyway.",
+)
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording or picture of that name.")
 @catalog_option
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
-    out: Path | None, picture: Path | None, force: bool, catalogs: tuple[Path, ...],
+    out: Path | None, picture: Path | None, block: str | None, force: bool, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Put RECORDING through filter chains and say what they changed: spread, mean, energy, and each family of lines.
 
     A smaller spread is no proof of less noise: any twenty notches lower it. Only a simulated recording with its truth
     tells how far the result is from the true load.
+
+    A long recording is filtered block by block, so that memory stays flat whatever its length.
     """
     _check_targets(names, out, picture, force=force)
-    before = read_recording(recording)
-    kinematics = _kinematics(before, catalog_beside(None, catalogs), motor=motor, ratio=ratio)
+    stream = open_stream(recording)
+    sheet = described(stream)
+    kinematics, assumed = _kinematics(sheet, catalog_beside(None, catalogs), motor=motor, ratio=ratio)
     known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
     chains = [_chain(name, known) for name in names or ("seed_code", "seed_text")]
-    results = [(chain, chain.apply(before)) for chain in chains]
-    effects = [(chain, after, chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines))
-               for chain, after in results]  # fmt: skip
-    click.echo(f"{recording}: std {effects[0][2].std_before:.5f} N*m, mean {effects[0][2].mean_before:.5f} N*m")
-    click.echo(grid([_head(before), *(_row(chain, after, effect, before) for chain, after, effect in effects)]) + "\n")
-    for chain, _, effect in effects:
-        _tell_families(chain, effect)
-    click.echo(f"speed for energy and lines: {effects[0][2].speed_origin}")
-    if out is not None:
-        written = write_recording(results[0][1], out, overwrite=force)
-        click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     if picture is not None:
-        _draw(before, results[0][1], chains[0], kinematics, picture, force=force)
+        _refuse_picture_without_speed(sheet)
+    blocking = blocks_for(stream, chains, block=None if block is None else _seconds(block))
+    if blocking is None:
+        told = _filtered_whole(recording, chains, kinematics, out=out, force=force)
+    else:
+        told = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
+    if assumed:
+        click.echo(f"assumed of {assumed}")
+    if picture is not None:
+        _draw(*told, chains[0], kinematics, picture, force=force)
+
+
+def _filtered_whole(
+    path: Path, chains: Sequence[Chain], kinematics: Kinematics, *, out: Path | None, force: bool
+) -> tuple[Recording, Recording]:
+    """Filter, tell and write; return the recording before and after the first chain."""
+    before = read_recording(path)
+    results = [chain.apply(before) for chain in chains]
+    effects = [
+        chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines)
+        for chain, after in zip(chains, results, strict=True)
+    ]
+    known = TRUE_LOAD in before.channels
+    _tell(path, before, chains, effects, [truth_error(after, before) for after in results] if known else None)
+    if out is not None:
+        written = write_recording(results[0], out, overwrite=force)
+        click.echo(f"wrote {' and '.join(str(path) for path in written)}")
+    return before, results[0]
+
+
+def _filtered_in_blocks(
+    stream: RecordingStream, chains: Sequence[Chain], kinematics: Kinematics, blocking: Blocking, *, out: Path | None,
+    force: bool,
+) -> tuple[Recording, Recording]:  # fmt: skip
+    """Filter and write block by block, and tell; return a stretch of the recording before and after the first chain."""
+    made = filter_long(stream, chains, blocking, ratio=kinematics.ratio, out=out, force=force)
+    seconds, overlap = (samples / stream.sample_rate for samples in (blocking.samples, blocking.overlap))
+    click.echo(f"filtered in blocks of {seconds:.4g} s that overlap by {overlap:.3g} s on either side")
+    _tell(stream.path, described(stream), chains, made.effects, made.errors)
+    return made.stretch.before, made.stretch.after[0]
+
+
+def _tell(
+    path: Path, before: Recording, chains: Sequence[Chain], effects: Sequence[FilterEffect],
+    errors: Sequence[float] | None,
+) -> None:  # fmt: skip
+    first = effects[0]
+    if first.std_before == 0:
+        name = before.torque_name()
+        click.echo(
+            f"torquerig: warning: {path}: {name} is constant in all its samples; is the sensor connected?", err=True
+        )
+    click.echo(f"{path}: std {first.std_before:.5f} N*m, mean {first.mean_before:.5f} N*m")
+    rows = [_row(chain, effect) for chain, effect in zip(chains, effects, strict=True)]
+    if errors is not None:
+        rows = [[*row, f"{error:.5f}"] for row, error in zip(rows, errors, strict=True)]
+    click.echo(grid([[*_HEAD, *([] if errors is None else ["error to true load N*m"])], *rows]) + "\n")
+    for chain, effect in zip(chains, effects, strict=True):
+        _tell_families(chain, effect)
+    click.echo(f"speed for energy and lines: {first.speed_origin}")
 
 
 def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | None, *, force: bool) -> None:
@@ -67,11 +130,16 @@ def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | Non
         raise InputError("--out and --picture take one chain; name it with --chain")
     if out is not None:
         check_target(out, overwrite=force)
-    if picture is not None and picture.exists() and not force:
-        raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
+    if picture is not None:
+        from torquerig.report.picture import check_picture
+
+        check_picture(picture, overwrite=force)
 
 
-def _kinematics(before: Recording, catalog: Catalog, *, motor: str | None, ratio: float | None) -> Kinematics:
+def _kinematics(
+    before: Recording, catalog: Catalog, *, motor: str | None, ratio: float | None
+) -> tuple[Kinematics, str]:
+    """Return what the lines follow from, and what of the motor was assumed for it in words."""
     name, turns = motor or before.run.motor, before.run.gear_ratio if ratio is None else ratio
     if name is None or turns is None:
         missing = "--motor NAME" if name is None else "--ratio N"
@@ -80,9 +148,8 @@ def _kinematics(before: Recording, catalog: Catalog, *, motor: str | None, ratio
     sheet = before.run.others
     if motor is None and isinstance(sheet.get("pole_pairs"), int):
         pole_pairs, slots, assumed = sheet["pole_pairs"], sheet.get("slots"), ""
-    if assumed:
-        click.echo(f"assumed of {name}: {assumed}")
-    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns)
+    words = f"{name}: {assumed}" if assumed else ""
+    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns), words
 
 
 def _chain(name: str, known: Mapping[str, Chain]) -> Chain:
@@ -91,19 +158,23 @@ def _chain(name: str, known: Mapping[str, Chain]) -> Chain:
     return known[name]
 
 
-def _head(before: Recording) -> list[str]:
-    head = ["chain", "std N*m", "std cut %", "variance cut %", "mean change %", "energy change %"]
-    return [*head, "error to true load N*m"] if TRUE_LOAD in before.channels else head
+def _seconds(written: str) -> float:
+    try:
+        seconds = parse_quantity(written, "s")
+    except UnitError as error:
+        raise UnitError(f"--block: {error}") from None
+    if not seconds > 0:
+        raise InputError(f"--block: blocks of {written} cannot be; write for example '60 s'")
+    return seconds
 
 
-def _row(chain: Chain, after: Recording, effect: FilterEffect, before: Recording) -> list[str]:
+def _row(chain: Chain, effect: FilterEffect) -> list[str]:
     energy = effect.energy_change_percent
-    row = [
+    return [
         chain.name, f"{effect.std_after:.5f}", f"{effect.std_reduction_percent:.1f}",
         f"{effect.variance_reduction_percent:.1f}", f"{effect.mean_change_percent:.4f}",
         "-" if energy is None else f"{energy:.4f}",
     ]  # fmt: skip
-    return [*row, f"{truth_error(after, before):.5f}"] if TRUE_LOAD in before.channels else row
 
 
 def _tell_families(chain: Chain, effect: FilterEffect) -> None:
@@ -121,9 +192,13 @@ def _draw(
     from torquerig.report.picture import write_picture
     from torquerig.report.spectrum_figure import spectrum_figure
 
-    if before.run.speed is None:
-        raise InputError(f"{before.name}: the sidecar states no speed_rpm, so that no line can be placed; add it")
     lines = chain.lines or kinematics.lines()
-    figure = spectrum_figure(before, after, lines=lines, motor_speed=before.run.speed, ratio=kinematics.ratio)
+    speed = before.run.speed or 0.0
+    figure = spectrum_figure(before, after, lines=lines, motor_speed=speed, ratio=kinematics.ratio)
     write_picture(figure, path, overwrite=force)
     click.echo(f"wrote {path}")
+
+
+def _refuse_picture_without_speed(sheet: Recording) -> None:
+    if not sheet.run.speed:
+        raise InputError(f"{sheet.name}: the sidecar states no speed_rpm, so that no line can be placed; add it")

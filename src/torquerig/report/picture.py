@@ -55,12 +55,7 @@ def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> Non
     InputError
         For another ending, a missing folder, or a file that is there already and may not be overwritten.
     """
-    if path.suffix.lower() not in (".svg", ".png"):
-        raise InputError(f"{path}: a picture is written as .svg or .png; choose one of these endings")
-    if path.exists() and not overwrite:
-        raise InputError(f"{path}: is there already; choose another name, or ask for it to be overwritten")
-    if not path.parent.is_dir():
-        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    check_picture(path, overwrite=overwrite)
     drawn = svg(figure) if path.suffix.lower() == ".svg" else png(figure)
     partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
     try:
@@ -68,6 +63,16 @@ def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> Non
         partial.replace(path)
     finally:
         partial.unlink(missing_ok=True)
+
+
+def check_picture(path: Path, *, overwrite: bool = False) -> None:
+    """Raise the InputError that writing a picture to ``path`` would raise, so that no long work is done in vain."""
+    if path.suffix.lower() not in (".svg", ".png"):
+        raise InputError(f"{path}: a picture is written as .svg or .png; choose one of these endings")
+    if path.exists() and not overwrite:
+        raise InputError(f"{path}: is there already; choose another name, or overwrite it with --force")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
 
 
 def svg(figure: Figure) -> bytes:

@@ -1,0 +1,102 @@
+"""``torquerig filter`` on a recording that is too long to be held: block by block."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+import numpy as np
+
+from torquerig.errors import RecordingError
+from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.signals.chain import Chain
+from torquerig.signals.effect import FilterEffect
+from torquerig.signals.effect_joined import joined_effect
+from torquerig.signals.files.block_writing import write_blocks
+from torquerig.signals.files.blocks import Blocking
+from torquerig.signals.files.stream import RecordingStream
+from torquerig.signals.recording import Recording
+from torquerig.signals.streaming import FilteredBlock, blocking_for, filtered_blocks
+
+_LONG = 16_000_000
+"""Samples of all channels together above which a recording is filtered in blocks: 128 MB."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LongResult:
+    """What came of a long recording: each chain's effect and error to the true load, and a stretch for the picture."""
+
+    effects: tuple[FilterEffect, ...]
+    errors: tuple[float, ...] | None
+    stretch: FilteredBlock
+
+
+def blocks_for(stream: RecordingStream, chains: Sequence[Chain], *, block: float | None) -> Blocking | None:
+    """Return how to cut the recording, or None where it is to be filtered as a whole; says why a long one is.
+
+    ``block`` [s] asks for blocks of that length whatever the length of the recording.
+    """
+    if block is not None:
+        return blocking_for(chains, stream, block=block)
+    if stream.samples is not None and stream.samples * len(stream.sheets) <= _LONG:
+        return None
+    if stream.table.read_whole:
+        click.echo(f"filtered as a whole: {stream.table.read_whole}")
+        return None
+    try:
+        return blocking_for(chains, stream)
+    except RecordingError as error:
+        click.echo(f"filtered as a whole: {error}")
+        return None
+
+
+def filter_long(
+    stream: RecordingStream, chains: Sequence[Chain], blocking: Blocking, *, ratio: float, out: Path | None, force: bool
+) -> LongResult:
+    """Filter block by block, write the first chain's answer to ``out`` where given, and return what came of it."""
+    seen = _Seen()
+    blocks = seen.passing(filtered_blocks(chains, stream, blocking, ratio=ratio), stream)
+    if out is not None:
+        written = write_blocks((block.after[0] for block in blocks), out, overwrite=force)
+        click.echo(f"wrote {' and '.join(str(path) for path in written)}")
+    for _ in blocks:
+        pass
+    return seen.result()
+
+
+class _Seen:
+    """Collects what the blocks did while they pass by."""
+
+    def __init__(self) -> None:
+        self.samples: list[int] = []
+        self.effects: list[tuple[FilterEffect, ...]] = []
+        self.errors: list[list[float]] = []
+        self.stretch: FilteredBlock | None = None
+
+    def passing(self, blocks: Iterator[FilteredBlock], stream: RecordingStream) -> Iterator[FilteredBlock]:
+        for block in blocks:
+            self.samples.append(block.before.samples)
+            self.effects.append(block.effects)
+            if TRUE_LOAD in block.before.channels:
+                self.errors.append([truth_error(after, block.before) for after in block.after])
+            # the stretch that is drawn is the middle one, or the first where the length is not known
+            if self.stretch is None or block.first <= (stream.samples or 0) // 2:
+                self.stretch = block
+            yield block
+
+    def result(self) -> LongResult:
+        if self.stretch is None:
+            raise RecordingError("the recording has no samples; record it again")
+        errors = None
+        if self.errors:
+            weights = np.array(self.samples) / sum(self.samples)
+            errors = tuple(float(one) for one in np.sqrt(weights @ np.array(self.errors) ** 2))
+        effects = tuple(joined_effect(each, self.samples) for each in zip(*self.effects, strict=True))
+        return LongResult(effects=effects, errors=errors, stretch=self.stretch)
+
+
+def described(stream: RecordingStream) -> Recording:
+    """Return a recording without samples, for what only its sheet, its run and its name are asked for."""
+    return stream.of(dict.fromkeys(stream.sheets, np.empty(0)))
