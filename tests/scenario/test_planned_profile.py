@@ -1,4 +1,4 @@
-"""Profiles with points of their own in a scenario: speeds reach the motor, occupancies become torques, faults a line."""
+"""Profiles with points of their own in a scenario: speeds of the motor, occupancies as torques, faults."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.simulate.simulate import simulate
 
+# ruff: noqa: E501 (a table: one case in a row)
 RPM = pi / 30
 CYCLE = (
     "operating_point.duty_cycle={segments: [{duration: 0.4 s, output_speed: 300 rpm, ramp: true, occupancy: 0 %},"
@@ -70,7 +71,7 @@ def test_a_table_is_found_beside_its_scenario(tmp_path):
 
 
 FAULTS = {
-    "no segments": ("profile=duty_cycle",), 
+    "no segments": ("profile=duty_cycle",),
     "empty": ("profile=duty_cycle", "operating_point.duty_cycle={segments: []}"),
     "missing one": ("operating_point.duty_cycle={segments: [{duration: 1 s, motor_speed: 5 rpm}, null]}",),
     "no speed": ("operating_point.duty_cycle={segments: [{duration: 1 s}]}",),

@@ -1,4 +1,4 @@
-"""What no profile may have: rows that are no numbers, a time that does not rise, a jump in time."""
+"""What no profile may have: rows that are no numbers, a time that does not rise or jumps, an end before the run's."""
 
 from __future__ import annotations
 
@@ -62,4 +62,13 @@ def refuse_gaps(
         raise InputError(
             f"{place(worst + 1)}: the profile has a gap: the time jumps from {time[worst]:g} s to {time[worst + 1]:g} "
             f"s in a table of {usual:g} s steps; fill in the rows between"
+        )
+
+
+def refuse_short(word: str, length: float, *, duration: float) -> None:
+    """Refuse the profile ``word`` that ends after ``length`` [s] for a run of ``duration`` [s] that is longer."""
+    if duration > length * (1 + 1e-9):
+        raise InputError(
+            f"the profile {word} ends after {length:g} s, and the run lasts {duration:g} s; make the run shorter, go "
+            "on with the profile, or raise its repeats"
         )

@@ -8,8 +8,8 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.errors import InputError
 from torquerig.signals.profiles.corners import Corners
+from torquerig.signals.profiles.gaps import refuse_short
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,12 +35,7 @@ class Tabulated:
 
     def speed(self, time: NDArray[np.float64], *, top: float, duration: float) -> NDArray[np.float64]:
         """Return the set-point at each time [rad/s]; InputError where the table ends before the recording."""
-        if duration > self.length * (1 + 1e-9):
-            times = "" if self.repeats == 1 else f", {self.repeats} times {self.rows.length:g} s"
-            raise InputError(
-                f"the profile {self.word} ends after {self.length:g} s{times}, and the run lasts {duration:g} s; make "
-                "the run shorter, go on with the profile, or raise its repeats:"
-            )
+        refuse_short(self.word, self.length, duration=duration)
         return self.rows.speed_at(self._within(time))
 
     def load(self, time: NDArray[np.float64]) -> NDArray[np.float64] | None:

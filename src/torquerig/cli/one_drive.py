@@ -1,0 +1,50 @@
+"""The one drive that a command looks at: the scenario's own, or a candidate of its study."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from torquerig.catalog.entry import Entry
+from torquerig.catalog.reading import Catalog
+from torquerig.document import Document
+from torquerig.errors import InputError, UnknownNameError
+from torquerig.rig.parts import SpeedController
+from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.study import open_study
+
+AnyEntry = TypeVar("AnyEntry", bound=Entry)
+
+
+def scenario_or_candidate(
+    document: Document, catalog: Catalog, *, motor: str | None, gearbox: str | None, seed: int
+) -> Scenario:
+    """Return the scenario as it stands, or with another motor or gearbox as its study would run it.
+
+    Raises
+    ------
+    InputError
+        When a speed controller has no speed to hold.
+    UnknownNameError
+        When the catalog has no such motor or gearbox; with the close matches.
+    """
+    if motor is None and gearbox is None:
+        made = read_scenario(document, catalog, seed=seed)
+        if made.rig.parts_of(SpeedController) and made.rig.run.speed is None:
+            raise InputError(
+                f"{document.path}: operating_point states no speed; write motor_speed or output_speed, such as 200 rpm"
+            )
+        return made
+    study = open_study(document, catalog)
+    box = _asked("--gearbox", gearbox or study.settings.present.gearbox, catalog.gearbox)
+    name = motor or study.settings.present.motor
+    _asked("--motor", name, catalog.motor)
+    return scenario_of(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study, seed=seed)
+
+
+def _asked(option: str, name: str, look_up: Callable[[str], AnyEntry]) -> AnyEntry:
+    try:
+        return look_up(name)
+    except UnknownNameError as error:
+        raise UnknownNameError(f"{option} {name}: {error}") from None

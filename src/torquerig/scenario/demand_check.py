@@ -1,0 +1,153 @@
+"""Whether a motor and its drive can do what a run asks, before it is simulated: the one place of these rules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi, sqrt
+
+from torquerig.catalog.motor import Motor as Entry
+from torquerig.catalog.reading import Catalog
+from torquerig.errors import InputError
+from torquerig.parameter import Estimate
+from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.rig import Rig
+from torquerig.scenario.drive_demand import DriveDemand, drive_demand
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.profiles.gaps import refuse_short
+
+RPM = 30 / pi
+
+
+@dataclass(frozen=True, kw_only=True)
+class DemandFault:
+    """What is wrong with a demand: ``impossible`` is refused, the rest flagged. ``remedy`` says what to do."""
+
+    impossible: bool
+    told: str
+    remedy: str
+
+
+def check_demand(scenario: Scenario, catalog: Catalog, *, duration: float) -> tuple[str, ...]:
+    """Return a sentence on each demand that is beyond a rating; a rig without a controlled motor has none,
+    nor has a run without length.
+
+    Parameters
+    ----------
+    duration : float
+        Length of the recording [s].
+
+    Raises
+    ------
+    InputError
+        On a demand that cannot be met: names motor, demand, limit and remedy, and the line of the operating point.
+        Also where the profile ends before the recording.
+    """
+    rig = scenario.rig
+    if not rig.parts_of(SpeedController) or rig.run.speed is None or not duration > 0:
+        return ()
+    course, place = rig.run.course(), scenario.document.place(("operating_point",))
+    try:
+        refuse_short(course.word, course.length, duration=duration)
+    except InputError as error:
+        raise InputError(f"{place}: {error}") from None
+    faults = demand_faults(drive_demand(rig, duration=duration), rig, entry_of(rig, catalog))
+    name = rig.run.motor or "the motor"
+    for fault in faults:
+        if fault.impossible:
+            raise InputError(f"{place}: {name} {fault.told}; {fault.remedy}")
+    return tuple(f"{name} {fault.told}; {fault.remedy}" for fault in faults)
+
+
+def entry_of(rig: Rig, catalog: Catalog) -> Entry | None:
+    """Return the catalog's entry of the driven motor; None where its values are the scenario's own."""
+    driven = rig.part(rig.parts_of(SpeedController)[0].motor)
+    known = isinstance(driven, Motor) and driven.model in catalog.motors
+    return catalog.motor(driven.model) if isinstance(driven, Motor) and known else None
+
+
+def demand_faults(demand: DriveDemand, rig: Rig, entry: Entry | None) -> tuple[DemandFault, ...]:
+    """Return what of the demand cannot be met or is beyond a rating, the impossible first."""
+    faults = [*_torque_faults(demand, rig)]
+    if entry is not None:
+        faults += [*_speed_faults(demand, entry), *_rating_faults(demand, entry), *_voltage_faults(demand, entry)]
+    faults += [_flag(f"cannot follow {told}", "write a ramp, which asks for less") for told in demand.late]
+    return tuple(sorted(faults, key=lambda fault: not fault.impossible))
+
+
+def _speed_faults(demand: DriveDemand, entry: Entry) -> list[DemandFault]:
+    needed, remedy = demand.top_speed, "choose a smaller ratio or output speed"
+    low, high = entry.max_speed.bounds
+    if needed > high:
+        return [_refuse(f"needs {needed * RPM:.0f} rpm, reaches at most {high * RPM:.0f} rpm", remedy)]
+    faults = []
+    if needed > low:
+        faults.append(_flag(f"needs {needed * RPM:.0f} rpm, and its largest speed is known only as "
+                            f"{_known(entry.max_speed)}", f"ask the maker, or {remedy}"))  # fmt: skip
+    if needed > entry.rated_speed.bounds[1]:
+        faults.append(_flag(f"needs {needed * RPM:.0f} rpm, above its rated {_known(entry.rated_speed)}", remedy))
+    slowest = float(abs(demand.speed).max(axis=1).min())
+    if not entry.min_speed.unknown and 0 < slowest < entry.min_speed.bounds[0]:
+        faults.append(_flag(f"turns with {slowest * RPM:.0f} rpm, below the {_known(entry.min_speed)} of continuous "
+                            "duty", "cool it by a fan of its own, or choose a larger ratio"))  # fmt: skip
+    return faults
+
+
+def _torque_faults(demand: DriveDemand, rig: Rig) -> list[DemandFault]:
+    driven = rig.part(rig.parts_of(SpeedController)[0].motor)
+    limit = driven.torque_limit if isinstance(driven, Motor) else float("inf")
+    asked, time = demand.at_worst()
+    if asked <= limit:
+        return []
+    remedy = "lower the load or the acceleration, choose a larger ratio, or raise torque_limit"
+    return [_refuse(f"has to give {asked:.3g} N*m at {time:.3g} s, and its drive's limit is {limit:.3g} N*m", remedy)]
+
+
+def _rating_faults(demand: DriveDemand, entry: Entry) -> list[DemandFault]:
+    asked, rms, remedy = demand.at_worst()[0], demand.rms_torque, "see what torquerig duty says of its temperature"
+    if asked > entry.peak_torque.bounds[1]:
+        return [_refuse(f"has to give {asked:.3g} N*m, more than its peak torque {_known(entry.peak_torque)}",
+                        "lower the load or the acceleration, or choose a larger ratio")]  # fmt: skip
+    low, high = entry.rated_torque.bounds
+    if rms <= low:
+        return []
+    word = "is beyond" if rms > high else "may be beyond"
+    return [_flag(f"has an rms torque of {rms:.3g} N*m, which {word} its rated {_known(entry.rated_torque)}", remedy)]
+
+
+def _voltage_faults(demand: DriveDemand, entry: Entry) -> list[DemandFault]:
+    """Compare the voltage between two phases (rms) with the supply's: what an ideal inverter can give without loss.
+
+    ``E = Kt w / sqrt(3)`` (Kt per rms ampere); with current I also ``sqrt((E + sqrt(3) R I)^2 + (sqrt(3) p w L I)^2)``.
+    """
+    supply, constant = entry.supply_voltage, entry.torque_constant
+    if supply.unknown or constant.unknown:
+        return []
+    least = demand.top_speed * constant.bounds[0] / sqrt(3)
+    told, remedy = f"at {demand.top_speed * RPM:.0f} rpm", "choose a smaller ratio or output speed, or a higher voltage"
+    if least > supply.bounds[1]:
+        return [
+            _refuse(f"has a back-EMF of {least:.0f} V or more {told}, above its supply of {supply.shown()}", remedy)
+        ]
+    most = demand.top_speed * constant.bounds[1] / sqrt(3)
+    if not entry.phase_resistance.unknown and not entry.phase_inductance.unknown:
+        current = sqrt(3) * demand.at_worst()[0] / constant.bounds[0]
+        poles = entry.pole_pairs.bounds[1]
+        along = most + entry.phase_resistance.bounds[1] * current
+        across = poles * demand.top_speed * entry.phase_inductance.bounds[1] * current
+        most = sqrt(along**2 + across**2)
+    if most <= supply.bounds[0]:
+        return []
+    return [_flag(f"may need up to {most:.0f} V between phases {told}, above its supply of {supply.shown()}",
+                  "ask the maker for the torque at this speed")]  # fmt: skip
+
+
+def _known(estimate: Estimate) -> str:
+    return estimate.shown().removeprefix("? ").strip("()")
+
+
+def _refuse(told: str, remedy: str) -> DemandFault:
+    return DemandFault(impossible=True, told=told, remedy=remedy)
+
+
+def _flag(told: str, remedy: str) -> DemandFault:
+    return DemandFault(impossible=False, told=told, remedy=remedy)

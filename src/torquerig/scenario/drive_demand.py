@@ -1,0 +1,167 @@
+"""What a run asks of the motor: speed and torque over time, before anything is simulated."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.rig import Rig
+from torquerig.scenario.drive_train import DriveTrain, drive_train
+from torquerig.signals.profiles.corners import Corners
+from torquerig.signals.profiles.tabulated import Tabulated
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class DriveDemand:
+    """The run, or one cycle of what repeats, in pieces between whose ends speed and torque go straight.
+
+    Parameters
+    ----------
+    duration : ndarray, shape (pieces,)
+        [s]
+    speed, torque : ndarray, shape (pieces, 2)
+        Of the motor at start and end of each piece [rad/s], [N m].
+    step : ndarray of bool, shape (pieces,)
+        Pieces that are not in the profile: the drive at its torque limit, catching up with a step of the set-point.
+    late : tuple of str
+        Steps that the drive cannot follow before the next piece begins, each told in a sentence.
+    """
+
+    duration: Floats
+    speed: Floats
+    torque: Floats
+    step: NDArray[np.bool_]
+    late: tuple[str, ...] = ()
+
+    @property
+    def start(self) -> Floats:
+        """When each piece begins [s], shape (pieces,)."""
+        return np.concatenate([[0.0], np.cumsum(self.duration)[:-1]])
+
+    @property
+    def top_speed(self) -> float:
+        """The largest speed in either direction [rad/s]."""
+        return float(np.abs(self.speed).max())
+
+    @property
+    def rms_torque(self) -> float:
+        """The root of the mean square of the torque [N m]; of a straight piece (a^2 + a b + b^2) / 3."""
+        first, last = self.torque[:, 0], self.torque[:, 1]
+        squares = (first**2 + first * last + last**2) / 3
+        return float(np.sqrt(np.sum(self.duration * squares) / np.sum(self.duration)))
+
+    def at_worst(self) -> tuple[float, float]:
+        """Return the largest torque that the profile itself asks for [N m], and when [s]; steps do not count."""
+        asked = np.where(self.step[:, None], 0.0, np.abs(self.torque))
+        row, end = np.unravel_index(int(np.argmax(asked)), asked.shape)
+        return float(asked[row, end]), float(self.start[row] + end * self.duration[row])
+
+
+def drive_demand(rig: Rig, *, duration: float) -> DriveDemand:
+    """Return what the rig's profile asks of its motor, from inertias, loads, friction and gears, all stiff.
+
+    A step of the set-point is taken at the drive's torque limit, from the piece behind it. Ripple, the twist of the
+    shafts and the speed loop's overshoot are not in it: the demand is that of the profile and not of one controller.
+
+    Parameters
+    ----------
+    duration : float
+        Length of the recording [s]; a profile with a length of its own counts once, as a cycle.
+
+    Raises
+    ------
+    InputError
+        When the rig has no speed-controlled motor, or its run states no speed.
+    """
+    drive = next(iter(rig.parts_of(SpeedController)), None)
+    motor = rig.part(drive.motor) if drive else None
+    if not isinstance(motor, Motor) or rig.run.speed is None:
+        raise InputError("no motor with a speed is in the rig, so that nothing is asked of one; add a speed_controller "
+                         "and a speed")  # fmt: skip
+    train, course = drive_train(rig, rig.node(motor.name)), rig.run.course()
+    corners = _split_at_rest(course.corners(top=rig.run.speed, duration=duration))
+    pieces = _Pieces(train=train, limit=motor.torque_limit)
+    again = isinstance(course, Tabulated) and course.repeats != 1
+    before = corners.speed[-1 if again else 0]
+    for row in range(len(corners.time) - 1):
+        span = corners.time[row + 1] - corners.time[row]
+        if span <= 0:
+            continue
+        load = (None, None) if corners.load is None else (corners.load[row], corners.load[row + 1])
+        pieces.add(span, (corners.speed[row], corners.speed[row + 1]), load, before, corners.time[row])
+        before = corners.speed[row + 1]
+    return pieces.made()
+
+
+class _Pieces:
+    """Pieces as they are collected."""
+
+    def __init__(self, *, train: DriveTrain, limit: float) -> None:
+        self.train, self.limit = train, limit
+        self.rows: list[tuple[float, tuple[float, float], tuple[float, float], bool]] = []
+        self.late: list[str] = []
+
+    def add(
+        self, span: float, speed: tuple[float, float], load: tuple[float | None, float | None], before: float, at: float
+    ) -> None:
+        """Add one straight piece; where it does not start at the speed ``before``, the step before it."""
+        slope = (speed[1] - speed[0]) / span
+        if abs(speed[0] - before) > 1e-9 * max(1.0, abs(before)):
+            taken = self._step(before, speed[0], load[0], at, span)
+            span -= taken
+            speed = (speed[0] + slope * taken, speed[1])
+        if span > 0:
+            way = np.sign(speed[0] + speed[1])
+            torque = [self.train.torque(one, slope, load=pull, way=way) for one, pull in zip(speed, load, strict=True)]
+            self.rows.append((span, speed, (torque[0], torque[1]), False))
+
+    def _step(self, before: float, after: float, load: float | None, at: float, span: float) -> float:
+        """Add the drive at its limit from one speed to the other and return how long that takes [s]."""
+        way = float(np.sign(after - before))
+        steady = self.train.torque(0.5 * (before + after), 0.0, load=load, way=np.sign(before + after))
+        left = self.limit - way * steady
+        told = f"the step from {_rpm(before)} to {_rpm(after)} rpm of the motor at {at:g} s"
+        if left <= 0:
+            self.late.append(f"{told}: the load alone asks for more than the drive's {self.limit:.3g} N*m")
+            return 0.0
+        needed = self.train.inertia * abs(after - before) / left
+        if needed > span:
+            self.late.append(
+                f"{told}: it takes {needed:.3g} s at the drive's limit, and the next piece begins {span:.3g} s later"
+            )
+        needed = min(needed, span)
+        self.rows.append((needed, (before, after), (way * self.limit, way * self.limit), True))
+        return needed
+
+    def made(self) -> DriveDemand:
+        return DriveDemand(
+            duration=np.array([row[0] for row in self.rows]),
+            speed=np.array([row[1] for row in self.rows]),
+            torque=np.array([row[2] for row in self.rows]),
+            step=np.array([row[3] for row in self.rows]),
+            late=tuple(self.late),
+        )
+
+
+def _rpm(speed: float) -> str:
+    return f"{speed * 30 / np.pi:.5g}"
+
+
+def _split_at_rest(corners: Corners) -> Corners:
+    """Return the same lines with a point where the speed passes zero: friction and load turn round there."""
+    time, speed = list(corners.time), list(corners.speed)
+    load = None if corners.load is None else list(corners.load)
+    for row in reversed(range(len(time) - 1)):
+        if speed[row] * speed[row + 1] < 0 and time[row + 1] > time[row]:
+            share = speed[row] / (speed[row] - speed[row + 1])
+            time.insert(row + 1, time[row] + share * (time[row + 1] - time[row]))
+            speed.insert(row + 1, 0.0)
+            if load is not None:
+                load.insert(row + 1, load[row] + share * (load[row + 1] - load[row]))
+    return Corners(time=tuple(time), speed=tuple(speed), load=None if load is None else tuple(load))
