@@ -1,4 +1,4 @@
-"""Probes anywhere on the rig, and the linear twin as python-control sees it."""
+"""Probes anywhere on the rig, and the closed loop against its linear response."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.signals.run import Run
-from torquerig.simulate.linear import spring_response, state_space
+from torquerig.simulate.linear import spring_response
 from torquerig.simulate.lower import lower
 from torquerig.simulate.simulate import simulate
 
@@ -58,17 +58,6 @@ def test_probes_read_any_spring_and_shaft() -> None:
 def test_a_torque_probe_needs_a_spring() -> None:
     with pytest.raises(InputError, match="'wheel' has no spring"):
         simulate(rig(Probe(name="p", quantity="torque", at="wheel")), duration=0.1, seed=1)
-
-
-def test_state_space_has_names_and_the_response_of_the_matrices() -> None:
-    lowered = lower(rig(), 1)
-    twin = state_space(lowered)
-    assert twin.input_labels == ["torque on motor", "torque on gear", "torque on sensor"]
-    assert twin.output_labels == ["torque in gear", "torque in sensor"]
-    frequency = np.array([37.0, 212.0])
-    expected = spring_response(lowered, "sensor", frequency)["motor"]
-    found = twin(2j * pi * frequency)[1, 0]
-    assert found == pytest.approx(expected, rel=1e-9)
 
 
 def test_closed_speed_loop_shuts_out_slow_ripple_as_the_handbook_says() -> None:

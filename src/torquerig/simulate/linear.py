@@ -1,9 +1,8 @@
-"""The linear twin: the same arrays as mass, damping and stiffness matrices, modes, and a python-control StateSpace."""
+"""The same arrays as mass, damping and stiffness matrices, gaps closed and losses left out; more is in ``twin/``."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,27 +86,3 @@ def spring_response(
     twist = angles[:, a, :] * r - angles[:, b, :]
     torque = (lowered.springs.stiffness[row] + s[:, 0] * lowered.springs.damping[row]) * twist
     return {name: torque[:, column] for column, name in enumerate(lowered.nodes)}
-
-
-def state_space(lowered: Lowered) -> Any:
-    """Return a python-control StateSpace: inputs torque on each node, outputs the spring torques, states named."""
-    import control
-
-    system = matrices(lowered)
-    n = len(system.nodes)
-    springs = lowered.springs
-    C = np.zeros((len(springs.a), 2 * n + 2))
-    for row, (a, b, k, c, r) in enumerate(
-        zip(springs.a, springs.b, springs.stiffness, springs.damping, springs.inverse_ratio, strict=True)
-    ):
-        for node, sign in ((a, r), (b, -1.0)):
-            C[row, node] += k * sign
-            C[row, n + 1 + node] += c * sign
-    keep = [*range(n), *range(n + 1, 2 * n + 1)]  # without the ground's angle and speed
-    B = np.vstack([np.zeros((n, n)), np.linalg.inv(system.mass)])
-    return control.ss(
-        system.state_matrix(), B, C[:, keep], np.zeros((len(springs.a), n)),
-        inputs=[f"torque on {node}" for node in system.nodes],
-        outputs=[f"torque in {name}" for name in lowered.spring_names],
-        states=[f"{what} of {node}" for what in ("angle", "speed") for node in system.nodes],
-    )  # fmt: skip

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import ceil
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig import __version__
 from torquerig.errors import InputError, SimulationError
@@ -14,7 +17,7 @@ from torquerig.simulate import kernel
 from torquerig.simulate.inputs import Span, filled, held_while_settling, start
 from torquerig.simulate.linear import matrices
 from torquerig.simulate.lower import Lowered, lower
-from torquerig.simulate.outputs import as_arrays, channels_of, outputs_of
+from torquerig.simulate.outputs import Output, as_arrays, channels_of, outputs_of
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
 SETTLING = 1.5  # [s] the rig turns this long before the recording starts
@@ -65,13 +68,29 @@ def simulate(
             f"the speed of {lowered.nodes[node]!r} ceased to be finite {(failed - unkept) / sample_rate:.4f} s after "
             "the start of the recording: the speed loop is unstable or the step too long; lower kp or raise substeps"
         )
-    origin = {"scenario": scenario, "seed": seed, "torquerig": __version__, "substeps": steps}
+    return recorded(
+        rig, outputs, kept, rate=sample_rate, origin={"scenario": scenario, "seed": seed, "substeps": steps}
+    )
+
+
+def recorded(
+    rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float, origin: Mapping[str, Any]
+) -> Recording:
+    """Return the recording of a run: what was kept as channels, and the sensor's through its stages to the file.
+
+    Parameters
+    ----------
+    kept : ndarray, shape (outputs, samples)
+        In SI units.
+    origin : mapping
+        What made it; ``seed`` fixes the noise.
+    """
     recording = Recording(
-        sample_rate=sample_rate,
+        sample_rate=rate,
         channels=channels_of(rig, outputs, kept),
         run=rig.run,
-        origin=origin,
-        name=scenario or "simulation",
+        origin={"torquerig": __version__, **origin},
+        name=str(origin.get("scenario") or "simulation"),
     )
     for stage in rig.stages():
         recording = stage.apply(recording)

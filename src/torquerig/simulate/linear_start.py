@@ -1,0 +1,138 @@
+"""A rig made ready for the exact linear path: what it is linear about, its lines, its start; and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.rig.rig import Rig
+from torquerig.simulate.lower import Lowered, lower
+from torquerig.simulate.twin.line_inputs import LineInputs, line_inputs
+from torquerig.simulate.twin.loop import sampled_loop
+from torquerig.simulate.twin.operating_point import OperatingPoint, operating_point
+from torquerig.simulate.twin.plant import plant
+from torquerig.simulate.twin.system import LinearSystem
+
+Floats = NDArray[np.float64]
+
+NEAR_STANDSTILL = 3.0  # [1] speeds over the smoothing of a sign: tanh(3) is 0.995
+
+
+@dataclass(frozen=True)
+class LinearPath:
+    """A rig made ready to run: the sampled twin about its operating point, its lines and its start.
+
+    Parameters
+    ----------
+    lowered : Lowered
+    point : OperatingPoint
+        What it is linear about; ``point.left_out`` says what it does not have.
+    system : LinearSystem
+        Speed loop closed, sampled.
+    lines : LineInputs
+    start : ndarray, shape (states,)
+        The settling's start, as a deviation from the operating point.
+    angles : ndarray, shape (nodes,)
+        Of the operating point at time 0 [rad], with the lag that starting up leaves.
+    """
+
+    lowered: Lowered
+    point: OperatingPoint
+    system: LinearSystem
+    lines: LineInputs
+    start: Floats
+    angles: Floats
+
+
+def prepared(rig: Rig, seed: int, *, rate: float) -> LinearPath:
+    """Return the rig ready for the exact path; the errors are those of ``simulate_linear``."""
+    lowered = lower(rig, seed)
+    if not lowered.drive_terms and not lowered.load_terms:
+        raise InputError("nothing moves the rig; add a speed controller to the motor")
+    point = operating_point(rig, lowered)
+    _refuse(rig, lowered, point)
+    open_loop = plant(lowered, point)
+    system = sampled_loop(open_loop, lowered, rate=rate)
+    start = _start(lowered, point, system)
+    angles = point.angles + _lag(lowered, point, system, start)
+    start[: len(lowered.nodes)] = -angles
+    lines = line_inputs(lowered, point, open_loop, start_angles=angles, period=1 / rate)
+    more_states, more_outputs = len(system.states) - len(open_loop.states), len(system.outputs) - len(open_loop.outputs)
+    lines = LineInputs(
+        lines.angular, np.pad(lines.onto_states, ((0, more_states), (0, 0))),
+        np.pad(lines.onto_outputs, ((0, more_outputs), (0, 0))),
+    )  # fmt: skip
+    return LinearPath(lowered, point, system, lines, start, angles)
+
+
+def _refuse(rig: Rig, lowered: Lowered, point: OperatingPoint) -> None:
+    """Refuse by name what is not linear anywhere near the operating point."""
+    if lowered.imposed_terms:
+        raise InputError(f"{lowered.imposed_terms[0].name}: an imposed motion is not in the linear path; use simulate")
+    for drive in lowered.drive_terms:
+        if not drive.holds_speed or drive.torque or drive.demand is not None:
+            raise InputError(f"{drive.name}: a torque that is demanded is not in the linear path; use simulate")
+    if not lowered.drive_terms and (lowered.waves.base_node.size or rig.run.speed):
+        raise InputError("nothing controls the speed, so that lines have no frequency of their own; use simulate")
+    if rig.run.profile != "steady" and lowered.drive_terms:
+        raise InputError(
+            f"profile {rig.run.profile}: the linear path needs one speed, at which lines stand still in frequency; "
+            "use simulate for it"
+        )
+    for row in np.flatnonzero(lowered.springs.half_gap):
+        if point.spring_torques[row] == 0:
+            raise InputError(
+                f"{lowered.spring_names[row]}: no steady torque holds its gap of "
+                f"{2 * lowered.springs.half_gap[row]:.3g} rad closed; use simulate, or take the gap away"
+            )
+    _refuse_standing(lowered, point)
+
+
+def _refuse_standing(lowered: Lowered, point: OperatingPoint) -> None:
+    """Refuse dry friction and opposing loads on shafts that stand or creep."""
+    speeds, frictions = point.speeds, lowered.frictions
+    for row in range(frictions.on.size):
+        slide = speeds[frictions.on[row]] - speeds[frictions.against[row]]
+        dry = frictions.coulomb[row].any() or frictions.excess[row].any()
+        if dry and abs(slide) * frictions.inverse_smoothing[row] < NEAR_STANDSTILL:
+            raise InputError(
+                f"{lowered.nodes[int(frictions.on[row])]}: dry friction on a shaft that stands or creeps is not "
+                "linear; give the run a speed, or use simulate"
+            )
+    for term, on, smooth in zip(lowered.load_terms, lowered.loads.on, lowered.loads.inverse_smoothing, strict=True):
+        if smooth and abs(speeds[on]) * smooth < NEAR_STANDSTILL:
+            raise InputError(
+                f"{term.name}: a load that opposes a shaft that stands or creeps is not linear; give the run a speed, "
+                "or use simulate"
+            )
+
+
+def _start(lowered: Lowered, point: OperatingPoint, system: LinearSystem) -> Floats:
+    """Return the deviation at the start: everything at its speed, angles 0, springs and motor without torque."""
+    start = np.zeros(len(system.states))
+    n, d = len(lowered.nodes), lowered.drives.on.size
+    start[:n] = -point.angles
+    start[2 * n : 2 * n + d] = -point.drive_torque
+    for row, ki in enumerate(lowered.drives.ki):
+        start[2 * n + d + row] = -point.drive_torque / ki if ki else 0.0
+    return start
+
+
+def _lag(lowered: Lowered, point: OperatingPoint, system: LinearSystem, start: Floats) -> Floats:
+    """Return how far starting up turns all shafts off their steady angles for good [rad], shape (nodes,).
+
+    It is the part of ``start`` along free turning, by the left eigenvector of the root 1.
+    """
+    n = len(lowered.nodes)
+    driven = point.speeds[int(lowered.drives.on[0])] if lowered.drives.on.size else 0.0
+    if not driven:
+        return np.zeros(n)
+    # an integral that nothing reads has a root 1 of its own
+    kept = np.arange(start.size - int((lowered.drives.ki == 0).sum()))
+    free = np.zeros(kept.size)
+    free[:n] = point.speeds[:n] / driven
+    held = np.linalg.svd(system.A[np.ix_(kept, kept)].T - np.eye(kept.size))[2][-1]
+    return np.asarray(free[:n] * float(held @ start[kept]) / float(held @ free))

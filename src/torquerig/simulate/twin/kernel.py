@@ -1,0 +1,29 @@
+"""The compiled part of the exact linear path: from block to block.
+
+Self-contained on purpose: numba's cache on disk goes stale when a callee in another file changes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+
+@njit(cache=True, nogil=True)
+def carry(transition, added, states):
+    """Fill ``states[i + 1] = transition states[i] + added[i]``, ``states[0]`` being the start.
+
+    Parameters
+    ----------
+    transition : ndarray, shape (n, n)
+    added : ndarray, shape (blocks, n)
+    states : ndarray, shape (blocks + 1, n)
+    """
+    n = transition.shape[0]
+    for block in range(added.shape[0]):
+        for row in range(n):
+            total = added[block, row]
+            for column in range(n):
+                total += transition[row, column] * states[block, column]
+            states[block + 1, row] = total
+    return np.isfinite(states[-1]).all()
