@@ -13,7 +13,7 @@ from torquerig.rig.terms import Load
 from torquerig.signals.recording import Recording
 from torquerig.simulate import kernel
 from torquerig.simulate.inputs import Span, filled
-from torquerig.simulate.linear_start import LinearPath, prepared
+from torquerig.simulate.linear_start import LinearPath, prepared, wanted_speed
 from torquerig.simulate.lower import Lowered
 from torquerig.simulate.outputs import Output, outputs_of
 from torquerig.simulate.simulate import SAMPLE_RATE, SETTLING, recorded
@@ -84,7 +84,9 @@ def _inputs(path: LinearPath, rig: Rig, span: Span) -> dict[int, Floats]:
         for row in range(means.size)
     }
     for row, name in enumerate(lowered.drive_names):
-        found[system.input(f"set-point of {name}")] = terms.drives.reference[row, :count] - _wanted(path)
+        found[system.input(f"set-point of {name}")] = terms.drives.reference[row, :count] - wanted_speed(
+            lowered, path.point
+        )
     return {at: values for at, values in found.items() if values.any()}
 
 
@@ -95,13 +97,6 @@ def _moved(system: LinearSystem, first: dict[int, float]) -> Floats:
         if state in system.outputs:
             moved[row] = sum(system.D[system.output(state), at] * value for at, value in first.items())
     return moved
-
-
-def _wanted(path: LinearPath) -> float:
-    """Return the constant set-point that the operating point belongs to [rad/s]."""
-    drive, point = path.lowered.drive_terms[0], path.point
-    speed = float(point.speeds[int(path.lowered.drives.on[0])])
-    return speed if drive.ki else speed + point.drive_torque / drive.kp
 
 
 _NAMED: dict[int, Callable[[Lowered, int], str]] = {

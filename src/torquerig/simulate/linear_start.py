@@ -111,14 +111,23 @@ def _refuse_standing(lowered: Lowered, point: OperatingPoint) -> None:
 
 
 def _start(lowered: Lowered, point: OperatingPoint, system: LinearSystem) -> Floats:
-    """Return the deviation at the start: everything at its speed, angles 0, springs and motor without torque."""
+    """Return the deviation at the start: all at the set-point's speed, angles 0, springs and motor without torque."""
     start = np.zeros(len(system.states))
     n, d = len(lowered.nodes), lowered.drives.on.size
     start[:n] = -point.angles
+    if d and point.speeds[int(lowered.drives.on[0])]:
+        turns = point.speeds[:n] / point.speeds[int(lowered.drives.on[0])]
+        start[n : 2 * n] = turns * wanted_speed(lowered, point) - point.speeds[:n]
     start[2 * n : 2 * n + d] = -point.drive_torque
     for row, ki in enumerate(lowered.drives.ki):
         start[2 * n + d + row] = -point.drive_torque / ki if ki else 0.0
     return start
+
+
+def wanted_speed(lowered: Lowered, point: OperatingPoint) -> float:
+    """Return the constant set-point that an operating point belongs to [rad/s]."""
+    drive, speed = lowered.drive_terms[0], float(point.speeds[int(lowered.drives.on[0])])
+    return speed if drive.ki else speed + point.drive_torque / drive.kp
 
 
 def _lag(lowered: Lowered, point: OperatingPoint, system: LinearSystem, start: Floats) -> Floats:
