@@ -9,5 +9,6 @@
 - ``shipped``   where the catalogs and scenarios lie that come with torquerig
 - ``drawing``   ``drawn(entry, seed)`` and ``nominal(entry)``: numbers for a simulation, and which of them were assumed
 - ``lines``     the ripple lines of a drawn motor: order, size, and what the size follows
+- ``phases``    the phases of a drawn motor: R, L, flux linkage, back-EMF, DC link
 - ``table``     the rows of ``torquerig catalog``
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Annotated, Literal, Self
 
 from pydantic import ValidationInfo, field_validator, model_validator
@@ -53,6 +54,13 @@ class Motor(Entry):
     torque_constant: Annotated[Estimate, Parameter("N*m/Arms", "torque per phase current", above=0)] = UNKNOWN
     phase_resistance: Annotated[Estimate, Parameter("ohm", "resistance of one phase at 20 C", above=0)] = UNKNOWN
     phase_inductance: Annotated[Estimate, Parameter("H", "inductance of one phase", above=0)] = UNKNOWN
+    emf_flat_angle: Annotated[
+        Estimate, Parameter("deg", "flat top of the back-EMF of a bldc, electrical", above=0, high=0.999 * pi)
+    ] = UNKNOWN
+    emf_fifth: Annotated[
+        Estimate, Parameter("1", "fifth harmonic of the back-EMF of a pmsm, share of the first", low=-0.5, high=0.5)
+    ] = UNKNOWN
+    dead_time: Annotated[Estimate, Parameter("us", "dead time of the inverter, uncompensated", low=0)] = UNKNOWN
     current_loop_bandwidth: Annotated[Estimate, Parameter("Hz", "lag from commanded to real torque", above=0)]
 
     pole_pairs: Annotated[Estimate, Parameter("1", "pole pairs", low=1), Whole]

@@ -8,6 +8,7 @@ import numpy as np
 
 from torquerig.catalog.entry import counts_of
 from torquerig.catalog.motor import Motor
+from torquerig.mechanisms import SixStepCommutation
 from torquerig.metrics.figure import Figure
 from torquerig.rig.parts import SpeedController
 from torquerig.rig.rig import Rig
@@ -27,6 +28,8 @@ def omitted_six_pulse(rig: Rig, motor: Motor, *, motor_torque: float) -> Figure:
     motor_torque : float
         Mean torque of the motor [N m].
     """
+    if rig.parts_of(SixStepCommutation):
+        return Figure(unit="N*m")
     share, known = motor.ripple.six_pulse_ripple, motor.ripple.known_lines
     poles = counts_of(motor.pole_pairs)
     if known is None or share.unknown or not poles or 6 * poles[0] in known.electrical or not rig.run.speed:

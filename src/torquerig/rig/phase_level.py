@@ -17,7 +17,7 @@ from torquerig.rig.terms import Wave
 if TYPE_CHECKING:
     from torquerig.machines.control import Control
 
-SMALLEST_DEPTH = 1e-5  # shares of the mean torque below this are left out
+SMALLEST_DEPTH = 1e-4  # shares of the mean torque below this are left out
 LEAST_TORQUE = 0.01  # share of the drive's limit: a ripple relative to no torque is none
 REACHED = 0.5  # share of the demanded torque below which lines are counted from the demanded one
 

@@ -22,6 +22,7 @@ from torquerig.scenario.filled import Filled
 from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
+from torquerig.scenario.phase_level import asks_for_phase_level, with_phase_level
 
 KINDS: dict[str, type[Part]] = {
     word: cls
@@ -141,13 +142,22 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
         )
     own, uncertainties = _uncertain(document, name, written)
     entry = own.pop("catalog", None)
+    by_phases = own["kind"] == "motor" and "ripple" in own and asks_for_phase_level(
+        own.pop("ripple"), document.place(("rig", name, "ripple")))  # fmt: skip
+    if entry is None and by_phases:
+        raise InputError(f"{document.place(('rig', name, 'ripple'))}: only a motor of the catalog brings its phases "
+                         "along; state parts of kind motor_phases and six_step_commutation instead")  # fmt: skip
     if entry is None:
         return Filled(name=name, values=own, uncertainties=uncertainties)
     filled = filled_from_catalog(catalog, str(entry), kind=own["kind"], name=name, seed=seed, place=place)
     kept = {key: text for key, text in filled.assumed.items() if key not in own}
     spread = {key: value for key, value in filled.uncertainties.items() if key not in own}
-    return Filled(name=name, values={**filled.values, **own}, uncertainties={**spread, **uncertainties}, assumed=kept,
-                  effects=filled.effects)  # fmt: skip
+    filled = Filled(name=name, values={**filled.values, **own}, uncertainties={**spread, **uncertainties}, assumed=kept,
+                    effects=filled.effects)  # fmt: skip
+    if not by_phases:
+        return filled
+    with _placed(document, "rig", name, "ripple"):
+        return with_phase_level(filled, catalog.motor(str(entry)), seed=seed)
 
 
 def _uncertain(document: Document, name: str, written: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:

@@ -102,7 +102,8 @@ def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
     data = copy.deepcopy(document.data)
     own = data["rig"][motor_part]
     if own.get("catalog") != candidate.motor:
-        data["rig"][motor_part] = {"kind": "motor", "catalog": candidate.motor}
+        ripple = {key: own[key] for key in ("ripple",) if key in own}  # how it is got is a matter of the study
+        data["rig"][motor_part] = {"kind": "motor", "catalog": candidate.motor, **ripple}
     if candidate.gearbox in catalog.gearboxes:
         data["rig"][gear_part]["catalog"] = candidate.gearbox
     scenario = read_scenario(replace(document, data=data), catalog, seed=seed)

@@ -1,0 +1,39 @@
+"""The torque of a brushless motor under six-step commutation and of a servo, out of their phases: one picture.
+
+No ripple is put in: resistance, inductance, back-EMF and DC link are those that the catalog's intervals allow, the
+control is six-step for the one and field-oriented for the other, the torque that of the wear rig at 5 % occupancy.
+Run: python examples/six_step_or_servo.py [PICTURE.svg]
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.document import read_document
+from torquerig.report.picture import new_figure, write_picture
+from torquerig.rig.parts import MotorPhases
+from torquerig.rig.steady import steady_torque
+from torquerig.scenario.overrides import overridden
+from torquerig.scenario.reading import read_scenario
+
+document, catalog = read_document(shipped_scenarios() / "wear_rig.yaml"), load_catalog(shipped_folder())
+figure = new_figure(7, 4)
+axes = figure.add_subplot()
+for motor in ("bldc-12n14p", "HDS6A-0104A"):
+    settings = ["motor.ripple=from_phase_level", f"motor.catalog={motor}"]
+    rig = read_scenario(overridden(document, settings), catalog, seed=1).rig
+    (phases,) = rig.parts_of(MotorPhases)
+    waves = rig.part("motor.commutation").drive_ripple("motor", rig)
+    angle = np.linspace(0, 2 * np.pi / phases.pole_pairs, 2000)
+    factor = 1 + sum(wave.amplitude * np.cos(wave.order * angle + (wave.phase or 0.0)) for wave in waves)
+    axes.plot(angle * phases.pole_pairs * 180 / np.pi, steady_torque(rig, "motor") * factor, label=motor)
+    depth = {wave.order / phases.pole_pairs: f"{wave.amplitude:.2%}" for wave in waves if wave.amplitude > 1e-3}
+    print(motor, "lines by electrical order:", depth or "none above 0.1 %")
+axes.set(xlabel="electrical angle [deg]", ylabel="motor torque [N m]", ylim=(0, None))
+axes.legend()
+picture = Path(sys.argv[1] if len(sys.argv) > 1 else "six_step_or_servo.svg")
+write_picture(figure, picture, overwrite=True)
+print(f"wrote {picture}")

@@ -1,0 +1,81 @@
+"""A catalog motor whose electrical ripple comes out of its phases: ``ripple: from_phase_level`` in a scenario."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from torquerig.catalog.motor import Motor
+from torquerig.catalog.phases import drawn_phases
+from torquerig.errors import InputError, did_you_mean
+from torquerig.scenario.filled import Filled
+from torquerig.scenario.from_catalog import copy_of
+from torquerig.units import written_quantity
+
+SOURCES = ("from_catalog", "from_phase_level")
+UNITS = {
+    "phase_resistance": "ohm",
+    "phase_inductance": "H",
+    "flux_linkage": "V*s",
+    "dc_link": "V",
+    "flat_angle": "rad",
+}
+
+
+def asks_for_phase_level(written: object, place: str) -> bool:
+    """Say what ``ripple:`` of a motor means; InputError with ``place`` where it is neither of the two words."""
+    if written not in SOURCES:
+        raise InputError(f"{place}: {written!r} is no source of a ripple; {did_you_mean(str(written), SOURCES)}")
+    return written == "from_phase_level"
+
+
+def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
+    """Return the motor with its phases and their commutation in place of the six-pulse line of its class.
+
+    Known lines of other orders, cogging and the class's lines of the current sensors stay. An induction motor has no
+    commutation: it keeps the lines of its class.
+
+    Raises
+    ------
+    InputError
+        When the catalog knows nothing of resistance, inductance or torque constant.
+    """
+    if motor.kind == "induction":
+        text = "lines of its class: an induction motor has no commutation"
+        return replace(filled, assumed={**filled.assumed, "ripple": text})
+    copy = copy_of(motor, seed)
+    phases = drawn_phases(copy, seed)
+    pairs = copy.count("pole_pairs")
+    values: dict[str, Any] = {field: written_quantity(value, UNITS[field]) for field, value in phases.values.items()}
+    values |= {"kind": "motor_phases", "motor": filled.name, "pole_pairs": pairs}
+    if "current_loop_bandwidth" in filled.values:
+        values["current_loop_bandwidth"] = filled.values["current_loop_bandwidth"]
+    if phases.fifth:
+        values["emf_harmonics"] = {5: phases.fifth}
+    kept = tuple(effect for effect in filled.effects if effect.values.get("order_motor") != 6 * pairs)
+    stated = {key: text for key, text in filled.assumed.items() if key != "ripple.six_pulse_ripple"}
+    return replace(
+        filled,
+        assumed=stated,
+        effects=(
+            *kept,
+            Filled(name=f"{filled.name}.phases", values=values, assumed=phases.assumed),
+            _commutation(filled.name, motor, copy.values.get("dead_time", 0.0)),
+        ),
+    )
+
+
+def _commutation(name: str, motor: Motor, dead_time: float) -> Filled:
+    """Return the effect that asks the phase-level model, with its source in words."""
+    if motor.kind == "bldc":
+        text = "from the phase-level model at the set-point: six-step commutation, no line put in"
+        return Filled(
+            name=f"{name}.commutation", values={"kind": "six_step_commutation", "at": name}, assumed={"lines": text}
+        )
+    known = motor.dead_time
+    text = "from the phase-level model at the set-point: field-oriented control, no line put in"
+    assumed = {"lines": text}
+    if dead_time:
+        assumed["dead_time"] = f"{dead_time * 1e6:.2g} us of {known.shown()} ({known.evidence})"
+    values = {"kind": "field_oriented_control", "at": name, "dead_time": written_quantity(dead_time, "s")}
+    return Filled(name=f"{name}.commutation", values=values, assumed=assumed)
