@@ -97,15 +97,15 @@ def run(
     block, n, count = step.block, start.size, lines.angular.size
     m, samples = inputs.shape
     blocks = -(-samples // block)
-    entering = np.zeros((blocks, n + 2 * count + m * block))
-    times = np.arange(blocks) * (block * period)
-    angles = np.outer(times, lines.angular)
-    entering[:, n : n + count], entering[:, n + count : n + 2 * count] = np.cos(angles), np.sin(angles)
+    entering = np.empty((blocks, n + 2 * count + m * block))
+    phasors = turning(lines.angular * (block * period), blocks)
+    entering[:, n : n + count], entering[:, n + count : n + 2 * count] = phasors.real, phasors.imag
+    whole = samples // block
     for row in range(m):
         at = n + 2 * count + row * block
-        whole = samples // block
         entering[:whole, at : at + block] = inputs[row, : whole * block].reshape(whole, block)
         if whole < blocks:
+            entering[whole, at : at + block] = 0.0
             entering[whole, at : at + samples - whole * block] = inputs[row, whole * block :]
     states = np.zeros((blocks + 1, n))
     states[0] = start
@@ -117,3 +117,10 @@ def run(
         values = (entering[first:] @ step.onto_outputs[output]).ravel()
         made[row] = values[skipped - first * block : samples - first * block]
     return made, bool(finite)
+
+
+def turning(angles: Floats, count: int) -> NDArray[np.complex128]:
+    """Return ``exp(i k angles)`` for k = 0 .. count - 1, shape (count, angles): coarse turns times fine ones."""
+    fine = np.exp(1j * np.outer(np.arange(64), angles))
+    coarse = np.exp(64j * np.outer(np.arange(-(-count // 64)), angles))
+    return np.asarray((coarse[:, None, :] * fine[None, :, :]).reshape(-1, angles.size)[:count])

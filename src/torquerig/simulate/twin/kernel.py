@@ -16,14 +16,20 @@ def carry(transition, added, states):
     Parameters
     ----------
     transition : ndarray, shape (n, n)
+        Taken column by column, so that the rows go through the processor side by side.
     added : ndarray, shape (blocks, n)
     states : ndarray, shape (blocks + 1, n)
     """
     n = transition.shape[0]
+    columns = np.ascontiguousarray(transition.T)
+    total = np.empty(n)
     for block in range(added.shape[0]):
         for row in range(n):
-            total = added[block, row]
-            for column in range(n):
-                total += transition[row, column] * states[block, column]
-            states[block + 1, row] = total
+            total[row] = added[block, row]
+        for column in range(n):
+            value = states[block, column]
+            for row in range(n):
+                total[row] += columns[column, row] * value
+        for row in range(n):
+            states[block + 1, row] = total[row]
     return np.isfinite(states[-1]).all()
