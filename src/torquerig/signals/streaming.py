@@ -19,11 +19,12 @@ from torquerig.signals.files.stream import RecordingStream
 from torquerig.signals.reach import reach_of
 from torquerig.signals.recording import Recording
 
-BLOCK = 60.0
-"""What a block answers for [s], where its samples are not too many and the overlap is no larger than half of it."""
+BLOCK = 20.0
+"""What a block answers for [s], where its samples are not too many and the overlap is not larger."""
 
-_MOST_SAMPLES = 1_500_000
-_WORKERS = 2
+_MOST_SAMPLES = 2**19
+# large blocks are worked on one at a time, because memory counts more than speed
+_WORKERS, _LARGE = 2, 2**20
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -48,7 +49,7 @@ def blocking_for(chains: Sequence[Chain], stream: RecordingStream, *, block: flo
         Each works on the same blocks; the farthest reach counts.
     stream : RecordingStream
     block : float
-        What each block answers for [s]; made longer where it would be less than twice the overlap.
+        What each block answers for [s]; made longer where it would be less than the overlap.
 
     Raises
     ------
@@ -67,8 +68,8 @@ def blocking_for(chains: Sequence[Chain], stream: RecordingStream, *, block: flo
     # whole multiples of a power of two, so that transforms of a block are fast
     unit = 2 ** int(log2(max(reach, 4) / 4))
     overlap = -(-reach // unit) * unit
-    samples = max(min(round(block * rate), _MOST_SAMPLES), 2 * overlap)
-    return Blocking(samples=-(-samples // unit) * unit, overlap=overlap)
+    samples = max(min(round(block * rate), _MOST_SAMPLES), overlap)
+    return Blocking(samples=-(-samples // unit) * unit, overlap=overlap, unit=unit)
 
 
 def filtered_blocks(
@@ -76,7 +77,8 @@ def filtered_blocks(
 ) -> Iterator[FilteredBlock]:
     """Go through a recording with its chains applied, in order and without overlap.
 
-    Each stage sees the overlap on either side and its answer there is thrown away. Two blocks are worked on at a time.
+    Each stage sees the overlap on either side and its answer there is thrown away. Two blocks are worked on at a
+    time, unless they are large.
     ``ratio``, motor turns per output turn [1], serves the energies (:func:`chain_effect`).
 
     Raises
@@ -94,17 +96,18 @@ def filtered_blocks(
         )
         return FilteredBlock(first=block.first, before=before, after=after, effects=effects)
 
-    yield from _side_by_side(work, sound_blocks(stream, blocking))
+    workers = _WORKERS if blocking.samples + 2 * blocking.overlap <= _LARGE else 1
+    yield from _side_by_side(work, sound_blocks(stream, blocking), workers=workers)
 
 
-def _side_by_side(work: Callable[[Given], Made], given: Iterable[Given]) -> Iterator[Made]:
+def _side_by_side(work: Callable[[Given], Made], given: Iterable[Given], *, workers: int) -> Iterator[Made]:
     """Give ``work(each)`` in order; numpy lets go of the interpreter while it computes, so that threads help."""
     waiting: deque[Future[Made]] = deque()
     # the threads of linear algebra would spin against the workers
-    with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(_WORKERS) as pool:
+    with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers) as pool:
         for each in given:
             waiting.append(pool.submit(work, each))
-            if len(waiting) >= _WORKERS:
+            if len(waiting) >= workers:
                 yield waiting.popleft().result()
         while waiting:
             yield waiting.popleft().result()

@@ -87,6 +87,15 @@ def test_what_is_written_in_blocks_is_read_back(tmp_path: Path, ending: str) -> 
     assert path.read_bytes() == (tmp_path / "a" / path.name).read_bytes()
 
 
+def test_the_last_block_reaches_back_to_a_whole_number_of_units(tmp_path: Path) -> None:
+    made = recording(5003)
+    write_recording(made, tmp_path / "run1.parquet")
+    stream = open_stream(tmp_path / "run1.parquet")
+    blocks = list(sound_blocks(stream, Blocking(samples=640, overlap=128, unit=64)))
+    assert [block.recording.samples % 64 for block in blocks] == [0] * len(blocks)
+    assert np.array_equal(joined(blocks)["torque_V"], made.channels["torque_V"].values)
+
+
 def test_a_block_that_breaks_leaves_nothing(tmp_path: Path) -> None:
     bad = recording().with_values("torque_V", np.where(np.arange(5000) == 3210, np.nan, 0.0))
     parquet.write_table(pa.table({"torque_V": bad.channels["torque_V"].values}), tmp_path / "bad.parquet")

@@ -49,11 +49,13 @@ class Blocking:
     """Blocks of ``samples``, each with ``overlap`` samples on either side where the recording has them.
 
     The last block answers for half as many samples or up to one and a half times as many, so that none is too short
-    for what works on it.
+    for what works on it. It reaches up to ``unit`` samples further back, so that its length is a whole multiple of
+    ``unit``: transforms of a length with large prime factors are slow and need several times the memory.
     """
 
     samples: int
     overlap: int = 0
+    unit: int = 1
 
     def __post_init__(self) -> None:
         if self.samples < 2 or self.overlap < 0:
@@ -72,7 +74,7 @@ class Blocking:
                 held = [_joined(held)]
                 yield self._block(stream, held[0], begin=begin, start=start, stop=start + self.samples)
                 start += self.samples
-                lost = max(start - self.overlap - begin, 0)
+                lost = max(start - self.overlap - self.unit + 1 - begin, 0)
                 held, begin = [{name: values[lost:] for name, values in held[0].items()}], begin + lost
         check_counts({"the table": have}, str(stream.path))
         yield self._block(stream, _joined(held), begin=begin, start=start, stop=have)
@@ -82,6 +84,8 @@ class Blocking:
     ) -> Block:
         size = _size(columns)
         low, high = max(start - self.overlap - begin, 0), min(stop + self.overlap - begin, size)
+        back = -(high - low) % self.unit
+        low -= back if back <= low else 0
         cut = {name: values[low:high] for name, values in columns.items()}
         kept = slice(start - begin - low, stop - begin - low)
         time = stream.table.time_name()
