@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import exp, tanh
 from typing import NamedTuple
 
+from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import BladeTorque, Friction, Load, Spring, Term
@@ -24,8 +25,9 @@ def steady_torque(rig: Rig, motor: str) -> float:
     and what a random load does around its mean are left out. Zero where the run states no speed.
     """
     speed = rig.run.speed or 0.0
-    # a controller is left out because it asks for the ripple, which may ask for this torque
-    terms = [term for part in rig.parts if not isinstance(part, SpeedController) for term in part.terms(rig)]
+    # what drives is left out because it asks for the ripple, which may ask for this torque
+    passive = [part for part in rig.parts if not isinstance(part, SpeedController | InductionDrive)]
+    terms = [term for part in passive for term in part.terms(rig)]
     places = _places(rig.node(motor), [term for term in terms if isinstance(term, Spring)])
     total = 0.0
     for term in terms:

@@ -30,6 +30,11 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("torque_limit", "peak_torque", "N*m"),
         ("current_loop_bandwidth", "current_loop_bandwidth", "Hz"),
     ),
+    "induction_drive": (
+        ("rated_torque", "rated_torque", "N*m"),
+        ("rated_speed", "rated_speed", "rad/s"),
+        ("breakdown_torque", "peak_torque", "N*m"),
+    ),
     "gear": (
         ("stiffness", "stiffness", "N*m/rad"),
         ("damping", "damping", "N*m*s/rad"),
@@ -68,6 +73,7 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     """
     shelves: dict[str, Callable[[str], Entry]] = {
         "motor": catalog.motor,
+        "induction_drive": catalog.motor,
         "gear": catalog.gearbox,
         "torque_sensor": catalog.sensor,
         "coupling": catalog.coupling,
@@ -84,7 +90,8 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     copy = copy_of(found, seed)
     filled = _quantities(copy, kind, name)
     if isinstance(found, Motor):
-        return _with_winding(filled, Drawn(found, copy.values, copy.assumed))
+        motor = Drawn(found, copy.values, copy.assumed)
+        return _on_its_supply(filled, motor, place) if kind == "induction_drive" else _with_winding(filled, motor)
     if isinstance(found, Gearbox):
         return _with_teeth(filled, found, seed)
     if isinstance(found, Coupling):
@@ -123,6 +130,18 @@ def _with_winding(filled: Filled, copy: Drawn[Motor]) -> Filled:
         assumed={**filled.assumed, **assumed},
         effects=motor_effects(copy, filled.name),
     )
+
+
+def _on_its_supply(filled: Filled, copy: Drawn[Motor], place: str) -> Filled:
+    """Return the drive of an induction motor with its pole pairs; InputError where the motor is of another kind."""
+    if copy.entry.kind != "induction":
+        raise InputError(
+            f"{place}.catalog: {copy.entry.name} is a {copy.entry.kind} motor, which has no slip; write a "
+            "speed_controller for it"
+        )
+    pairs = copy.count("pole_pairs")
+    assumed = {"pole_pairs": f"{pairs} of {copy.assumed['pole_pairs'].known}"} if "pole_pairs" in copy.assumed else {}
+    return replace(filled, values={**filled.values, "pole_pairs": pairs}, assumed={**filled.assumed, **assumed})
 
 
 def _with_teeth(filled: Filled, gearbox: Gearbox, seed: int) -> Filled:

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, model_validator
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.parts import InductionDrive, Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.percent import Percent
@@ -65,7 +65,7 @@ class OperatingPoint(BaseModel):
 def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
     """Return the test sheet of the operating point on this rig; a profile's table is looked for from ``folder``."""
     motor = next(iter(rig.parts_of(Motor)), None)
-    drive = next(iter(rig.parts_of(SpeedController)), None)
+    drive = next(iter((*rig.parts_of(SpeedController), *rig.parts_of(InductionDrive))), None)
     if motor is None or drive is None:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
                    particle_size=point.load.particle_size)  # fmt: skip

@@ -97,6 +97,7 @@ class Drives(NamedTuple):
     r_slot: Rows
     r_c: Floats
     r_s: Floats
+    breakdown: Floats  # slip speed of an induction machine's breakdown, 0 for a controlled drive
     reference: Floats  # (drives, settling + samples + 1)
     demand: Floats  # (drives, settling + samples + 1)
 

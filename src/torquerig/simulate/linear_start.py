@@ -75,6 +75,8 @@ def _refuse(rig: Rig, lowered: Lowered, point: OperatingPoint) -> None:
     for drive in lowered.drive_terms:
         if not drive.holds_speed or drive.torque or drive.demand is not None:
             raise InputError(f"{drive.name}: a torque that is demanded is not in the linear path; use simulate")
+        if drive.breakdown:
+            raise InputError(f"{drive.name}: the torque over the slip is no straight line; use simulate")
     if not lowered.drive_terms and (lowered.waves.base_node.size or rig.run.speed):
         raise InputError("nothing controls the speed, so that lines have no frequency of their own; use simulate")
     if rig.run.profile != "steady" and lowered.drive_terms:

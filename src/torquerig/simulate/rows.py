@@ -177,6 +177,7 @@ def drives_of(terms: Sequence[Drive], number: Numbers, table: WaveTable, seed: i
         r_slot=ripple.slot,
         r_c=ripple.c,
         r_s=ripple.s,
+        breakdown=_floats(t.breakdown for t in terms),
         reference=UNFILLED,
         demand=UNFILLED,
     )

@@ -5,7 +5,7 @@ gear              planetary or fixed-axis stage        belt              pulleys
 gear_stage        what counts as a gear                coupling          spring between two shafts
 torque_sensor     spring, amplifier, noise, converter  body              inertia with friction (wear part, flywheel)
 encoder           counts of the motor angle            probe             torque, speed or angle anywhere
-motor_phases      R, L, back-EMF and inverter
+motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 """
 
 from torquerig.rig.parts.belt import BeltStage
@@ -13,6 +13,7 @@ from torquerig.rig.parts.body import Body
 from torquerig.rig.parts.coupling import Coupling
 from torquerig.rig.parts.encoder import MotorEncoder
 from torquerig.rig.parts.gear import Gear
+from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.motor_phases import MotorPhases
 from torquerig.rig.parts.probe import Probe
@@ -24,6 +25,7 @@ __all__ = [
     "Body",
     "Coupling",
     "Gear",
+    "InductionDrive",
     "Motor",
     "MotorEncoder",
     "MotorPhases",

@@ -42,6 +42,10 @@ class Drive:
         Demand [N m] that follows the profile of the run as the speed does: 10 % at the start of a ramp.
     demand : Signal or None
         A further demand [N m] at every sample: a measured motor torque that is replayed, or fed forward.
+    breakdown : float
+        Slip speed [rad/s] at which an induction machine on its supply breaks down; 0 is a controlled drive. Above 0 the
+        command is ``2 limit x / (1 + x^2)``, ``x = (reference - w) / breakdown`` (Kloss), in place of PI and clip;
+        ``kp`` is then the slope without load, ``2 limit / breakdown``, and ki zero.
     """
 
     name: str
@@ -54,6 +58,7 @@ class Drive:
     ripple: tuple[Wave, ...] = ()
     torque: float = 0.0
     demand: Signal | None = None
+    breakdown: float = 0.0
 
     @property
     def holds_speed(self) -> bool:
