@@ -1,0 +1,109 @@
+"""The two-node network: a winding that heats a housing, which the surroundings cool; exact while the heat is steady."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+IDENTITY = np.eye(2)
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoNode:
+    """``Cw xw' = Pw + k xw - (xw - xh) / Rwh`` and ``Ch xh' = Ph + (xw - xh) / Rwh - xh / Rha``.
+
+    xw and xh are the temperature rises above the surroundings [K]; k [W/K] is how fast copper loss grows with the
+    winding's own temperature. Not true where the air flow depends on the speed (a fan on the shaft), where the flange
+    carries much heat into the machine, and for the hottest spot inside a winding.
+
+    Parameters
+    ----------
+    winding_capacity, housing_capacity : float
+        Cw, Ch [J/K], > 0.
+    winding_to_housing, housing_to_ambient : float
+        Rwh, Rha [K/W], > 0.
+    """
+
+    winding_capacity: float
+    housing_capacity: float
+    winding_to_housing: float
+    housing_to_ambient: float
+
+    @property
+    def resistance(self) -> float:
+        """From winding to surroundings [K/W]."""
+        return self.winding_to_housing + self.housing_to_ambient
+
+    def matrix(self, growth: float = 0.0) -> Floats:
+        """Return A of ``x' = A x + b`` [1/s]; ``growth`` is k [W/K]."""
+        across, out = 1 / self.winding_to_housing, 1 / self.housing_to_ambient
+        return np.array(
+            [
+                [(growth - across) / self.winding_capacity, across / self.winding_capacity],
+                [across / self.housing_capacity, -(across + out) / self.housing_capacity],
+            ]
+        )
+
+    def time_constants(self) -> tuple[float, float]:
+        """Return the fast and the slow time constant [s] without current."""
+        slow, fast = eigenvalues(self.matrix())
+        return -1 / fast, -1 / slow
+
+    def stretch(self, heat: Floats, growth: float) -> Stretch:
+        """Return how temperatures go while ``heat`` = (Pw, Ph) [W] stays."""
+        source = heat / np.array([self.winding_capacity, self.housing_capacity])
+        return Stretch(self.matrix(growth), source)
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """``x' = A x + b`` with constant A (2 x 2, real distinct eigenvalues) and b.
+
+    ``x(t) = exp(A t) x0 + phi(A, t) b`` by Sylvester's formula: each function of A is its value at the one eigenvalue
+    times ``(A - other) / (difference)`` and the same the other way round (Golub & Van Loan, Matrix Computations, 9.1).
+    """
+
+    matrix: Floats
+    source: Floats
+
+    def propagators(self, time: float) -> tuple[Floats, Floats]:
+        """Return ``exp(A t)``, shape (2, 2), and the rise from nothing, shape (2,)."""
+        upper, lower = eigenvalues(self.matrix)
+        first = (self.matrix - lower * IDENTITY) / (upper - lower)
+        second = IDENTITY - first
+        decay = np.exp(upper * time) * first + np.exp(lower * time) * second
+        return decay, (_gathered(upper, time) * first + _gathered(lower, time) * second) @ self.source
+
+    def after(self, time: float, start: Floats) -> Floats:
+        """Return the temperature rises after ``time`` [s], from ``start`` [K], shape (2,)."""
+        decay, gained = self.propagators(time)
+        return decay @ start + gained
+
+    def turning(self, duration: float, start: Floats) -> float | None:
+        """Return when within the stretch the winding's temperature turns round [s]; None where it does not.
+
+        Its slope is a sum of two exponentials, which is zero once at most.
+        """
+        upper, lower = eigenvalues(self.matrix)
+        slope = self.matrix @ start + self.source
+        first = ((self.matrix - lower * IDENTITY) @ slope)[0] / (upper - lower)
+        second = slope[0] - first
+        if first == 0 or -second / first <= 0:
+            return None
+        time = float(np.log(-second / first) / (upper - lower))
+        return time if 0 < time < duration else None
+
+
+def eigenvalues(matrix: Floats) -> tuple[float, float]:
+    """Return the two real eigenvalues, the larger first."""
+    middle = 0.5 * (matrix[0, 0] + matrix[1, 1])
+    half = float(np.sqrt((0.5 * (matrix[0, 0] - matrix[1, 1])) ** 2 + matrix[0, 1] * matrix[1, 0]))
+    return float(middle + half), float(middle - half)
+
+
+def _gathered(rate: float, time: float) -> float:
+    """Return the integral of ``exp(rate s)`` over s = 0..time [s]."""
+    return float(np.expm1(rate * time) / rate) if rate else time
