@@ -20,9 +20,8 @@ from torquerig.simulate.twin.system import LinearSystem
 
 Floats = NDArray[np.float64]
 
-BLOCK = (
-    32  # [samples] measured best for 10 states and 20 lines: longer ones multiply more zeros, shorter ones loop more
-)
+BLOCK = 32  # [samples] measured best for 10 states and 20 lines; longer ones multiply more zeros
+CHUNK = 512  # [blocks] at a time, so that the matrices stay in the cache of the processor
 
 
 @dataclass(frozen=True)
@@ -94,33 +93,31 @@ def run(
     -------
     values : ndarray, shape (outputs, samples - skipped)
     """
-    block, n, count = step.block, start.size, lines.angular.size
+    block, samples = step.block, inputs.shape[1]
+    blocks, first_kept = -(-samples // block), skipped // block
+    made = np.empty((len(outputs), (blocks - first_kept) * block))
+    state, finite = start, True
+    phasors = np.exp(1j * np.outer(np.arange(CHUNK), lines.angular * (block * period)))
+    for first in range(0, blocks, CHUNK):
+        now = phasors * np.exp(1j * lines.angular * (first * block * period))
+        entering = _entering(inputs[:, first * block : (first + CHUNK) * block], now, block)
+        states = np.empty((entering.shape[0] + 1, state.size))
+        states[0] = state
+        finite = kernel.carry(step.transition, entering @ step.onto_states, states) and finite
+        state = states[-1]
+        whole = np.hstack([states[:-1], entering])[max(0, first_kept - first) :]
+        at = (max(first, first_kept) - first_kept) * block
+        for row, output in enumerate(outputs):
+            made[row, at : at + whole.shape[0] * block] = (whole @ step.onto_outputs[output]).ravel()
+    within = skipped - first_kept * block
+    return made[:, within : within + samples - skipped], bool(finite)
+
+
+def _entering(inputs: Floats, phasors: NDArray[np.complex128], block: int) -> Floats:
+    """Return what enters the blocks of a chunk beside their states, shape (blocks, 2 lines + inputs x block)."""
     m, samples = inputs.shape
     blocks = -(-samples // block)
-    entering = np.empty((blocks, n + 2 * count + m * block))
-    phasors = turning(lines.angular * (block * period), blocks)
-    entering[:, n : n + count], entering[:, n + count : n + 2 * count] = phasors.real, phasors.imag
-    whole = samples // block
-    for row in range(m):
-        at = n + 2 * count + row * block
-        entering[:whole, at : at + block] = inputs[row, : whole * block].reshape(whole, block)
-        if whole < blocks:
-            entering[whole, at : at + block] = 0.0
-            entering[whole, at : at + samples - whole * block] = inputs[row, whole * block :]
-    states = np.zeros((blocks + 1, n))
-    states[0] = start
-    finite = kernel.carry(step.transition, entering[:, n:] @ step.onto_states, states)
-    entering[:, :n] = states[:-1]
-    first = skipped // block
-    made = np.empty((len(outputs), samples - skipped))
-    for row, output in enumerate(outputs):
-        values = (entering[first:] @ step.onto_outputs[output]).ravel()
-        made[row] = values[skipped - first * block : samples - first * block]
-    return made, bool(finite)
-
-
-def turning(angles: Floats, count: int) -> NDArray[np.complex128]:
-    """Return ``exp(i k angles)`` for k = 0 .. count - 1, shape (count, angles): coarse turns times fine ones."""
-    fine = np.exp(1j * np.outer(np.arange(64), angles))
-    coarse = np.exp(64j * np.outer(np.arange(-(-count // 64)), angles))
-    return np.asarray((coarse[:, None, :] * fine[None, :, :]).reshape(-1, angles.size)[:count])
+    if samples < blocks * block:
+        inputs = np.hstack([inputs, np.zeros((m, blocks * block - samples))])
+    arriving = inputs.reshape(m, blocks, block).transpose(1, 0, 2).reshape(blocks, m * block)
+    return np.hstack([phasors.real[:blocks], phasors.imag[:blocks], arriving])
