@@ -1,0 +1,17 @@
+"""Backwards: where recordings and model differ, which physics was left out, and how much better the model gets.
+
+Looking
+    shaft_angle     the motor's angle of each run          observed     a run made ready to compare
+    sample_faults   coarse codes, flat tops, dropouts      regression   lines of a stretch by least squares
+    places          an order or a frequency                features     the numbers of a run that are compared
+    peaks           lines that no model asked for          lines_left   the same in passes
+    impacts         beats of a ringing band
+Expecting
+    transfer        shafts to reading, on a grid           twin         lines and load spectrum of a rig
+    quasi_static    slow torque                            added_signals  tones, drift and rings of the electronics
+    expectation     all features of a run                  misfit       how far they lie apart
+Fitting
+    knobs           what may be turned                     calibration  the nominal model with its numbers fitted
+    case            where a diagnosis stands               hypotheses/  how each mechanism would explain what is left
+    search          the best hypothesis, and again         loaded_part  which part the load acts on
+"""

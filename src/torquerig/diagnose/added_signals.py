@@ -1,0 +1,61 @@
+"""What the electronics add to a reading, whatever the shafts do: tones, a moving zero, rings of a bearing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.features import Features
+from torquerig.diagnose.twin import Twin
+from torquerig.signals.recording import Recording
+from torquerig.signals.stages.drift import Drift
+from torquerig.signals.stages.ringing import Ringing
+from torquerig.signals.stages.tone import Tone, folded
+
+Floats = NDArray[np.float64]
+_SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
+
+
+@dataclass(frozen=True)
+class AddedSignals:
+    """Density in each band, level in each stretch, and tones as (frequency [Hz], amplitude [N m])."""
+
+    power: Floats
+    level: Floats
+    tones: tuple[tuple[float, float], ...]
+
+
+def added_signals(twin: Twin, seen: Features) -> AddedSignals:
+    """Return what the measuring chain adds to a reading of zero over the run of ``seen``."""
+    observed, bands = seen.observed, seen.band.size
+    unit = observed.recording.channels[observed.recording.torque_name()].si_per_unit
+    power, level = np.zeros(bands), np.zeros(len(seen.level))
+    tones: list[tuple[float, float]] = []
+    for stage in twin.rig.stages():
+        if isinstance(stage, Tone):
+            tones += [
+                (folded(harmonic * stage.frequency, observed.rate), volts * unit)
+                for harmonic, volts in enumerate(stage.amplitudes, start=1)
+            ]
+        elif isinstance(stage, Drift):
+            level += _level(stage, seen)
+        elif isinstance(stage, Ringing):
+            impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
+            power += stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
+    return AddedSignals(power, level, tuple(tones))
+
+
+def _level(stage: Drift, seen: Features) -> Floats:
+    """Mean of a slow stage's signal over each stretch [N m]."""
+    recording = seen.observed.recording
+    name = recording.torque_name()
+    count = max(2, round(recording.duration * _SLOW_RATE))
+    silence = replace(recording.channels[name], values=np.zeros(count))
+    silent = Recording(sample_rate=count / recording.duration, channels={name: silence}, run=recording.run)
+    signal = stage.apply(silent).channels[name].in_si()
+    share = count / recording.samples
+    edges = [(int(stretch.start * share), int(stretch.stop * share)) for stretch in seen.stretches]
+    return np.array([signal[start : max(stop, start + 1)].mean() for start, stop in edges])

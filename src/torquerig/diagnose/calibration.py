@@ -1,0 +1,70 @@
+"""The nominal model with its uncertain numbers fitted: what must come before anything is called missing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.expectation import expected
+from torquerig.diagnose.features import Features
+from torquerig.diagnose.knobs import Knob, turned
+from torquerig.diagnose.misfit import Misfit, misfit, misfit_sum, robust
+from torquerig.rig.rig import Rig
+
+_MOST_EVALUATIONS = 12
+_LIMIT = 5.0  # a knob goes no further than this many of its spreads
+
+
+@dataclass(frozen=True)
+class Calibrated:
+    """A model fitted to features.
+
+    Parameters
+    ----------
+    rig : Rig
+        With every knob at its fitted position.
+    knobs : tuple of Knob
+    positions : ndarray, shape (knobs,)
+        In spreads from the value that the model started with.
+    covariance : ndarray, shape (knobs, knobs)
+        Of the positions.
+    misfits : tuple of Misfit
+        One per run.
+    cost : float
+        Sum of squares of robust residuals and of positions.
+    """
+
+    rig: Rig
+    knobs: tuple[Knob, ...]
+    positions: NDArray[np.float64]
+    covariance: NDArray[np.float64]
+    misfits: tuple[Misfit, ...]
+    cost: float
+
+
+def misfits_of(rig: Rig, seen: Sequence[Features]) -> tuple[Misfit, ...]:
+    """Return the misfit of every run against the linear twin of ``rig``."""
+    return tuple(misfit(features, expected(rig, features)) for features in seen)
+
+
+def calibrated(
+    rig: Rig, seen: Sequence[Features], knobs: Sequence[Knob], *, start: NDArray[np.float64] | None = None,
+    evaluations: int = _MOST_EVALUATIONS,
+) -> Calibrated:  # fmt: skip
+    """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior)."""
+    from scipy.optimize import least_squares
+
+    def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
+        each = misfits_of(turned(rig, knobs, positions), seen)
+        return np.concatenate([*(robust(one.all()) for one in each), positions])
+
+    first = np.zeros(len(knobs)) if start is None else np.clip(start, -0.99 * _LIMIT, 0.99 * _LIMIT)
+    found = least_squares(residuals, first, bounds=(-_LIMIT, _LIMIT), max_nfev=evaluations, ftol=1e-3, xtol=1e-3)
+    fitted = turned(rig, knobs, found.x)
+    misfits = misfits_of(fitted, seen)
+    covariance = np.linalg.pinv(found.jac.T @ found.jac)
+    cost = misfit_sum(misfits) + float(found.x @ found.x)
+    return Calibrated(fitted, tuple(knobs), found.x, covariance, misfits, cost)

@@ -1,0 +1,106 @@
+"""Where a diagnosis stands: the runs, the model fitted so far, what it leaves, and what else might be tried."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from torquerig.diagnose.calibration import Calibrated
+from torquerig.diagnose.expectation import expected
+from torquerig.diagnose.features import Features
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.peaks import Peak
+from torquerig.diagnose.places import SAME_ORDER, Place
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """One way to complete the model: parts to add and what of them is to be fitted.
+
+    Parameters
+    ----------
+    mechanism : str
+        Class name of the contract.
+    parts : tuple of Part
+        With their starting values.
+    knobs : tuple of Knob
+        Of those parts.
+    variant : str
+        A finer name, or empty.
+    place : Place or None
+        The line that it sets out to explain.
+    """
+
+    mechanism: str
+    parts: tuple[Part, ...]
+    knobs: tuple[Knob, ...]
+    variant: str = ""
+    place: Place | None = None
+
+    def added_to(self, rig: Rig) -> Rig:
+        """Return the rig with the parts."""
+        for part in self.parts:
+            rig = rig + part
+        return rig
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """The runs and the model as fitted so far.
+
+    Parameters
+    ----------
+    nominal : Rig
+        The scenario's.
+    runs : tuple of Observed
+    seen : tuple of Features
+        Of the stretches that fits may see, at the places of known and of left lines.
+    model : Calibrated
+    left : tuple of Peak
+        Lines that the model does not have.
+    accepted : tuple of Candidate
+        What was added to the nominal rig, in this order.
+    """
+
+    nominal: Rig
+    runs: tuple[Observed, ...]
+    seen: tuple[Features, ...]
+    model: Calibrated
+    left: tuple[Peak, ...]
+    accepted: tuple[Candidate, ...] = field(default=())
+
+    def has(self, mechanism: str) -> bool:
+        """Whether a mechanism was added already."""
+        return any(candidate.mechanism == mechanism for candidate in self.accepted)
+
+
+def left_line(case: Case, motor_order: float) -> Place | None:
+    """Return the left line that stands at a motor order, within what a recording resolves, or None."""
+    for peak in case.left:
+        if peak.place.domain == "order" and abs(peak.place.at - motor_order) < SAME_ORDER:
+            return peak.place
+    return None
+
+
+def line_factor(case: Case, rig: Rig, place: Place) -> float:
+    """Return by what the amplitude of the one source at ``place`` in ``rig`` must be multiplied to fit best.
+
+    Least squares over runs and stretches of measured against expected amplitude, each in units of its chance.
+    """
+    top = bottom = 0.0
+    for features in case.seen:
+        if place not in features.places:
+            continue
+        column = features.places.index(place)
+        model, before = expected(rig, features), expected(case.model.rig, features)
+        size = np.sqrt(np.maximum(model.amplitude[:, column] ** 2 - before.amplitude[:, column] ** 2, 0.0))
+        measured = np.abs(features.amplitude[:, column])
+        seen = np.isfinite(measured) & (size > 0)
+        weight = 1 / (model.variance[seen, column] + 1e-12)
+        top += float((weight * measured[seen] * size[seen]).sum())
+        bottom += float((weight * size[seen] ** 2).sum())
+    return top / bottom if bottom > 0 else 1.0

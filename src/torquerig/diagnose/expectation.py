@@ -1,0 +1,132 @@
+"""What a model says the features of a run should be: by its linear twin, or measured on its simulations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.added_signals import added_signals
+from torquerig.diagnose.features import POINTS, Features
+from torquerig.diagnose.places import RESOLVED, SAME_ORDER, Place, frequency, order
+from torquerig.diagnose.quasi_static import quasi_static
+from torquerig.diagnose.twin import LineSource, Twin
+from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Load
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """Expected features of one run, shapes as in ``Features``.
+
+    Parameters
+    ----------
+    power : ndarray, shape (bands,)
+        Density beside the lines [(N m)^2/Hz].
+    amplitude : ndarray, shape (stretches, places)
+        Size of the lines [N m].
+    variance : ndarray, shape (stretches, places)
+        Of the real and of the imaginary part of a measured amplitude, from what is random [(N m)^2].
+    level, level_variance : ndarray, shape (stretches,)
+        [N m], [(N m)^2].
+    """
+
+    power: Floats
+    amplitude: Floats
+    variance: Floats
+    level: Floats
+    level_variance: Floats
+
+
+def expected(rig: Rig, seen: Features) -> Expectation:
+    """Return what the linear twin of ``rig`` expects of the run of ``seen``."""
+    observed = seen.observed
+    placed = rig.at(observed.run)
+    twin = Twin(placed)
+    added = added_signals(twin, seen)
+    power = twin.load_power(seen.band) + _noise(placed, observed.rate) + added.power
+    points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
+    stretches = len(seen.level)
+    balance = [
+        quasi_static(twin, speed=float(speed.mean()), acceleration=float(gain))
+        for speed, gain in zip(seen.speed, seen.acceleration, strict=True)
+    ]
+    amplitude = np.zeros((stretches, len(seen.places)))
+    motor = np.abs([torques.motor for torques in balance])
+    for line in twin.lines():
+        passed = line.transfer(np.maximum(line.order * points / (2 * pi), 0.05))
+        size = _size(passed, line, motor, steady=observed.steady)
+        _put(amplitude, power, seen, order(line.order), size)
+    for tone, volts in added.tones:
+        _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
+    level = np.array([torques.sensor for torques in balance]) + added.level
+    return Expectation(
+        power=power,
+        amplitude=amplitude,
+        variance=_variance(seen, power),
+        level=level,
+        level_variance=_level_variance(twin, seen, amplitude),
+    )
+
+
+def _size(passed: NDArray[np.complex128], line: LineSource, motor: Floats, *, steady: bool) -> Floats:
+    """Amplitude in each stretch; where the speed moves, as a regression over the stretch would see it."""
+    gain = np.full(motor.size, abs(passed[0])) if steady else np.abs(passed.reshape(-1, POINTS).mean(axis=1))
+    return np.asarray(gain * line.amplitude * (motor if line.by_load else 1.0))
+
+
+def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:
+    """Add a line to the place that shows it; where none does, to the bands it stands in."""
+    observed = seen.observed
+    if place in seen.places:
+        column = seen.places.index(place)
+        if np.isfinite(seen.amplitude[:, column]).any():
+            amplitude[:, column] = np.hypot(amplitude[:, column], size)
+            return
+    at = place.frequency(float(np.abs(seen.speed).mean()))
+    if observed.steady:
+        near = [
+            (abs(other.frequency(float(np.abs(seen.speed).mean())) - at), column)
+            for column, other in enumerate(seen.places)
+            if np.isfinite(seen.amplitude[:, column]).any()
+        ]
+        distance, column = min(near, default=(np.inf, -1))
+        if distance * seen.duration.mean() < RESOLVED:
+            amplitude[:, column] = np.hypot(amplitude[:, column], size)
+            return
+    elif place.domain == "order":
+        orders = [other.at if other.domain == "order" else np.inf for other in seen.places]
+        column = int(np.argmin(np.abs(np.array(orders) - place.at))) if orders else -1
+        if column >= 0 and abs(orders[column] - place.at) < SAME_ORDER:
+            amplitude[:, column] = np.hypot(amplitude[:, column], size)
+            return
+    row = int(np.argmin(np.abs(np.log(seen.band / at)))) if at > 0 else 0
+    if seen.band[0] < at < seen.band[-1]:
+        power[row] += 0.5 * float((size**2).mean()) / seen.width[row]
+
+
+def _noise(rig: Rig, rate: float) -> float:
+    sensor = rig.part(rig.measured)
+    return 2 * (sensor.noise_rms / sensor.sensitivity) ** 2 / rate if isinstance(sensor, TorqueSensor) else 0.0
+
+
+def _variance(seen: Features, power: Floats) -> Floats:
+    """Spread of a regressed amplitude: density over duration, at the frequencies that the line passes."""
+    at = np.log(np.maximum(seen.line_frequency, seen.band[0]))
+    return np.asarray(np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None])
+
+
+def _level_variance(twin: Twin, seen: Features, amplitude: Floats) -> Floats:
+    """Spread of a stretch's mean: slow variation of the load, and a hundredth of the lines that turn slowly."""
+    slow = sum(
+        (term.process.mean * getattr(term.process, "slow_rms", 0.0)) ** 2
+        for term in twin.terms
+        if isinstance(term, Load)
+    )
+    cutoff = max((getattr(t.process, "slow_cutoff", 1.0) for t in twin.terms if isinstance(t, Load)), default=1.0)
+    return np.asarray(slow * np.minimum(1.0, 1 / (2.2 * cutoff * seen.duration)) + (0.02**2 * amplitude**2).sum(axis=1))

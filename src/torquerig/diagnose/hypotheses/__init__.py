@@ -1,0 +1,48 @@
+"""How each mechanism of the library would explain what a model leaves: one file per class of the contract.
+
+A proposal holds parts of the library with starting values; the simulator's own classes do the rest. A class whose
+mechanism is not in the library proposes nothing.
+
+Lines of the shafts
+    gear_mesh  commutation_ripple  cogging  blade_pass
+Lines of fixed frequency
+    mains_interference  pwm_aliasing
+The shafts and the sensor
+    torsional_mode  sensor_bandwidth  bearing_defect
+The slow torque
+    quadratic_drag  stribeck_friction  sensor_drift
+Beside the linear twin
+    backlash
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from importlib import import_module
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Candidate, Case
+
+Propose = Callable[[Case], Iterator[Candidate]]
+
+CLASSES = {
+    "gear_mesh": "GearMesh",
+    "commutation_ripple": "CommutationRipple",
+    "cogging": "Cogging",
+    "blade_pass": "BladePass",
+    "mains_interference": "MainsInterference",
+    "pwm_aliasing": "PwmAliasing",
+    "torsional_mode": "TorsionalMode",
+    "sensor_bandwidth": "SensorBandwidth",
+    "bearing_defect": "BearingDefect",
+    "quadratic_drag": "QuadraticDrag",
+    "stribeck_friction": "StribeckFriction",
+    "sensor_drift": "SensorDrift",
+}
+
+
+def proposals(case: Case) -> Iterator[Candidate]:
+    """Yield what every mechanism of the library would add to the model."""
+    for name, class_name in CLASSES.items():
+        if hasattr(mechanisms, class_name) and not case.has(name):
+            yield from import_module(f"{__name__}.{name}").propose(case)

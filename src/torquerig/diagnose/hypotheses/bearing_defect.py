@@ -1,0 +1,40 @@
+"""Impacts of a bearing: a band that rings, struck at an order of the shaft that need not be whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from torquerig import mechanisms
+from torquerig.diagnose.calibration import misfits_of
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.impacts import impact_orders
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.misfit import misfit_sum
+from torquerig.diagnose.twin import Twin
+
+_AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3)  # [N m]
+_DAMPING = 0.05
+
+
+def propose(case: Case) -> Iterator[Candidate]:
+    """Yield a defect for each order at which a band's envelope beats in several runs."""
+    at = loaded_part(case.nominal)
+    if at is None:
+        return
+    turns = Twin(case.nominal).turns[case.nominal.node(at)]
+    for impact in impact_orders(case.runs, case.seen[0].places):
+        ranked: list[tuple[float, Candidate]] = []
+        for amplitude in _AMPLITUDES:
+            part = mechanisms.BearingDefect(
+                name="bearing_defect", at=at, order_output=impact.motor_order / turns,
+                ring_frequency=impact.band, damping=_DAMPING, amplitude=amplitude,
+            )  # fmt: skip
+            knobs = (
+                Knob(part.name, "amplitude", 1.0),
+                Knob(part.name, "ring_frequency", 0.2),
+                Knob(part.name, "damping", 0.7),
+            )
+            candidate = Candidate(mechanism="bearing_defect", parts=(part,), knobs=knobs)
+            ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+        yield min(ranked, key=lambda item: item[0])[1]

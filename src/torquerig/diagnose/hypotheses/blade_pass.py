@@ -1,0 +1,40 @@
+"""Blades: one pulse of load per blade, at a whole order of the wear part, with harmonics in a fixed proportion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Candidate, Case, line_factor
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.places import SAME_ORDER
+from torquerig.diagnose.twin import Twin
+
+_STRONGEST = 5
+_START = 0.1  # [N m]
+
+
+def propose(case: Case) -> Iterator[Candidate]:
+    """Yield blades for each of the strongest lines at a whole order of the loaded part, as first or second harmonic."""
+    at = loaded_part(case.nominal)
+    if at is None:
+        return
+    turns = Twin(case.nominal).turns[case.nominal.node(at)]
+    tried: set[int] = set()
+    for peak in [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]:
+        for harmonic in (1, 2):
+            blades = peak.place.at / turns / harmonic
+            whole = round(blades)
+            if whole < 1 or abs(blades - whole) * turns > SAME_ORDER or whole in tried:
+                continue
+            tried.add(whole)
+            part = mechanisms.BladePass(name="blade_pass", at=at, order_output=float(whole), amplitude=_START)
+            amplitude = _START * line_factor(case, case.model.rig + part, peak.place)
+            yield Candidate(
+                mechanism="blade_pass",
+                parts=(replace(part, amplitude=amplitude),),
+                knobs=(Knob(part.name, "amplitude", 1.0),),
+                place=peak.place,
+            )

@@ -1,0 +1,23 @@
+"""Drag that grows with the square of the speed: the level bends upwards where viscous friction is straight."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.loaded_part import loaded_part
+
+_STARTS = (1e-5, 1e-4, 1e-3)  # [N m s^2/rad^2]
+
+
+def propose(case: Case) -> Iterator[Candidate]:
+    """Yield drags of three sizes on the loaded part, where the runs differ in speed."""
+    at = loaded_part(case.nominal)
+    speeds = [abs(float(speed)) for features in case.seen for speed in features.speed.mean(axis=1)]
+    if at is None or min(speeds) > 0.9 * max(speeds):
+        return
+    for start in _STARTS:
+        part = mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=start)
+        yield Candidate(mechanism="quadratic_drag", parts=(part,), knobs=(Knob(part.name, "coefficient", 1.5),))

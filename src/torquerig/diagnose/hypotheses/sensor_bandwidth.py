@@ -1,0 +1,30 @@
+"""An amplifier that sits lower than its data sheet: everything fades above one frequency but the noise behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from torquerig import mechanisms
+from torquerig.diagnose.calibration import misfits_of
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.misfit import misfit_sum
+from torquerig.rig.parts import TorqueSensor
+
+_LOWEST = 15.0  # [Hz]
+_TRIALS = 24
+
+
+def propose(case: Case) -> Iterator[Candidate]:
+    """Yield the cutoff below the sensor's own that fits best."""
+    sensor = case.nominal.part(case.nominal.measured)
+    if not isinstance(sensor, TorqueSensor):
+        return
+    ranked: list[tuple[float, Candidate]] = []
+    for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS):
+        part = mechanisms.SensorBandwidth(name="sensor_bandwidth", sensor=sensor.name, cutoff=float(cutoff))
+        candidate = Candidate(mechanism="sensor_bandwidth", parts=(part,), knobs=(Knob(part.name, "cutoff", 0.3),))
+        ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+    yield min(ranked, key=lambda item: item[0])[1]

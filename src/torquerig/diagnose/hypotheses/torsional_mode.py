@@ -1,0 +1,47 @@
+"""A further inertia on a spring: the loaded side rings at two frequencies where the model has one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from torquerig import mechanisms
+from torquerig.diagnose.calibration import misfits_of
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.misfit import misfit_sum
+from torquerig.rig.parts import Body
+
+_FREQUENCIES = np.geomspace(15.0, 900.0, 48)
+_SHARES = (0.15, 0.5)  # of the loaded part's inertia
+_DAMPING = 0.02
+_BEST = 2
+
+
+def propose(case: Case) -> Iterator[Candidate]:
+    """Yield the branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part."""
+    at = loaded_part(case.nominal)
+    body = None if at is None else case.nominal.part(at)
+    if not isinstance(body, Body):
+        return
+    ranked: list[tuple[float, Candidate]] = []
+    for share in _SHARES:
+        for frequency in _FREQUENCIES:
+            candidate = _branch(body, float(frequency), share * body.inertia)
+            ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+    ranked.sort(key=lambda item: item[0])
+    yield from (candidate for _, candidate in ranked[:_BEST])
+
+
+def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
+    part = mechanisms.TorsionalMode(
+        name="torsional_mode", after=body.name, frequency=frequency, inertia=inertia, damping_ratio=_DAMPING
+    )
+    knobs = (
+        Knob(part.name, "frequency", 0.15),
+        Knob(part.name, "inertia", 0.8),
+        Knob(part.name, "damping_ratio", 0.8),
+    )
+    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs)

@@ -1,0 +1,101 @@
+"""The numbers of a model that may be turned, each around its nominal value by its stated spread."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import exp
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.mechanisms import ParticleLoad, TorqueRipple
+from torquerig.parameter import Estimate
+from torquerig.rig.rig import Rig
+
+LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
+_LOAD_SPECTRUM = {"hit_rms": 0.3, "hit_decay": 0.2, "slow_rms": 0.4, "slow_cutoff": 0.3}
+
+
+@dataclass(frozen=True)
+class Knob:
+    """One number of one part: ``value exp(spread x)``, or ``value + spread x``, at the position x.
+
+    Parameters
+    ----------
+    part, field : str
+        Whose number it is.
+    spread : float
+        One sigma of x: relative where ``factor``, else in the unit of the field.
+    key : object
+        Where the field is a mapping or tuple, which of its entries.
+    factor : bool
+        Whether x is a factor's logarithm; else it is added.
+    """
+
+    part: str
+    field: str
+    spread: float
+    key: Any = None
+    factor: bool = True
+
+    @property
+    def name(self) -> str:
+        """``part.field`` or ``part.field.key``."""
+        return f"{self.part}.{self.field}" + ("" if self.key is None else f".{self.key:g}")
+
+    def value(self, rig: Rig) -> float:
+        """Return the number that stands in ``rig``."""
+        held = getattr(rig.part(self.part), self.field)
+        return float(held if self.key is None else held[self.key])
+
+    def turned(self, value: float, position: float) -> float:
+        """Return the number at a position of the knob."""
+        return value * exp(self.spread * position) if self.factor else value + self.spread * position
+
+
+def turned(rig: Rig, knobs: Sequence[Knob], positions: NDArray[np.float64]) -> Rig:
+    """Return the rig with every knob at its position."""
+    changes: dict[str, dict[str, Any]] = {}
+    for knob, position in zip(knobs, positions.tolist(), strict=True):
+        fields = changes.setdefault(knob.part, {})
+        value = knob.turned(knob.value(rig), position)
+        if knob.key is None:
+            fields[knob.field] = value
+            continue
+        held = getattr(rig.part(knob.part), knob.field)
+        entries = fields.setdefault(knob.field, dict(held) if isinstance(held, Mapping) else dict(enumerate(held)))
+        entries[knob.key] = value
+    for name, fields in changes.items():
+        part = rig.part(name)
+        tuples = {key: tuple(v.values()) for key, v in fields.items() if isinstance(getattr(part, key), tuple)}
+        rig = rig.changed(replace(part, **{**fields, **tuples}))
+    return rig
+
+
+def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: Sequence[float]) -> tuple[Knob, ...]:
+    """Return what must be fitted before anything is called missing.
+
+    Everything that the scenario calls uncertain, every line's amplitude, the load's level at each occupancy that was
+    run, and the shape of the load's spectrum.
+    """
+    knobs: list[Knob] = []
+    for name, estimate in uncertain.items():
+        part, _, field = name.rpartition(".")
+        if estimate.rel_sd and isinstance(getattr(rig.part(part), field), float):
+            knobs.append(Knob(part, field, estimate.rel_sd))
+    for ripple in rig.parts_of(TorqueRipple):
+        if ripple.amplitude_rel_sd:
+            knobs += [
+                Knob(ripple.name, "amplitudes", ripple.amplitude_rel_sd, key=order) for order in ripple.amplitudes
+            ]
+    for load in rig.parts_of(ParticleLoad):
+        knobs += [Knob(load.name, field, spread) for field, spread in _LOAD_SPECTRUM.items()]
+        stated = load.mean_by_occupancy_percent
+        knobs += [
+            Knob(load.name, "mean_by_occupancy_percent", LOAD_LEVEL_SPREAD, key=percent)
+            for percent in sorted(set(occupancies))
+            if percent in stated
+        ]
+    return tuple(knobs)

@@ -1,0 +1,45 @@
+"""All lines that the model lacks, found in passes: a strong line hides weaker ones beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.peaks import Peak, peaks
+from torquerig.diagnose.places import Place, order
+
+_PASSES = 3
+_STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
+
+
+_WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
+
+
+def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, ratio: float) -> tuple[Peak, ...]:
+    """Return the peaks beside ``known``, clearest first, each found with the stronger ones taken out.
+
+    Orders that are whole on the output shaft (``ratio`` motor turns per turn) are stated as such.
+    """
+    found: list[Peak] = []
+    for _ in range(_PASSES):
+        new = peaks(runs, [*known, *(peak.place for peak in found)])
+        if not new:
+            break
+        strong = [peak for peak in new if peak.excess >= _STRONG * new[0].excess]
+        found += [replace(peak, place=_whole(peak, runs, ratio)) for peak in strong]
+    return tuple(sorted(found, key=lambda peak: -peak.excess))
+
+
+def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:
+    """Return the whole output order that a peak stands on, else its own place; at one speed a whole order wins."""
+    at = peak.place.at
+    if peak.place.domain == "frequency":
+        if peak.speeds > 1:
+            return peak.place
+        speed = next(run.mean_speed for run in runs if run.name == peak.runs[0])
+        at = peak.place.at / Place("order", 1.0).frequency(speed)
+    whole = round(at * ratio) / ratio
+    if abs(at - whole) < _WHOLE and whole > 0:
+        return order(whole)
+    return peak.place

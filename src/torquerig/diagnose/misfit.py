@@ -1,0 +1,98 @@
+"""How far the features of a run lie from what a model expects, each in units of its own spread."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.expectation import Expectation
+from torquerig.diagnose.features import Features
+
+Floats = NDArray[np.float64]
+
+# what a model may be wrong by before it counts [relative]: details of a real rig that nobody models
+BAND_TOLERANCE, LINE_TOLERANCE, RAMP_LINE_TOLERANCE, LEVEL_TOLERANCE = 0.05, 0.04, 0.06, 0.01
+LEVEL_FLOOR = 0.002  # [N m]
+# an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
+_UNMEASURED_ANGLE = 0.015
+_ROBUST = 4.0  # residuals beyond this count by their size, no longer by their square
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """Residuals of one run in units of their spread; what cannot be seen is 0.
+
+    Parameters
+    ----------
+    bands : ndarray, shape (bands,)
+    lines : ndarray, shape (places,) in steady runs, (stretches, places) else
+    level : ndarray, shape (stretches,)
+    """
+
+    bands: Floats
+    lines: Floats
+    level: Floats
+
+    def all(self) -> Floats:
+        """Return every residual in one row, shape (features,)."""
+        return np.concatenate([self.bands, self.lines.ravel(), self.level])
+
+    @property
+    def seen(self) -> int:
+        """How many features there are to see."""
+        return self.bands.size + int(np.count_nonzero(self.lines)) + self.level.size
+
+
+def misfit(seen: Features, model: Expectation) -> Misfit:
+    """Return the residuals of a run against a model."""
+    if seen.power.size:
+        spread = np.sqrt(1 / seen.count + BAND_TOLERANCE**2)
+        bands = np.log(seen.power / model.power) / spread
+    else:
+        bands = np.array([])
+    lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)
+    spread = np.sqrt(model.level_variance + LEVEL_FLOOR**2 + (LEVEL_TOLERANCE * model.level) ** 2)
+    return Misfit(bands, lines, (seen.level - model.level) / spread)
+
+
+def robust(residuals: Floats) -> Floats:
+    """Return the residuals with the large ones pulled in, so that no single one rules a fit (pseudo-Huber)."""
+    scaled = residuals / _ROBUST
+    return np.asarray(np.sign(residuals) * _ROBUST * np.sqrt(2 * (np.sqrt(1 + scaled**2) - 1)))
+
+
+def misfit_sum(misfits: Sequence[Misfit]) -> float:
+    """Return the sum of squares of the robust residuals of all runs: about the number of features for a true model."""
+    return float(sum((robust(each.all()) ** 2).sum() for each in misfits))
+
+
+def _steady_lines(seen: Features, model: Expectation) -> Floats:
+    """All stretches together: power of the line over what chance leaves, against the expected size."""
+    shown = np.isfinite(seen.amplitude)
+    count = np.maximum(shown.sum(axis=0), 1)
+    power = np.where(shown, np.abs(seen.amplitude) ** 2, 0.0).sum(axis=0) / count
+    chance = 2 * model.variance.mean(axis=0)
+    size, expected = np.sqrt(np.maximum(power - chance, 0.0)), model.amplitude.mean(axis=0)
+    tolerance = np.hypot(LINE_TOLERANCE, _smearing(seen))
+    spread = np.sqrt(chance / count + (tolerance * expected) ** 2)
+    return np.asarray(np.where(shown.any(axis=0), (size - expected) / spread, 0.0))
+
+
+def _moving_lines(seen: Features, model: Expectation) -> Floats:
+    """Each stretch by itself; neighbouring ones are about half independent."""
+    shown = np.isfinite(seen.amplitude)
+    size = np.abs(np.where(shown, seen.amplitude, 0.0))
+    expected = np.sqrt(model.amplitude**2 + model.variance)
+    tolerance = np.hypot(RAMP_LINE_TOLERANCE, _smearing(seen))
+    spread = np.sqrt(model.variance + (tolerance * expected) ** 2)
+    return np.asarray(np.where(shown, (size - expected) / spread, 0.0) / np.sqrt(2))
+
+
+def _smearing(seen: Features) -> Floats:
+    """Relative uncertainty of each line's amplitude for want of an encoder, shape (places,)."""
+    if seen.observed.angle_measured:
+        return np.zeros(len(seen.places))
+    return np.array([_UNMEASURED_ANGLE * place.at if place.domain == "order" else 0.0 for place in seen.places])

@@ -1,0 +1,46 @@
+"""What of a stretch of signal are given lines: complex amplitudes by least squares, and what is left."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+_RIDGE = 1e-9  # of the mean square of a basis function: keeps two lines that coincide from blowing up
+
+
+@dataclass(frozen=True)
+class Regression:
+    """``values = Re sum_k amplitude_k exp(i phase_k) + level + slope t + rest``, t from -1 to 1.
+
+    Parameters
+    ----------
+    amplitude : ndarray, shape (lines,)
+        Complex, in the unit of the signal, zero to peak.
+    level, slope : float
+        The straight line beside the lines.
+    rest : ndarray, shape (samples,)
+        What neither explains.
+    """
+
+    amplitude: NDArray[np.complex128]
+    level: float
+    slope: float
+    rest: NDArray[np.float64]
+
+
+def regressed(values: NDArray[np.float64], phases: NDArray[np.float64]) -> Regression:
+    """Return the least-squares amplitudes of lines whose phases [rad] are the rows of ``phases``, (lines, samples)."""
+    count, lines = values.size, phases.shape[0]
+    waves = np.exp(1j * phases)
+    basis = np.vstack([np.ones(count), np.linspace(-1.0, 1.0, count), waves.real, -waves.imag])
+    gram = basis @ basis.T
+    gram[np.diag_indices_from(gram)] += _RIDGE * count
+    found = np.linalg.solve(gram, basis @ values)
+    return Regression(
+        amplitude=found[2 : 2 + lines] + 1j * found[2 + lines :],
+        level=float(found[0]),
+        slope=float(found[1]),
+        rest=values - found @ basis,
+    )

@@ -1,0 +1,155 @@
+"""Faults that the samples show before any model is asked: coarse codes, flat tops, moments without signal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.signals.recording import Recording
+
+Floats = NDArray[np.float64]
+
+_COARSER = 1.7  # a lattice must be so many converter steps wide
+_LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
+_FLAT_SHARE, _FEWEST_FLAT = 2e-4, 20
+_JUMP = 12.0
+
+
+@dataclass(frozen=True)
+class Codes:
+    """All values stand on multiples of ``step`` [V], wider than the converter's own; ``score`` is 1 for exactly."""
+
+    step: float
+    score: float
+
+
+@dataclass(frozen=True)
+class FlatTops:
+    """Values that never pass ``limit`` [V] and stop at it in ``share`` of the samples of the worst run."""
+
+    limit: float
+    share: float
+    runs: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Dropouts:
+    """Moments at ``level`` [V]: their median ``duration`` [s], how many, and per second."""
+
+    level: float
+    duration: float
+    count: int
+    rate: float
+    runs: tuple[str, ...]
+
+
+def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> Codes | None:
+    """Return the lattice that all samples stand on where it is coarser than the converter's, else None.
+
+    The distances of neighbouring values that occur give the candidates; the mean of ``exp(2 pi i V / step)`` over the
+    samples is 1 on a lattice and near 0 off it (the characteristic function, Widrow & Kollar).
+    """
+    values = np.concatenate([_volts(recording)[::3] for recording in recordings])
+    distinct = np.unique(np.round(values / (0.25 * converter_step)).astype(np.int64)) * 0.25 * converter_step
+    gaps = np.diff(distinct)
+    wide = gaps[gaps > _COARSER * converter_step]
+    if wide.size < 3 or wide.size < 0.2 * gaps.size:
+        return None
+    start = float(np.median(wide[wide < 1.6 * np.min(wide)]))
+    trials = start * (1 + np.linspace(-0.08, 0.08, 641))
+    score = np.array([_on_lattice(distinct, step) for step in trials])
+    coarse = float(trials[int(np.argmax(score))])
+    fine = coarse * (1 + np.linspace(-3e-4, 3e-4, 121))
+    step = float(fine[int(np.argmax([_on_lattice(distinct, trial) for trial in fine]))])
+    reached = _on_lattice(distinct, step)
+    return Codes(step, reached) if reached > _LATTICE_SCORE else None
+
+
+def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float) -> FlatTops | None:
+    """Return the level at which the signal stops, where the samples pile up at their largest magnitude.
+
+    A tail thins out towards its end; a limit leaves more samples on its last code than on the codes before it.
+
+    Parameters
+    ----------
+    full_range : float
+        Of the converter [V]: what stops there is the converter's own limit.
+    code : float
+        Distance of two codes of the samples [V].
+    """
+    found: dict[str, tuple[float, float]] = {}
+    for recording in recordings:
+        volts = _volts(recording)
+        for sign in (1.0, -1.0):
+            depth = np.abs(sign * volts - (sign * volts).max())
+            piled = int((depth < 0.5 * code).sum())
+            before = int(((depth >= 0.5 * code) & (depth < 5.5 * code)).sum())
+            if piled >= max(_FEWEST_FLAT, _FLAT_SHARE * volts.size, 2 * before):
+                found[recording.name] = (abs(float((sign * volts).max())), piled / volts.size)
+    if not found or max(level for level, _ in found.values()) > 0.999 * full_range:
+        return None
+    limit = float(np.median([level for level, _ in found.values()]))
+    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
+
+
+def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
+    """Return the moments in which the signal stands still at a level of its own, away from its neighbourhood."""
+    events: list[tuple[str, float, float]] = []
+    length = 0.0
+    for recording in recordings:
+        length += recording.duration
+        events += [
+            (recording.name, level, (stop - start) / recording.sample_rate)
+            for start, stop, level in gaps(_volts(recording), recording.sample_rate)
+        ]
+    if not events:
+        return None
+    levels, durations = np.array([event[1] for event in events]), np.array([event[2] for event in events])
+    runs = tuple(dict.fromkeys(event[0] for event in events))
+    return Dropouts(float(np.median(levels)), float(np.median(durations)), len(events), len(events) / length, runs)
+
+
+def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
+    """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
+
+    Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
+    steps), the moment lasts 0.2 to 200 ms, and within it the signal keeps to its level as closely as noise lets it.
+    """
+    steps = np.diff(volts)
+    sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
+    if sigma == 0:
+        return []
+    jumps = np.flatnonzero(np.abs(steps) > _JUMP * sigma) + 1
+    found: list[tuple[int, int, float]] = []
+    last = 0
+    for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
+        if start < last or not 2e-4 * rate <= stop - start <= 0.2 * rate:
+            continue
+        inside, level = volts[start:stop], float(np.median(volts[start:stop]))
+        outside = 0.5 * (volts[max(start - 2, 0)] + volts[min(stop + 1, volts.size - 1)])
+        away = abs(level - outside) > _JUMP * sigma and (volts[start] - volts[start - 1]) * (level - outside) > 0
+        if away and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
+            found.append((start, stop, level))
+            last = stop
+    return found
+
+
+def bridged(recording: Recording) -> Recording:
+    """Return the recording with straight lines over the moments without signal."""
+    volts = _volts(recording).copy()
+    for start, stop, _ in gaps(volts, recording.sample_rate):
+        first, last = max(start - 1, 0), min(stop, volts.size - 1)
+        volts[first : last + 1] = np.linspace(volts[first], volts[last], last + 1 - first)
+    return recording.with_values(recording.torque_name(), volts)
+
+
+def _volts(recording: Recording) -> Floats:
+    return recording.channels[recording.torque_name()].values
+
+
+def _on_lattice(values: NDArray[Any], step: float) -> float:
+    return float(np.abs(np.exp(2j * np.pi * values / step).mean()))

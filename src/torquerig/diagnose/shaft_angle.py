@@ -1,0 +1,56 @@
+"""What angle the motor turned through in each run: measured, followed in the torque's lines, or simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from statistics import median
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.signals.angle import measured_motor_angle
+from torquerig.signals.recording import Recording
+from torquerig.signals.speed_from_torque import motor_angle_from_torque
+from torquerig.simulate.simulate import simulate
+
+
+@dataclass(frozen=True)
+class ShaftAngle:
+    """Angle of the motor at each sample [rad], shape (samples,), whether it was measured, and how it was got."""
+
+    values: NDArray[np.float64]
+    measured: bool
+    origin: str
+
+
+def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftAngle], float]:
+    """Return the angle of each run and the factor by which the rig's speeds differ from their set-points.
+
+    The factor is the median over the runs whose angle was measured or followed: one drive has one error of scale. A
+    ramp or reversal without an encoder turns as the nominal rig does when its set-point is scaled by that factor.
+    """
+    kinematics = kinematics_of(rig)
+    found: list[ShaftAngle | None] = []
+    factors: list[float] = []
+    for recording in recordings:
+        angle = measured_motor_angle(recording, ratio=kinematics.ratio)
+        measured = angle is not None
+        if angle is None and recording.run.profile == "steady" and recording.run.speed:
+            angle = motor_angle_from_torque(recording, kinematics.lines())
+        found.append(None if angle is None else ShaftAngle(angle.values, measured, angle.origin))
+        if angle is not None and recording.run.profile == "steady" and recording.run.speed:
+            factors.append(angle.mean_speed(recording.sample_rate) / recording.run.speed)
+    factor = median(factors) if factors else 1.0
+    pairs = zip(recordings, found, strict=True)
+    return [_simulated(recording, rig, factor) if angle is None else angle for recording, angle in pairs], factor
+
+
+def _simulated(recording: Recording, rig: Rig, factor: float) -> ShaftAngle:
+    run = replace(recording.run, speed=(recording.run.speed or 0.0) * factor)
+    turned = simulate(rig.at(run), duration=recording.duration, seed=0, sample_rate=recording.sample_rate)
+    return ShaftAngle(
+        turned.channels["true_motor_angle_rad"].values, False, f"simulated from the set-point times {factor:.5f}"
+    )

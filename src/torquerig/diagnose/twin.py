@@ -1,0 +1,113 @@
+"""What the linear twin of a rig passes on to the reading: transfers, lines and the spectrum of random loads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.transfer import GRID, Response, at, on_grid
+from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import GROUND, BladeTorque, Drive, HarmonicTorque, Load, Spring, Term
+
+Floats = NDArray[np.float64]
+
+_TURN = np.linspace(-pi, pi, 4096, endpoint=False)
+_PULSE = np.maximum(0.0, np.cos(_TURN)) ** 2
+BLADE_MEAN = float(_PULSE.mean())
+_BLADE_SERIES = tuple(float(2 * np.mean(_PULSE * np.cos(k * _TURN))) for k in range(1, 8))  # zero to peak
+
+
+@dataclass(frozen=True)
+class LineSource:
+    """A line that follows the shafts: order on the motor shaft, amplitude at its source, transfer to the reading.
+
+    ``transfer`` takes frequencies [Hz]; ``by_load`` marks amplitudes that are a share of the motor's torque.
+    """
+
+    owner: str
+    order: float
+    amplitude: float
+    transfer: Callable[[Floats], Response]
+    by_load: bool = False
+
+
+class Twin:
+    """The rig at its run, linear, with its speed loop closed and its sensor's low-pass behind it."""
+
+    def __init__(self, rig: Rig) -> None:
+        self.rig = rig
+        self.terms: tuple[Term, ...] = rig.terms()
+        self.springs = {term.name: term for term in self.terms if isinstance(term, Spring)}
+        self.drives = [term for term in self.terms if isinstance(term, Drive)]
+        self._shafts = on_grid(rig, self.terms)
+
+    @cached_property
+    def cutoff(self) -> float:
+        """Cutoff of the sensor's low-pass [Hz], infinite where there is no amplifier."""
+        sensor = self.rig.part(self.rig.measured)
+        if not isinstance(sensor, TorqueSensor):
+            return float("inf")
+        stated = (part.amplifier_cutoff(sensor.name) for part in self.rig.parts)
+        return min((sensor.bandwidth, *(cutoff for cutoff in stated if cutoff is not None)))
+
+    def amplifier(self, frequencies: Floats) -> Response:
+        """Return the sensor's second-order Butterworth low-pass [1]."""
+        ratio = 1j * frequencies / self.cutoff
+        return np.asarray(1 / (1 + sqrt(2) * ratio + ratio**2))
+
+    def torque_on(self, node: str, against: str = GROUND) -> Callable[[Floats], Response]:
+        """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
+        passed = self._shafts[node] if against == GROUND else self._shafts[node] - self._shafts[against]
+        return self._read(passed)
+
+    def error_in(self, spring: str) -> Callable[[Floats], Response]:
+        """Return the transfer of a kinematic error in ``spring`` [rad at its b side] to the reading [N m per rad]."""
+        term = self.springs[spring]
+        force = term.stiffness + 2j * pi * GRID * term.damping
+        passed = force * (self._shafts[term.b] - self._shafts[term.a] / term.ratio)
+        return self._read(passed + force if spring == self.rig.measured else passed)
+
+    def _read(self, passed: Response) -> Callable[[Floats], Response]:
+        return lambda frequencies: at(passed, frequencies) * self.amplifier(frequencies)
+
+    def lines(self) -> Iterator[LineSource]:
+        """Yield every line of the rig that follows a shaft."""
+        turns = self.turns
+        for term in self.terms:
+            if isinstance(term, HarmonicTorque):
+                passed = self.torque_on(term.on, term.against)
+                for wave in term.waves:
+                    yield LineSource(term.name, wave.order * turns[term.angle], wave.amplitude, passed)
+            elif isinstance(term, Spring) and term.error:
+                passed = self.error_in(term.name)
+                for wave in term.error:
+                    yield LineSource(term.name, wave.order * turns[term.b], wave.amplitude, passed)
+            elif isinstance(term, Drive):
+                passed = self.torque_on(term.on)
+                for wave in term.ripple:
+                    yield LineSource(term.name, wave.order * turns[term.on], wave.amplitude, passed, by_load=True)
+            elif isinstance(term, BladeTorque):
+                passed = self.torque_on(term.on)
+                for harmonic, share in enumerate(_BLADE_SERIES, start=1):
+                    order = harmonic * term.order * turns[term.on]
+                    yield LineSource(term.name, order, share * term.amplitude, passed)
+
+    @cached_property
+    def turns(self) -> dict[str, float]:
+        """Turns of each node per turn of the motor, without sign."""
+        return {node: abs(ratio) for node, ratio in self.rig.speed_ratios(self.drives[0].on).items()}
+
+    def load_power(self, frequencies: Floats) -> Floats:
+        """Return the one-sided spectral density that random loads leave in the reading [(N m)^2/Hz]."""
+        power = np.zeros(frequencies.size)
+        for term in self.terms:
+            density = getattr(term.process, "density", None) if isinstance(term, Load) else None
+            if isinstance(term, Load) and density is not None:
+                power += np.abs(self.torque_on(term.on)(frequencies)) ** 2 * density(frequencies)
+        return power
