@@ -9,15 +9,21 @@ os.environ |= dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM
 
 import time
 from collections.abc import Callable
+from functools import partial
 from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import filtfilt, iirnotch, sosfiltfilt
+from scipy.signal import butter, filtfilt, iirnotch, sosfiltfilt
 
 from torquerig.signals.filters.biquad_stream import zero_phase_pieces
 from torquerig.signals.filters.biquads import time_constants, zero_phase, zero_phase_notched
 from torquerig.signals.filters.ideal_bandstop import without_bands
+from torquerig.signals.filters.order_bandstop import OrderBandstop
+from torquerig.signals.kinematics import KinematicLine
+from torquerig.signals.recording import Channel, Recording
+from torquerig.signals.run import Run
+from torquerig.signals.stages.encoder import Encoder
 
 Floats = NDArray[np.float64]
 RATE, SAMPLES, TURNS, QUALITY = 25_000.0, 10_000_000, 5, 30.0
@@ -87,6 +93,59 @@ def edges() -> None:
         )
 
 
+def tracked_in_numpy(values: Floats, angle: Floats) -> Floats:
+    """A tracked heterodyne as one would write it: demodulate, low-pass twice, remodulate."""
+    for order in ORDERS:
+        unit = np.exp(1j * order * angle)
+        low = sosfiltfilt(butter(2, 0.5, fs=RATE, output="sos"), values * unit.conj(), padlen=2 * int(RATE))
+        values = values - 2 * (low * unit).real
+    return values
+
+
+def wandering(samples: int, share: float) -> tuple[Recording, Floats, Floats]:
+    """Return a recording with encoder, its load and its lines: 20 orders of 0.5 N m, noise 0.1 N m."""
+    at, rng = np.arange(samples) / RATE, np.random.default_rng(3)
+    angle = np.cumsum(2 * pi * SPEED * (1 + share * np.sin(2 * pi * 0.1 * at))) / RATE
+    lines = sum(0.5 * np.cos(order * angle + rng.uniform(0, 2 * pi)) for order in ORDERS)
+    load = 1.0 + 0.1 * rng.normal(size=samples)
+    torque = Channel(values=load + lines, quantity="torque", unit="V")
+    truth = Channel(values=angle, quantity="motor_angle", unit="rad", truth=True)
+    run = Run(speed=2 * pi * SPEED, gear_ratio=5)
+    bare = Recording(sample_rate=RATE, channels={"torque_V": torque, "true_motor_angle_rad": truth}, run=run)
+    return Encoder(counts_per_rev=16384).apply(bare).without_truth(), load, lines
+
+
+def orders() -> None:
+    lines = tuple(KinematicLine("motor", 1, order, 5 * order, "", "") for order in ORDERS)
+    for samples in (1_000_000, 10_000_000):
+        source, load, disturbance = wandering(samples, 0.02)
+        bare = Recording(sample_rate=RATE, channels={"torque_V": source.channels["torque_V"]}, run=source.run)
+        inner = slice(samples // 10, -samples // 10)
+        print(f"20 orders under 2 % wander, {samples / 1e6:g} M samples (inner 80 % and whole record)")
+        print("  rest of the lines, dB, and error as a share of the noise")
+        stages = {"order band-stop, encoder": OrderBandstop(lines=lines)}
+        for name, stage in stages.items():
+            speed, answer = best_of(lambda s=stage: s.apply(source).torque(), samples, 3)
+            tell(name, speed, answer - load, disturbance, inner)
+        if samples == 1_000_000:
+            angle = source.channels["encoder_count"].in_si()
+            speed, answer = best_of(partial(tracked_in_numpy, source.torque(), angle), samples, 1)
+            tell("heterodyne in numpy, encoder", speed, answer - load, disturbance, inner)
+            for share in (0.02, 0.002, 0.0002):
+                source, load, disturbance = wandering(samples, share)
+                bare = Recording(sample_rate=RATE, channels={"torque_V": source.channels["torque_V"]}, run=source.run)
+                speed, answer = best_of(lambda b=bare: OrderBandstop(lines=lines).apply(b).torque(), samples, 1)
+                tell(f"torque alone, wander {100 * share:g} %", speed, answer - load, disturbance, inner)
+
+
+def tell(name: str, speed: float, wrong: Floats, lines: Floats, inner: slice) -> None:
+    figures = [(20 * np.log10(rms(wrong[part]) / rms(lines[part])), rms(wrong[part]) / 0.1)
+               for part in (inner, slice(None))]  # fmt: skip
+    told = "; ".join(f"{level:6.1f} dB {share:6.3f}" for level, share in figures)
+    print(f"  {name:30s} {speed:6.1f} MS/s  {told}")
+
+
 if __name__ == "__main__":
     throughput()
     edges()
+    orders()

@@ -13,6 +13,7 @@ teeth              what tooth counts fix
 kinematics         the order lines of a motor and gearbox
 coincidences       lines that stand on the mains or on each other, and a better speed
 orders             the report of all that; orders_telling puts it into words
+best_angle         the best angle and speed that a recording has, and which source that is
 angle              the motor's angle from its channels; tacho: by pulses; speed_from_torque: by the comb of lines
 line_fit           sines of given orders, fitted block by block
 spectrum           amplitude spectra

@@ -109,7 +109,12 @@ def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
 
 def _even_mean(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
     """Mean over ``reach`` samples either way, over as many on both sides near the ends: a slope is not bent there."""
-    at = np.arange(values.size)
-    reaches = np.minimum(reach, np.minimum(at, at[::-1]))
+    size = values.size
     sums = np.concatenate([[0.0], np.cumsum(values)])
-    return np.asarray((sums[at + reaches + 1] - sums[at - reaches]) / (2 * reaches + 1))
+    reach = min(reach, (size - 1) // 2)
+    answer = np.empty(size)
+    answer[reach : size - reach] = (sums[2 * reach + 1 :] - sums[: size - 2 * reach]) / (2 * reach + 1)
+    fewer = np.arange(reach)
+    answer[:reach] = sums[2 * fewer + 1] / (2 * fewer + 1)
+    answer[size - reach :] = ((sums[-1] - sums[size - 1 - 2 * fewer]) / (2 * fewer + 1))[::-1]
+    return answer

@@ -16,7 +16,9 @@ from torquerig.signals.filters.harmonic_regression import HarmonicRegression
 from torquerig.signals.filters.ideal_bandstop import IdealBandstop
 from torquerig.signals.filters.moving_mean import MovingMeanKept
 from torquerig.signals.filters.notch_bank import CausalNotchBank, NotchBank
+from torquerig.signals.filters.order_bandstop import OrderBandstop
 from torquerig.signals.filters.revolution_mean import RevolutionMean
+from torquerig.signals.filters.weighed_lines import WeighedLines
 from torquerig.signals.kinematics import FAMILIES, Family, Kinematics
 from torquerig.signals.stage import Stage
 
@@ -91,6 +93,33 @@ class HarmonicRegressionText(_StageText):
         return HarmonicRegression(lines=lines, block=self.block), left_out
 
 
+class WeighedLinesText(_StageText):
+    """The YAML of fitted lines that are subtracted by as much as they stand out."""
+
+    type: Literal["weighed_lines"]
+    lines: Lines
+    block: Annotated[float, Parameter("s", "length of a block", above=0)] = 30.0
+    changing_block: Annotated[float, Parameter("s", "length of a block in runs that are not steady", above=0)] = 4.0
+
+    def made_for(self, kinematics: Kinematics) -> Made:
+        """Return the stage for one drive."""
+        lines, left_out = select_lines(kinematics, self.lines)
+        return WeighedLines(lines=lines, block=self.block, changing_block=self.changing_block), left_out
+
+
+class OrderBandstopText(_StageText):
+    """The YAML of a band-stop over the angle."""
+
+    type: Literal["order_bandstop"]
+    lines: Lines
+    half_width: Annotated[float, Parameter("1/rev", "half of each band, in orders of the output shaft", above=0)] = 0.05
+
+    def made_for(self, kinematics: Kinematics) -> Made:
+        """Return the band-stop for one drive."""
+        lines, left_out = select_lines(kinematics, self.lines)
+        return OrderBandstop(lines=lines, half_width=self.half_width), left_out
+
+
 class NotchBankText(_StageText):
     """The YAML of a bank of notches; ``causal: true`` runs it forwards only, at the set-point."""
 
@@ -146,6 +175,8 @@ class MovingMeanKeptText(_StageText):
 _Texts = (
     IdealBandstopText
     | HarmonicRegressionText
+    | WeighedLinesText
+    | OrderBandstopText
     | NotchBankText
     | ButterworthLowPassText
     | RevolutionMeanText

@@ -45,8 +45,8 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
 
     Notes
     -----
-    ``speed_sd`` is the Cramer-Rao bound of the lines that stand out, phases unknown (Rife & Boorstyn 1974, IEEE Trans.
-    Inf. Theory 20, eq. 17): the real error is a little larger (Hann window, wander).
+    ``speed_sd`` is the larger of two: the Cramer-Rao bound of the lines that stand out, phases unknown (Rife & Boorstyn
+    1974, IEEE Trans. Inf. Theory 20, eq. 17), and what the wander leaves unknown of the angle between the two ends.
     Source: maximum likelihood of a harmonic comb in coloured noise (Fyfe & Munck 1997 for the need). It stops being
     true where no line stands out (then it is the set-point, and says so), and it tells the course of the angle, not
     where the shaft's zero is.
@@ -67,9 +67,10 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
         return MotorAngle(angle, "from the set-point alone: no comb of lines stands out", comb.sd)
     if recording.run.profile != "steady":
         return MotorAngle(angle, f"from the set-point profile times {comb.factor:.5f}, by the comb of lines", comb.sd)
-    wander = _wander(torque, angle, orders, comb.floor, recording.sample_rate)
+    wander, ends = _wander(torque, angle, orders, comb.floor, recording.sample_rate)
+    sd = max(comb.sd, ends / abs(float(angle[-1] - angle[0])))
     return MotorAngle(
-        angle + wander, f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines", comb.sd
+        angle + wander, f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines", sd
     )
 
 
@@ -124,8 +125,11 @@ def _wander(
     orders: NDArray[np.float64],
     floor: NDArray[np.float64],
     rate: float,
-) -> NDArray[np.float64]:
-    """Slow deviation of the angle [rad], shape (samples,), from the common phase of the lines that stand alone."""
+) -> tuple[NDArray[np.float64], float]:
+    """Follow the slow deviation of the angle [rad], shape (samples,), by the common phase of lines that stand alone.
+
+    The second value is the standard uncertainty of the angle between the two ends [rad].
+    """
     lone = np.diff(orders, prepend=-np.inf, append=np.inf)
     alone = np.minimum(lone[:-1], lone[1:]) >= 0.9
     speed = (angle[-1] - angle[0]) / angle.size * rate
@@ -133,17 +137,20 @@ def _wander(
     hop = round(_TURNS_PER_HOP * 2 * np.pi / abs(speed) * rate)
     blocks = torque.size // hop - 1
     if blocks < 8 or not usable.any():
-        return np.zeros_like(angle)
+        return np.zeros_like(angle), 0.0
     seen = orders[usable]
     phasors = np.stack([_phasors(torque, angle * order, hop, blocks) for order in seen])
     noise = floor[usable]
     bend = _ACCELERATION * abs(speed) * (hop / rate) ** 2
-    course = np.zeros(blocks)
+    course, ends = np.zeros(blocks), 0.0
     for cap in _ORDER_CAPS:
         low = seen <= cap
-        course = _followed(phasors[low], seen[low], noise[low], course=course, bend=bend)
+        course, ends = _followed(phasors[low], seen[low], noise[low], course=course, bend=bend)
     centres = (np.arange(blocks) + 1) * hop
-    return np.asarray(np.interp(np.arange(angle.size), centres, course - course.mean()))
+    at = np.arange(angle.size)
+    first, last = (course[1] - course[0]) / hop, (course[-1] - course[-2]) / hop
+    outer = first * np.minimum(at - centres[0], 0) + last * np.maximum(at - centres[-1], 0)
+    return np.asarray(np.interp(at, centres, course - course.mean()) + outer), ends
 
 
 def _phasors(torque: NDArray[np.float64], phase: NDArray[np.float64], hop: int, blocks: int) -> NDArray[np.complex128]:
@@ -162,11 +169,17 @@ def _followed(
     *,
     course: NDArray[np.float64],
     bend: float,
-) -> NDArray[np.float64]:
-    """Gauss-Newton steps on the common angle, shape (blocks,), with its second difference held small."""
+) -> tuple[NDArray[np.float64], float]:
+    """Take Gauss-Newton steps on the common angle, shape (blocks,), with its second difference held small.
+
+    The second value is the standard uncertainty of the angle between the first and the last block.
+    """
     second = np.diff(np.eye(course.size), n=2, axis=0) / bend
     stiffness = second.T @ second
     order, level = orders[:, None], noise[:, None]
+    across = np.zeros(course.size)
+    across[[0, -1]] = -1.0, 1.0
+    ends = 0.0
     for _ in range(4):
         turned = phasors * np.exp(-1j * order * course)
         mean = turned.mean(axis=1, keepdims=True)
@@ -176,5 +189,9 @@ def _followed(
         if information <= 0:
             break
         pull = (2 * order * (np.conj(mean) * turned).imag * (strength > 0) / level).sum(axis=0)
-        course = course + np.linalg.solve(stiffness + information * np.eye(course.size), pull - stiffness @ course)
-    return course
+        curvature = stiffness + information * np.eye(course.size)
+        course = course + np.linalg.solve(curvature, pull - stiffness @ course)
+        # beyond the outer blocks, and over as many as are averaged, the speed may bend: once at each end
+        bent = bend * max(1.0, 1 / (bend * np.sqrt(information)))
+        ends = float(np.sqrt(across @ np.linalg.solve(curvature, across) + 2 * bent**2))
+    return course, ends

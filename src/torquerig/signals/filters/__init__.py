@@ -5,9 +5,13 @@ notch_bank           second-order notches at the lines, without delay or causal
 butterworth          zero-phase low-pass
 moving_mean          rolling mean kept aside while other stages work, then put back
 revolution_mean      mean over whole turns of the output shaft
+order_bandstop       narrow bands around the lines, by the motor's angle
+weighed_lines        fitted sines, each subtracted by as much as it stands out of the load
 harmonic_regression  fitted sines of the lines, following the motor's angle, subtracted
 
 What they stand on:
 biquads              cascades of second-order sections, causal or both ways, with quiet edges; biquad_stream: in pieces
+order_envelope       lines turned back to rest and summed over equal steps of the angle
+block_regression     joint amplitudes of lines in long blocks, from those sums
 kernel               the compiled loops
 """

@@ -1,0 +1,73 @@
+"""The amplitude of each order line over the turns of a shaft: torque times the turning unit vector, averaged."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+HOPS_PER_TURN = 8  # a whole number: the lines that differ by whole orders then fall on zeros of a hop's mean
+_HIGHEST_SHARE_OF_RATE = 0.45
+
+
+@dataclass(frozen=True)
+class Hops:
+    """Equal steps of the turned angle: ``edges`` (hops + 1,) in samples, ``turns`` of the motor at each sample."""
+
+    edges: NDArray[np.int64]
+    turns: Floats
+
+    @property
+    def samples(self) -> Floats:
+        """How many samples each hop has, shape (hops,)."""
+        return np.diff(self.edges).astype(np.float64)
+
+
+def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
+    """Return hops of an eighth of an output turn, or None where the shaft does not turn so far.
+
+    Parameters
+    ----------
+    angle : ndarray, shape (samples,)
+        Of the motor [rad]; it may stand or turn back.
+    ratio : float
+        Motor turns per output turn [1].
+    """
+    turns = angle / (2 * np.pi)
+    turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(turns)))]) / ratio
+    count = round(float(turned[-1]) * HOPS_PER_TURN)
+    if count < 1:
+        return None
+    inner = np.searchsorted(turned, np.arange(1, count) * (turned[-1] / count))
+    edges = np.concatenate([[0], inner, [angle.size]]).astype(np.int64)
+    return Hops(np.unique(edges), np.ascontiguousarray(turns))
+
+
+def seen_orders(orders: Sequence[float], hops: Hops) -> Floats:
+    """Return the orders, each once, that stay below 0.45 periods a sample at the fastest."""
+    fastest = float(np.abs(np.diff(hops.turns)).max(initial=0.0))
+    unique = {float(f"{order:.9g}") for order in orders}
+    return np.array(sorted(order for order in unique if order * fastest <= _HIGHEST_SHARE_OF_RATE))
+
+
+def hop_sums(values: Floats, hops: Hops, orders: Floats) -> Floats:
+    """Return sums of the values times cos and sin of each order over each hop, shape (2, orders, hops)."""
+    from torquerig.signals.filters.kernel import order_sums
+
+    return np.asarray(order_sums(np.ascontiguousarray(values), hops.turns, orders, hops.edges))
+
+
+def less_lines(values: Floats, hops: Hops, orders: Floats, amplitudes: Floats) -> Floats:
+    """Return the values less the lines whose amplitudes (2, orders, hops + 1) are given at the edges of the hops."""
+    from torquerig.signals.filters.kernel import orders_put_in
+
+    answer = np.array(values, dtype=np.float64)
+    orders_put_in(answer, hops.turns, orders, hops.edges, np.ascontiguousarray(amplitudes), -1.0)
+    return answer

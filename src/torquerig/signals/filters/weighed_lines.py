@@ -1,0 +1,114 @@
+"""What is left when each line is subtracted by as much as it stands out of the load beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import InputError, RecordingError
+from torquerig.signals.best_angle import best_motor_angle
+from torquerig.signals.filters.block_regression import Blocks, at_edges, block_amplitudes, blocks_of
+from torquerig.signals.filters.order_envelope import Hops, hops_of, less_lines, seen_orders
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.signals.kinematics import KinematicLine
+    from torquerig.signals.recording import Recording
+
+    Floats = NDArray[np.float64]
+
+_NEAREST, _FARTHEST = 2, 12  # bins beside a line, of 1 / block each, in which the load is judged
+
+
+@dataclass(frozen=True, kw_only=True)
+class WeighedLines:
+    """Subtracts the least-squares sines of ``lines``, each times 1 - (load beside it) / (its power), at least 0.
+
+    A line that stands high goes whole; one that does not stand out of the load stays, so that little load is taken
+    along where the lines are weak. Everything else is kept, the mean included.
+
+    Parameters
+    ----------
+    lines : tuple of KinematicLine
+        The lines to subtract; the angle is the best that the recording has.
+    block : float
+        Length over which a line's amplitude and phase are taken as one [s], > 0; blocks overlap by half, and a shorter
+        recording is one block. A line takes load of a band of about 1 / block along.
+    changing_block : float
+        The same for runs that are not steady [s], > 0: there, lines pass resonances and change.
+
+    Notes
+    -----
+    The weight is that of James & Stein 1961 (Proc. 4th Berkeley Symp. 1, 361-379; the positive part, in two
+    dimensions) with the load's power judged from the bins 2 to 12 / block beside the line in what is left. Where it
+    stops being true: amplitudes that change within a block, load that is itself a line at that order.
+    """
+
+    lines: tuple[KinematicLine, ...]
+    block: float = 30.0
+    changing_block: float = 4.0
+
+    def __post_init__(self) -> None:
+        if not (self.block > 0 and self.changing_block > 0):
+            shorter = min(self.block, self.changing_block)
+            raise InputError(f"blocks of {shorter} s cannot be fitted; write for example 30 s")
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` without the lines; RecordingError where no angle can be had or the shaft stands."""
+        if not self.lines:
+            return recording
+        angle = best_motor_angle(recording, self.lines)
+        hops = hops_of(angle.values, ratio=self.lines[0].output_order / self.lines[0].motor_order)
+        if hops is None:
+            raise RecordingError(
+                f"{recording.name}: the shaft does not turn in this recording, so that no line can be fitted"
+            )
+        name = recording.torque_name()
+        values = recording.channels[name].values
+        orders = seen_orders([line.motor_order for line in self.lines], hops)
+        length = self.block if recording.run.profile == "steady" else self.changing_block
+        blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
+        fitted = block_amplitudes(values, hops, orders, blocks)
+        rest = less_lines(values, hops, orders, at_edges(fitted, hops, blocks))
+        weighed = fitted * weights(rest, fitted, hops, orders, blocks)
+        return recording.with_values(name, less_lines(values, hops, orders, at_edges(weighed, hops, blocks)))
+
+    def reach(self, head: Recording) -> float:
+        """Return how far to either side a block and its neighbour reach [s]."""
+        return min(1.5 * self.block, 1.5 * max(head.duration, self.block))
+
+
+def weights(rest: Floats, fitted: Floats, hops: Hops, orders: Floats, blocks: Blocks) -> Floats:
+    """Return by how much of itself each line is to be subtracted in each block, shape (orders, blocks).
+
+    Parameters
+    ----------
+    rest : ndarray, shape (samples,)
+        What is left when all lines are subtracted whole.
+    fitted : ndarray, shape (2, orders, blocks)
+        The amplitudes of the lines.
+    """
+    from scipy.fft import prev_fast_len
+
+    power = (fitted**2).sum(axis=0)
+    beside = np.empty_like(power)
+    for index, (first, last) in enumerate(blocks.spans):
+        start = hops.edges[first]
+        stop = start + prev_fast_len(int(hops.edges[last] - start), real=True)
+        piece = rest[start:stop] - rest[start:stop].mean()
+        spectrum = np.abs(np.fft.rfft(piece) * 2 / piece.size) ** 2
+        turned = abs(hops.turns[stop - 1] - hops.turns[start])
+        for row, order in enumerate(orders):
+            beside[row, index] = _beside(spectrum, order * turned)
+    return np.asarray(np.maximum(1 - beside / np.maximum(power, 1e-300), 0.0))
+
+
+def _beside(spectrum: Floats, bin_of_line: float) -> float:
+    """Mean power of the bins on both sides of a line; of fewer where the line stands near zero."""
+    at = round(bin_of_line)
+    near = [*range(max(at - _FARTHEST, 1), at - _NEAREST + 1), *range(at + _NEAREST, at + _FARTHEST + 1)]
+    inside = [one for one in near if 0 < one < spectrum.size]
+    return float(spectrum[inside].mean()) if inside else np.inf
