@@ -6,8 +6,10 @@ and the lines: orders of the motor's shaft on 5:1, or fixed frequencies, or why 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import cache
+from inspect import getdoc
 from math import pi
 
 import numpy as np
@@ -331,6 +333,14 @@ def test_every_mechanism_of_the_library_has_a_row_that_says_all() -> None:
         assert type(row.nothing or row.effect) is type(row.effect)
         assert (row.nothing is None) == bool(row.why_no_zero), row.effect.kind
         assert bool(row.orders or row.hertz) != bool(row.why_no_lines), row.effect.kind
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_it_says_its_equation_its_source_and_where_it_stops_being_true(row: Row) -> None:
+    told = " ".join((getdoc(type(row.effect)) or "").split())
+    assert re.search(r"``|order", told)
+    assert re.search(r"Source: |\([A-Z]\w+.* \d{4}, ", told)
+    assert re.search(r"[Nn]ot true|[Tt]rue (while|near)|not in here|clamped at its root|Below the smoothing|is that of", told)
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,8 @@ from torquerig.rig.terms import Term
 class Backlash(Part):
     """``T = k (twist - g/2)`` beyond the gap and zero inside, damping only in contact, never pulling.
 
-    Source: Nordin & Gutman 2002, Automatica 38 (physical dead-zone model); contact law as in rig/terms.py, Spring.
+    Source: Nordin & Gutman 2002, Automatica 38 (physical dead-zone model); contact law: terms.Spring.
+    Rattle and limit cycles follow, none is an input. Not true where the flanks' own deformation matters.
     """
 
     kind: Literal["backlash"] = "backlash"

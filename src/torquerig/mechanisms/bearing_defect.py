@@ -22,7 +22,7 @@ class BearingDefect(Part):
     ``D/(2 d) (1 - (d/D cos a)^2)`` for a ball (BSF; one race, twice that where it strikes both) and
     ``(1 - d/D cos a)/2`` for the cage (FTF), the outer race fixed. Source: Randall & Antoni 2011, MSSP 25(2); Harris &
     Kotzalas, Rolling Bearing Analysis. The amplitude A is a measured one. The mode is local: the shafts do not move
-    with it, and A is what reaches the sensor, at any speed (real impacts grow with speed); balls slip by 1 to 2 %.
+    with it, and A is what reaches the sensor; balls slip by 1 to 2 %. Not true where impacts grow with the speed.
     """
 
     kind: Literal["bearing_defect"] = "bearing_defect"

@@ -16,7 +16,8 @@ class BladePass(Part):
     """``load torque += A max(0, cos(b theta + phi))^2``, opposing the motion of the shaft of ``at``.
 
     Real load, not noise: a filter that removes this line removes data. Mean A/4, first harmonic 4 A/(3 pi) (half-wave
-    squared cosine).
+    squared cosine). A is a measured peak: it goes with bed and blade. Source: signatures.md 5.3. Not true
+    for unequal blades.
     """
 
     kind: Literal["blade_pass"] = "blade_pass"

@@ -19,8 +19,9 @@ class Cogging(Part):
     """``T = sum A cos(order theta + phi)`` at LCM(Q, 2p) (native), Q (unequal magnets) and 2p (unequal teeth).
 
     Independent of current and speed. Source: Zhu & Howe 2000, IEEE Trans. Energy Conversion 15(4), for the native
-    order; Gasparin et al. 2009, IEEE Trans. Magnetics 45(3), for the tolerance orders. Not true where skew or
-    saturation under load changes the amplitude.
+    order; Gasparin et al. 2009, IEEE Trans. Magnetics 45(3), for the tolerance orders. The amplitudes are measured
+    ones (a slow turn without current, or a data sheet); from an offset rotor they follow in eccentricity. Not true
+    where skew or saturation under load changes them.
     """
 
     kind: Literal["cogging"] = "cogging"

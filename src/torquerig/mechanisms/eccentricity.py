@@ -29,8 +29,9 @@ class Eccentricity(Part):
     and 8 magnets, 9 s^2 A for 12 and 14.
 
     Source: signatures.md 1.6 (Zhu, Wu & Mohd Jamil 2014, IEEE Trans. Industry Applications 50(5)) for the orders. The
-    gap is the magnetic one, magnets included. Not true where iron saturates. Phases are drawn, because the direction
-    of the offset against the magnets is unknown.
+    gap is the magnetic one, magnets included: air gap plus magnet height over its relative permeability. Offsets are
+    stated as shares of it, or as lengths beside it. ``tooth_torque`` is measured or computed for one tooth. Not true
+    where iron saturates. Phases are drawn, because the direction of the offset against the magnets is unknown.
     """
 
     kind: Literal["eccentricity"] = "eccentricity"
@@ -42,16 +43,32 @@ class Eccentricity(Part):
     second_harmonic: Annotated[float, Parameter("1", "its second harmonic, as a share", low=0, high=1)] = 0.25
     static: Annotated[float, Parameter("1", "static offset, as a share of the magnetic gap", low=0, high=0.5)] = 0.0
     dynamic: Annotated[float, Parameter("1", "dynamic offset, as a share of the magnetic gap", low=0, high=0.4)] = 0.0
+    magnetic_gap: Annotated[float, Parameter("m", "magnetic gap, magnets included", above=0)] | None = None
+    static_offset: Annotated[float, Parameter("m", "rotor's axis off the stator's centre", low=0)] = 0.0
+    dynamic_offset: Annotated[float, Parameter("m", "rotor's centre off its axis", low=0)] = 0.0
 
     def __post_init__(self) -> None:
         if self.slots < 1 or self.pole_pairs < 1:
             raise ValueError(f"{self.slots} slots and {self.pole_pairs} pole pairs cannot be; both are at least 1")
+        if (self.static_offset or self.dynamic_offset) and self.magnetic_gap is None:
+            raise ValueError("an offset as a length needs the gap that it narrows; write magnetic_gap, such as 3 mm")
+        for name, share, highest in (("static", self.shares[0], 0.5), ("dynamic", self.shares[1], 0.4)):
+            if share > highest:
+                raise ValueError(
+                    f"a {name} eccentricity of {share:.3g} of the gap is out of range; at most {highest:g}"
+                )
+
+    @property
+    def shares(self) -> tuple[float, float]:
+        """Static and dynamic eccentricity as shares of the magnetic gap [1]."""
+        gap = self.magnetic_gap or 1.0
+        return self.static + self.static_offset / gap, self.dynamic + self.dynamic_offset / gap
 
     def amplitudes(self) -> dict[int, float]:
         """Return the amplitude [N m] by motor order."""
         highest = 2 * lcm(self.slots, 2 * self.pole_pairs)
         angle = 2 * pi * np.arange(4 * highest) / (4 * highest)
-        extra = self._pull(angle, self.static, self.dynamic) - self._pull(angle, 0.0, 0.0)
+        extra = self._pull(angle, *self.shares) - self._pull(angle, 0.0, 0.0)
         lines = 2 * np.abs(np.fft.rfft(extra)) / angle.size
         return {
             order: self.tooth_torque * float(lines[order])

@@ -19,7 +19,8 @@ class GearMesh(Part):
     z = ``order_output`` is the tooth count of the ring (planetary with fixed ring) or of the output wheel. The torque
     that follows is the gear's stiffness and damping times e, through the shafts. Source: Smith, Gear Noise and
     Vibration (transmission error as the excitation); McFadden & Smith 1985, Proc. IMechE (planet modulation).
-    Not true where the mesh stiffness varies much over a tooth (heavily loaded spur gears).
+    The errors are measured ones (single-flank test, or the angle error of a data sheet); tooth_mesh derives order and
+    size from the teeth. Not true where the mesh stiffness varies much over a tooth (heavily loaded spur gears).
     """
 
     kind: Literal["gear_mesh"] = "gear_mesh"

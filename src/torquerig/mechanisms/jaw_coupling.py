@@ -20,8 +20,8 @@ class JawCoupling(Part):
     """``e(theta) = a cos(n theta + phi) + b cos(2 n theta + psi)`` in the coupling: n jaws, 2 n legs of the spider.
 
     Three jaws on a motor at 1000 rpm stand at 50 and 100 Hz, on the mains. Source: signatures.md 3.2; Xu & Marangoni
-    1994, J. Sound and Vibration 176(5). The amplitudes are measured or estimated ones: they depend on preload and
-    offset, which is not in here.
+    1994, J. Sound and Vibration 176(5). The amplitudes are measured or estimated ones; what an offset makes of equal
+    jaws follows in parallel_offset. Not true where the preload changes with the torque.
     """
 
     kind: Literal["jaw_coupling"] = "jaw_coupling"

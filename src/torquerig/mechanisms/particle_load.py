@@ -29,6 +29,10 @@ class ParticleLoad(Part):
     noise has variance ``rate E[a^2] tau / 2``; it is scaled so that its rms is ``hit_rms`` of the mean, and its own
     mean is taken out. The slow variation is white noise through a second-order Butterworth low-pass.
 
+    The mean by occupancy and ``hit_rms`` are measured ones. Free particles would come with a rate as speed over d^3 and
+    hits as d^3 (signatures.md 5.1); the reference rig's exponents are weaker and do not know the speed, because a
+    blade meets many grains at once. Either way larger grains mean fewer and longer hits.
+
     Source: the reference rig; Campbell's theorem as in Rice 1944, Bell System Technical Journal 23, section 1.2.
     Not true for dense beds, whose drag is rate-invariant (Miller, O'Hern & Behringer 1996, PRL 77).
     """

@@ -19,7 +19,8 @@ class PwmAliasing(Part):
 
     State either ``frequency``, as it appears, or ``switching_frequency``, the true one: samples taken at f_s show it at
     ``|f - n f_s|`` (20, 24 and 25.28 kHz at 25 kHz: 5 kHz, 1 kHz and 280 Hz). Source: Holmes & Lipo 2003, Pulse Width
-    Modulation for Power Converters; Oppenheim & Schafer (sampling). The side lines at multiples of the electrical
+    Modulation for Power Converters; Oppenheim & Schafer (sampling). The amplitude is measured, it goes with the cable;
+    what the shafts pass on follows in pwm_ripple. The side lines at multiples of the electrical
     frequency, which do move with speed, are not in here.
     """
 

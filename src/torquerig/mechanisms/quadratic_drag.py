@@ -13,7 +13,11 @@ from torquerig.rig.terms import Friction, Term
 
 @dataclass(frozen=True, kw_only=True)
 class QuadraticDrag(Part):
-    """``load torque += c w |w|`` on the shaft of ``at``; turbulent flow round the part, constant drag coefficient."""
+    """``load torque += c w |w|`` on the shaft of ``at``: turbulent flow round the part, constant drag coefficient.
+
+    c is a measured one. Source: dimensional analysis at constant drag coefficient (any text on fluid mechanics). Not
+    true for slow or viscous flow, whose drag goes with w.
+    """
 
     kind: Literal["quadratic_drag"] = "quadratic_drag"
     group: Literal["load"] = "load"

@@ -16,6 +16,7 @@ class Quantization(Part):
     """``V = step round(V / step)``, after the converter: a wrong range, a digital sensor, a file with few digits.
 
     Source: Widrow & Kollar, Quantization Noise: a floor of step / sqrt(12) rms where the signal crosses many codes.
+    Not true for codes of unequal width.
     """
 
     kind: Literal["quantization"] = "quantization"

@@ -21,7 +21,8 @@ class TorqueRipple(Part):
     seed's observation, section 4.1), the amplitudes are divided by ``1 + relief_per_percent * occupancy_percent``.
     ``amplitude_rel_sd`` is the one-sigma relative spread that a calibration grants each amplitude.
 
-    Source: the seed report's families, eq. 3.1-3.4 and Table I.
+    Source: the seed report's families, eq. 3.1-3.4 and Table I. Not true at another speed or load than that of the
+    measurement, where the cause changes with it.
     """
 
     kind: Literal["torque_ripple"] = "torque_ripple"
