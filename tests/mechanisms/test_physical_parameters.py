@@ -23,7 +23,7 @@ SKF_6205 = {"balls": 9, "ball_diameter": 0.3126 * 0.0254, "pitch_diameter": 1.53
     ("fault", "order"), [("outer", 3.5848), ("inner", 5.4152), ("cage", 0.39828), ("ball", 4.7135 / 2)]
 )
 def test_an_skf_6205_has_the_orders_of_the_case_western_bearing_data_center(fault: str, order: float) -> None:
-    """Its table of the drive-end bearing: 9 balls of 0.3126 in on 1.537 in; rounded there; its ball order counts both races."""
+    """Drive end: 9 balls of 0.3126 in on 1.537 in, orders rounded there; its ball order counts both races."""
     bearing = BearingDefect(name="b", fault=fault, **SKF_6205, ring_frequency=2000.0, amplitude=0.1)  # type: ignore[arg-type]
     assert bearing.order == pytest.approx(order, rel=1e-4)
 
