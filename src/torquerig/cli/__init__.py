@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  simulate  info  filter  matrix  compare
+init  catalog  orders  modes  simulate  info  filter  matrix  compare
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ COMMANDS = {
     "init": "copy the shipped catalogs and scenarios into a folder of your own",
     "catalog": "show what can be bought, with what is known and what is not",
     "orders": "show where the lines of a motor and gearbox stand, and which coincide",
+    "modes": "show at what frequencies a rig rings, its speed loop's margins, and which line meets which mode",
     "simulate": "simulate one rig and write what its sensor records",
     "info": "show what is in a recording",
     "filter": "put a recording through filter chains and say what they changed",

@@ -11,6 +11,8 @@ picture          a matplotlib figure in a page or file       envelope         a 
 spectrum_figure  amplitude spectrum with lines by cause      signal_figure    a stretch of the reading beside the truth
 error_figure     reading error of each drive and filter      shares_figure    load, cogging, electrical, mechanical
 rating_figure    technical against economic rating           notch_figure     before and after band-stops, lines marked
+modes_figure     Campbell diagram and Bode curves          campbell_figure  order lines against modes
+bode_figure      transfers to the sensor, loop gain
 families         colour and name of each family of lines
 replaced_folder  a folder that is replaced whole or not at all
 """

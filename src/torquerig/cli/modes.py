@@ -1,0 +1,150 @@
+"""``torquerig modes``: at what frequencies a rig rings, how stable its speed loop is, which line meets which mode."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import log10, pi
+from pathlib import Path
+
+import click
+
+from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.errors import InputError, UnitError
+from torquerig.plain_table import cut, grid, wrapped
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import read_scenario
+from torquerig.simulate.twin.crossings import Crossing, nearest_to
+from torquerig.simulate.twin.margins import Margins
+from torquerig.simulate.twin.modes import Mode, Pole
+from torquerig.simulate.twin.twin import Twin, twin_of
+from torquerig.units import parse_quantity
+
+NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] how far the diagram goes for a rig without set-point
+
+
+@click.command("modes")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--speed-max", default=None, help="Highest motor speed of the diagram, with its unit; default 1.5 x the "
+              "set-point.")  # fmt: skip
+@click.option("--crossings", "rows", type=click.IntRange(1, 200), default=12, show_default=True,
+              help="How many crossings to print, strongest first.")  # fmt: skip
+@click.option("--rate", default="25 kHz", show_default=True, help="Rate of the sampled speed controller.")
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes what a catalog leaves open.")
+@click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw Campbell and Bode: .svg or .png.")
+@click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path, speed_max: str | None, rows: int, rate: str, seed: int, picture: Path | None, force: bool,
+    settings: tuple[str, ...], catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Show the modes of SCENARIO's rig, the margins of its speed loop, and at which speeds a line meets a mode.
+
+    The rig is taken as linear about its operating point; what that leaves out is said at the end.
+    """
+    if picture is not None and picture.exists() and not force:
+        raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
+    sampled = _read(rate, "Hz", "--rate")
+    asked = None if speed_max is None else _read(speed_max, "rad/s", "--speed-max")
+    if not sampled > 0 or (asked is not None and not asked > 0):
+        raise InputError("--rate and --speed-max are more than 0; write for example --speed-max '3000 rpm'")
+    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    twin = twin_of(made.rig, rate=sampled, seed=seed)
+    top = asked or 1.5 * abs(twin.motor_speed_rpm) * pi / 30 or NO_SPEED_TOP
+    lines = twin.order_lines(kinematics_of(made.rig).lines())
+    found = twin.crossings(lines, top_speed=top)
+    click.echo(f"{made.title}: {_about(twin)}\n")
+    _tell_modes(twin.modes())
+    if loops := twin.margins():
+        click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
+        _tell_poles(twin.loop_poles())
+    _tell_crossings(found[:rows], len(found), top)
+    if nearest := nearest_to(twin.motor_speed_rpm * pi / 30, [one for one in found if one.torque is not None]):
+        click.echo(wrapped(_nearest(nearest, twin.motor_speed_rpm)) + "\n")
+    for left_out in twin.point.left_out:
+        click.echo(wrapped(f"left out: {left_out}"))
+    if picture is not None:
+        from torquerig.report.modes_figure import modes_figure
+        from torquerig.report.picture import write_picture
+
+        figure = modes_figure(twin, lines, found, top_speed=top, title=made.title)
+        write_picture(figure, picture, overwrite=force)
+        click.echo(f"wrote {picture}")
+
+
+def _read(text: str, unit: str, option: str) -> float:
+    try:
+        return parse_quantity(text, unit)
+    except UnitError as error:
+        raise UnitError(f"{option}: {error}") from None
+
+
+def _about(twin: Twin) -> str:
+    point, sensor = twin.point, twin.lowered.spring_names.index(twin.rig.measured)
+    words = f"linear about {twin.motor_speed_rpm:.6g} rpm of {twin.lowered.leader()}"
+    words += f", {point.spring_torques[sensor]:.4g} N*m in {twin.rig.measured}"
+    return words + (f", {point.drive_torque:.4g} N*m from the motor" if twin.lowered.drive_names else "")
+
+
+def _tell_modes(modes: Sequence[Mode]) -> None:
+    if not modes:
+        click.echo("no modes: nothing in this rig twists against anything\n")
+        return
+    rows = [
+        [str(number), f"{mode.undamped:.5g}", f"{mode.damped:.5g}" if mode.damped else "-", f"{mode.damping:.4f}"]
+        for number, mode in enumerate(modes, start=1)
+    ]
+    click.echo(grid([["mode", "undamped Hz", "rings at Hz", "damping ratio"], *rows]))
+    for number, mode in enumerate(modes, start=1):
+        click.echo(wrapped(f"mode {number}: {mode.words}"))
+    click.echo()
+
+
+def _margins(found: Margins) -> str:
+    if found.crossovers:
+        first, *more = found.crossovers
+        words = f"crossover {first:.4g} Hz"
+        words += f" (the gain is 1 again at {', '.join(f'{one:.4g}' for one in more)} Hz)" if more else ""
+    else:
+        words = "the gain never reaches 1"
+    if found.phase_margin is not None:
+        words += f", phase margin {found.phase_margin:.1f} degrees at {found.phase_at:.4g} Hz"
+    if found.gain_margin is not None:
+        words += (
+            f", gain margin {found.gain_margin:.3g} ({20 * log10(found.gain_margin):.1f} dB) at {found.gain_at:.4g} Hz"
+        )
+    if found.lowest_gain is not None:
+        words += f", and the gain must not fall below {found.lowest_gain:.3g} of what it is"
+    words += f", modulus margin {found.modulus_margin:.3f} at {found.modulus_at:.4g} Hz"
+    return f"{found.controller}: {'stable' if found.stable else 'UNSTABLE: it grows until the torque limit'}; {words}"
+
+
+def _tell_poles(poles: Sequence[Pole]) -> None:
+    rows = [[one.what, f"{one.frequency:.5g}", f"{one.damping:.4f}"] for one in poles]
+    click.echo(grid([["with the loop closed", "|root| Hz", "damping ratio"], *rows]) + "\n")
+
+
+def _tell_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
+    if not shown:
+        click.echo(f"no line meets a mode up to {top * 30 / pi:.5g} rpm\n")
+        return
+    rows = [
+        [str(number), cut(one.line.cause, 32), f"{one.line.order:.6g}", str(one.mode), f"{one.frequency:.5g}",
+         f"{one.speed_rpm:.5g}", "-" if one.torque is None else f"{one.torque:.4g}",
+         f"{one.gain:.4g}" if one.line.enters.startswith("torque") else "-", f"{one.magnification:.3g}"]
+        for number, one in enumerate(shown, start=1)
+    ]  # fmt: skip
+    head = ["crossing", "cause", "motor order", "mode", "Hz", "motor rpm", "at sensor N*m", "N*m per N*m", "lifted x"]
+    click.echo(grid([head, *rows]))
+    more = f"; {count - len(shown)} weaker ones not shown" if count > len(shown) else ""
+    told = f"up to {top * 30 / pi:.5g} rpm, strongest at the sensor first{more}; - where the line's amplitude is not"
+    click.echo(wrapped(f"{told} known, or its cause is an angle and not a torque") + "\n")
+
+
+def _nearest(one: Crossing, speed_rpm: float) -> str:
+    away = 100 * (one.speed_rpm / abs(speed_rpm) - 1)
+    return (
+        f"nearest to the set-point of {speed_rpm:.5g} rpm: {one.line.cause}, order {one.line.order:g}, meets mode "
+        f"{one.mode} at {one.speed_rpm:.5g} rpm, {abs(away):.1f} % {'above' if away >= 0 else 'below'}, with "
+        f"{one.torque:.3g} N*m at the sensor"
+    )

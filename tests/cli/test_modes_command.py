@@ -1,0 +1,75 @@
+"""``torquerig modes`` as a user meets it: the wear rig's modes, margins and crossings, the picture, bad input."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.cli import main
+
+WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")
+
+
+def run(*arguments: str) -> int:
+    try:
+        main(("modes", *arguments))
+    except SystemExit as stopped:
+        return int(stopped.code or 0)
+    return 0
+
+
+def test_the_wear_rig_is_told_with_modes_margins_and_crossings(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(WEAR_RIG) == 0
+    out = capsys.readouterr().out
+    # the reference rig's first mode: handbook, simulators 6 and the series of its stiffnesses
+    assert "linear about 1000 rpm of motor" in out
+    assert "twist in torque_sensor" in out
+    assert "speed_controller: stable; crossover 29.39 Hz" in out
+    assert "motor.cogging                         6     1  127.46     1274.6" in out
+    assert "left out: the torque limit of the motor" in out
+
+
+def test_settings_move_the_modes(capsys: pytest.CaptureFixture[str]) -> None:
+    stiffness = "rig.torque_sensor.stiffness=4000 N*m/rad"
+    assert run(WEAR_RIG, "--set", stiffness, "--speed-max", "500 rpm", "--crossings", "2") == 0
+    out = capsys.readouterr().out
+    assert "127.01" not in out
+    assert "up to 500 rpm" in out
+
+
+def test_an_unstable_loop_is_called_so(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(WEAR_RIG, "--set", "rig.speed_controller.kp=20 N*m*s/rad") == 0
+    assert "UNSTABLE" in capsys.readouterr().out
+
+
+def test_the_picture_is_drawn_once_and_not_overwritten(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = tmp_path / "modes.svg"
+    assert run(WEAR_RIG, "--picture", str(picture)) == 0
+    first = picture.read_bytes()
+    assert run(WEAR_RIG, "--picture", str(picture)) == 2
+    assert "is there already" in capsys.readouterr().err
+    assert run(WEAR_RIG, "--picture", str(picture), "--force") == 0
+    assert picture.read_bytes() == first
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("--speed-max", "5 N*m"), "--speed-max"),
+        (("--speed-max", "0 rpm"), "more than 0"),
+        (("--rate", "0 Hz"), "more than 0"),
+        (("--picture", "modes.bmp"), "written as .svg or .png"),
+    ],
+    ids=["unit", "speed", "rate", "ending"],
+)
+def test_bad_options_are_one_sentence(
+    arguments: tuple[str, ...], told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    assert run(WEAR_RIG, *arguments) == 2
+    error = capsys.readouterr().err
+    assert told in error
+    assert error.count("\n") == 1
