@@ -13,6 +13,7 @@ error_figure     reading error of each drive and filter      shares_figure    lo
 rating_figure    technical against economic rating           notch_figure     before and after band-stops, lines marked
 modes_figure     Campbell diagram and Bode curves          campbell_figure  order lines against modes
 bode_figure      transfers to the sensor, loop gain
+duty_figure      a duty cycle: torque, speed, temperatures
 families         colour and name of each family of lines
 replaced_folder  a folder that is replaced whole or not at all
 """

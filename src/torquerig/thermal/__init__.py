@@ -5,5 +5,6 @@ motor_duty    mean square of torque and of speed, stretch by stretch: from a dem
 thermal_motor one possible copy of a motor: losses, network, limit
 warming       the temperatures of a copy over a duty: course, steady cycle, peak, time to the limit
 copies        the copies that the catalog's intervals allow, and what had to be assumed
-judged        the figures of a duty with their intervals over all copies
+judged        the figures of a duty with their intervals over all copies; telling puts them into words
+bands         temperatures over time with the band of all copies
 """

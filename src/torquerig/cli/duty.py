@@ -1,0 +1,121 @@
+"""``torquerig duty``: what a duty cycle asks of a motor, and how hot it becomes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from torquerig.catalog.motor import Motor
+from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.one_drive import scenario_or_candidate
+from torquerig.errors import InputError, UnitError
+from torquerig.plain_table import grid, wrapped
+from torquerig.scenario.demand_check import check_demand, entry_of
+from torquerig.scenario.drive_demand import drive_demand
+from torquerig.signals.files import read_recording
+from torquerig.thermal.copies import ThermalCopies, thermal_copies
+from torquerig.thermal.judged import JudgedDuty, judged_duty
+from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand, duty_of_recording
+from torquerig.thermal.telling import duty_rows, figure_rows, verdict_sentence
+from torquerig.units import parse_quantity
+
+MOST_ROWS = 24  # of the table of stretches
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Asked:
+    """A duty, of which motor, in words, and what is beyond a rating."""
+
+    duty: MotorDuty
+    entry: Motor
+    told: str
+    flags: tuple[str, ...] = ()
+
+
+@click.command("duty")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--motor", default=None, help="Another motor of the catalog (or alias), as the study would run it.")
+@click.option("--gearbox", default=None, help="Another gearbox of the catalog, as the study would run it.")
+@click.option("--recording", type=click.Path(path_type=Path), default=None,
+              help="Take torque and speed from a recording (with motor_torque) instead of the profile.")  # fmt: skip
+@click.option("--duration", default="10 s", show_default=True, help="Length of a ramp or reversal, with its unit.")
+@click.option("--ambient", type=click.FloatRange(-60, 150), default=40.0, show_default=True,
+              help="Temperature of the surroundings in degrees Celsius.")  # fmt: skip
+@click.option(
+    "--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes what the catalog leaves open."
+)
+@click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the cycle: .png or .svg.")
+@click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
+@profile_option
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path, motor: str | None, gearbox: str | None, recording: Path | None, duration: str, ambient: float,
+    seed: int, picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
+    catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Tell what the profile of SCENARIO, again and again, asks of its motor, and how hot its winding becomes.
+
+    Nothing is simulated: speed and torque follow from inertias, loads, friction and gears. What the catalog leaves open
+    stays an interval, and what it does not say is listed.
+    """
+    if picture is not None and picture.exists() and not force:
+        raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
+    catalog = catalog_beside(scenario, catalogs)
+    document = edited(scenario, (*settings, *profile_settings(profile)))
+    made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
+    entry = entry_of(made.rig, catalog)
+    if entry is None:
+        raise InputError(f"{scenario}: the driven motor is not in the catalog, so that nothing is known of its heat; "
+                         "name one with catalog: or --motor")  # fmt: skip
+    if recording is not None:
+        read = read_recording(recording)
+        asked = _Asked(
+            duty=duty_of_recording(read), entry=entry, told=f"{entry.name}, {recording}, {read.duration:g} s"
+        )
+    else:
+        points = made.rig.run.set_points
+        length = _seconds(duration) if points is None else points.corners(top=0.0, duration=0.0).length
+        flags = check_demand(made, catalog, duration=length)
+        demand = drive_demand(made.rig, duration=length)
+        told = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
+        asked = _Asked(duty=duty_of_demand(demand), entry=entry, told=told, flags=flags)
+    copies = thermal_copies(entry)
+    judged = judged_duty(asked.duty, copies, ambient=ambient)
+    _tell(asked, copies, judged, ambient=ambient)
+    if picture is not None:
+        _draw(asked, copies, picture, ambient=ambient, force=force)
+
+
+def _tell(asked: _Asked, copies: ThermalCopies, judged: JudgedDuty, *, ambient: float) -> None:
+    click.echo(f"{asked.told}, again and again, surroundings {ambient:g} C")
+    if asked.duty.duration.size <= MOST_ROWS:
+        click.echo(grid(duty_rows(asked.duty, copies.nominal)) + "\n")
+    click.echo(grid(figure_rows(judged, asked.entry)) + "\n")
+    click.echo(wrapped(verdict_sentence(judged, copies)))
+    for flag in asked.flags:
+        click.echo(wrapped(f"flagged: {flag}"))
+    click.echo("\nassumed, because no document states it:")
+    for name, text in copies.assumed.items():
+        click.echo(wrapped(f"{name}: {text}"))
+
+
+def _draw(asked: _Asked, copies: ThermalCopies, path: Path, *, ambient: float, force: bool) -> None:
+    from torquerig.report.duty_figure import duty_figure
+    from torquerig.report.picture import write_picture
+
+    figure = duty_figure(asked.duty, copies, ambient=ambient, title=asked.told)
+    write_picture(figure, path, overwrite=force)
+    click.echo(f"wrote {path}")
+
+
+def _seconds(duration: str) -> float:
+    try:
+        seconds = parse_quantity(duration, "s")
+    except UnitError as error:
+        raise UnitError(f"--duration: {error}") from None
+    if not seconds > 0:
+        raise InputError(f"--duration: {duration} is no length; write for example '10 s'")
+    return seconds
