@@ -9,13 +9,15 @@ import pytest
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError
-from torquerig.mechanisms import GearMesh, ToothMesh
+from torquerig.mechanisms import GearMesh, StribeckFriction, ToothMesh
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 from torquerig.signals.run import Run
 from torquerig.signals.teeth import Planetary, Spur
+from torquerig.simulate.linear import spring_response
+from torquerig.simulate.lower import lower
 from torquerig.simulate.simulate import simulate
 
 IN_PHASE, SEQUENTIAL = Planetary(21, 84, 3), Planetary(22, 62, 3)
@@ -131,6 +133,31 @@ def test_a_mesh_harmonic_above_12_5_khz_comes_back_below_it_and_moves_backwards(
     output = made.channels["true_motor_speed_rad_s"].values.mean() / (2 * pi) / 5
     assert harmonic * 84 * output > 12_500
     assert largest(made) == pytest.approx(25_000 - harmonic * 84 * output, abs=2.0)
+
+
+@pytest.mark.parametrize("load", [1.0, 3.0])
+def test_mesh_stiffness_makes_a_ripple_in_proportion_to_the_load(load: float) -> None:
+    """k (1 + s cos(z theta)) under a mean torque T: to first order a torque pair s T (1 + i w c/k) on both sides."""
+    mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(0.04,))
+    drag = StribeckFriction(name="drag", coulomb=load, static=load, stribeck_speed=1.0)
+    loop = SpeedController(name="controller", kp=0.02, ki=0.2)
+    rig = geared(IN_PHASE, mesh, drag).changed(loop)
+    made = simulate(rig, duration=0.5, seed=1)
+    angle = 16.8 * made.channels["true_motor_angle_rad"].values
+    window = np.hanning(angle.size)
+    columns = np.column_stack([np.ones(angle.size), np.cos(angle), np.sin(angle)]) * window[:, None]
+    line = np.hypot(*np.linalg.lstsq(columns, made.torque() * window, rcond=None)[0][1:])
+    frequency = 16.8 * made.channels["true_motor_speed_rad_s"].values.mean() / (2 * pi)
+    response = spring_response(lower(rig, 1), "sensor", np.array([frequency]), speed_loop=True)
+    pull = 0.04 * load * (1 + 2j * pi * frequency * 2.0 / 11300)
+    assert line == pytest.approx(abs(pull * (response["gearbox"][0] - response["motor"][0] / 5)), rel=0.01)
+
+
+def test_planets_cancel_the_stiffness_variation_as_they_cancel_the_error() -> None:
+    drag = StribeckFriction(name="drag", coulomb=1.0, static=1.0, stribeck_speed=1.0)
+    mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(0.04, 0.02, 0.01))
+    waves = mesh.kinematic_error("gearbox", geared(SEQUENTIAL, mesh, drag))
+    assert {wave.order: wave.amplitude for wave in waves} == pytest.approx({186: 0.01 * 1.0 / 11300})
 
 
 @pytest.mark.parametrize(

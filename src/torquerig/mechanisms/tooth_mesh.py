@@ -10,8 +10,10 @@ from typing import Annotated, Literal, NamedTuple
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
+from torquerig.rig.parts import SpeedController
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.rig import Rig
+from torquerig.rig.steady import steady_torque_in
 from torquerig.rig.terms import Term, Wave
 from torquerig.signals.teeth import Planetary, Spur
 
@@ -42,11 +44,12 @@ class ToothMesh(Part):
     on both sides of h z, h e/module of the line (phase modulation, small index).
 
     ``stiffness_variation`` is the mesh stiffness over a tooth pitch, k (1 + sum_h s_h cos(h z theta)), with what the
-    planets leave of it: a ripple in proportion to the load. ``tooth_error`` is a measured or toleranced deviation.
+    planets leave of it: to first order the error s_h T/k of the mean torque T at the set-point, a ripple in proportion
+    to the load. ``tooth_error`` is a measured or toleranced deviation.
 
     Source: signatures.md 4.1, 4.2; Smith, Gear Noise and Vibration; McFadden & Smith 1985, Proc. IMechE (side lines);
-    Parker 2000, J. Sound and Vibration 236(4) (phasing); Gregory, Harris & Munro 1963. Not true where teeth part, nor
-    for a sun that floats between planets.
+    Parker 2000, J. Sound and Vibration 236(4) (phasing); Gregory, Harris & Munro 1963. Not true where teeth part, where
+    the stiffness varies so much that it drives itself (parametric resonance), nor for a sun that floats.
     """
 
     kind: Literal["tooth_mesh"] = "tooth_mesh"
@@ -87,9 +90,8 @@ class ToothMesh(Part):
             return ()
         teeth = self._teeth(rig)
         lever = 0.5 * self.module * cos(self.pressure_angle) * teeth.lever_teeth
-        return tuple(
-            Wave(order=line.order, amplitude=line.size / lever, phase_key=line.key) for line in self.lines(teeth)
-        )
+        errors = [Wave(order=line.order, amplitude=line.size / lever, phase_key=line.key) for line in self.lines(teeth)]
+        return (*errors, *self._stiffness_waves(rig, teeth))
 
     def lines(self, teeth: Planetary | Spur) -> tuple[MeshLine, ...]:
         """Return the lines that the planets leave, with their sizes along the line of action [m]."""
@@ -117,6 +119,21 @@ class ToothMesh(Part):
                 for way, sign in ((-1, "-"), (1, "+")):
                     key = f"{self.name}.{harmonic}.{wheel}"
                     yield MeshLine(f"mesh {harmonic} {sign} {wheel}", order + way * turns, size, key)
+
+    def _stiffness_waves(self, rig: Rig, teeth: Planetary | Spur) -> tuple[Wave, ...]:
+        """Return the error that the mean torque makes of a stiffness that varies over a tooth."""
+        drives = [part.motor for part in rig.parts_of(SpeedController)]
+        if not any(self.stiffness_variation) or not drives:
+            return ()
+        stage = gear_stage(rig, self.gear, owner=self.name)
+        twist = abs(steady_torque_in(rig.without(self.name), self.gear, motor=drives[0])) / stage.stiffness
+        waves = []
+        for harmonic, share in enumerate(self.stiffness_variation, start=1):
+            order = harmonic * int(teeth.mesh_order_out)
+            left = teeth.torque_share(order, self.planet_shares) if isinstance(teeth, Planetary) else 1.0
+            if share * left > SMALLEST_SHARE:
+                waves.append(Wave(order=order, amplitude=share * left * twist, phase_key=f"{self.name}.k{harmonic}"))
+        return tuple(waves)
 
     def _teeth(self, rig: Rig) -> Planetary | Spur:
         stage = gear_stage(rig, self.gear, owner=self.name)

@@ -24,11 +24,34 @@ def steady_torque(rig: Rig, motor: str) -> float:
     Every load and friction at its node's mean speed, over the efficiencies of the gears on the way. Ripple, inertia
     and what a random load does around its mean are left out. Zero where the run states no speed.
     """
-    speed = rig.run.speed or 0.0
-    # what drives is left out because it asks for the ripple, which may ask for this torque
-    passive = [part for part in rig.parts if not isinstance(part, SpeedController | InductionDrive)]
-    terms = [term for part in passive for term in part.terms(rig)]
+    terms = _passive(rig)
     places = _places(rig.node(motor), [term for term in terms if isinstance(term, Spring)])
+    return _asked(terms, places, rig.run.speed or 0.0)
+
+
+def steady_torque_in(rig: Rig, spring: str, *, motor: str) -> float:
+    """Return the mean torque that the gear or coupling ``spring`` hands on to its output at the set-point [N m].
+
+    What stands behind it, seen from ``motor``; the same things are left out as in :func:`steady_torque`.
+    """
+    terms = _passive(rig)
+    springs = [term for term in terms if isinstance(term, Spring)]
+    crossed = next(term for term in springs if term.name == spring)
+    from_motor = _places(rig.node(motor), springs)
+    if crossed.b not in from_motor:
+        return 0.0
+    behind = _places(crossed.b, [term for term in springs if term.name != spring])
+    return _asked(terms, behind, (rig.run.speed or 0.0) * from_motor[crossed.b].ratio)
+
+
+def _passive(rig: Rig) -> list[Term]:
+    """Return the terms of all but the drives, which ask for the ripple, which may ask for the steady torque."""
+    drives = SpeedController | InductionDrive
+    return [term for part in rig.parts if not isinstance(part, drives) for term in part.terms(rig)]
+
+
+def _asked(terms: list[Term], places: dict[str, _Place], speed: float) -> float:
+    """Return the torque that loads and frictions on these places ask of the place that turns at ``speed`` [rad/s]."""
     total = 0.0
     for term in terms:
         if isinstance(term, Load | BladeTorque | Friction) and term.on in places:
