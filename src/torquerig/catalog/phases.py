@@ -65,10 +65,11 @@ def drawn_phases(copy: Drawn[Motor], seed: int) -> DrawnPhases:
         wound[field] = known.value if known.documented and known.value is not None else _at(known, rank)
         if not known.documented:
             shown = f"{in_unit(wound[field], known.unit):.3g} {known.unit} of {known.shown()} ({known.evidence})"
-            assumed["flux_linkage" if field == "torque_constant" else field] = f"{shown}, {TURNS}"
-    trapezoid = motor.kind == "bldc"
+            assumed[field] = f"{shown}, {TURNS}"
     pairs = copy.count("pole_pairs")
-    flux = wound["torque_constant"] / (2 * pairs if trapezoid else 1.5 * sqrt(2) * pairs)
+    flux = wound["torque_constant"] / (2 * pairs if motor.kind == "bldc" else 1.5 * sqrt(2) * pairs)
+    if "torque_constant" in assumed:
+        assumed["flux_linkage"] = f"{flux:.3g} V*s, from a torque constant of {assumed.pop('torque_constant')}"
     link, source = _dc_link(copy, wound["phase_resistance"], flux)
     shape, fifth, said = _shape(copy)
     return DrawnPhases(

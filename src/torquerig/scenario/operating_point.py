@@ -65,7 +65,9 @@ class OperatingPoint(BaseModel):
 def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
     """Return the test sheet of the operating point on this rig; a profile's table is looked for from ``folder``."""
     motor = next(iter(rig.parts_of(Motor)), None)
-    drive = next(iter((*rig.parts_of(SpeedController), *rig.parts_of(InductionDrive))), None)
+    drives: tuple[SpeedController | InductionDrive, ...]
+    drives = (*rig.parts_of(SpeedController), *rig.parts_of(InductionDrive))
+    drive = next(iter(drives), None)
     if motor is None or drive is None:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
                    particle_size=point.load.particle_size)  # fmt: skip
