@@ -147,3 +147,14 @@ def test_a_limit_above_what_motor_and_drive_give_helps_nothing():
     assert made.rig.parts_of(Motor)[0].torque_limit == 5
     with pytest.raises(InputError, match=r"has to give 2\.\d+ N\*m, more than its peak torque 2 N\*m"):
         check_demand(made, catalog(), duration=10)
+
+
+def test_an_induction_motor_on_an_inverter_is_asked_too():
+    """Breakdown at 2.2 times 1.8 N*m; 20 N*m at the wear part are 4.1 N*m at the motor."""
+    drive = ("rig.speed_controller={kind: induction_drive, pole_pairs: 2, rated_torque: 1.8 N*m, rated_speed: 1380 rpm,"
+             " breakdown_torque: 4 N*m}")  # fmt: skip
+    made = wear_rig(drive, "motor.catalog=GP-71M")
+    assert check_demand(made, catalog(), duration=10) == ()
+    heavy = wear_rig(drive, "motor.catalog=GP-71M", "load.mean_by_occupancy_percent={0: 20 N*m, 21: 20 N*m}")
+    with pytest.raises(InputError, match=r"GP-71M has to give 4\.\d+ N\*m at 0 s, and its drive's limit is 2 N\*m"):
+        check_demand(heavy, catalog(), duration=10)

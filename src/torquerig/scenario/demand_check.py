@@ -9,9 +9,9 @@ from torquerig.catalog.motor import Motor as Entry
 from torquerig.catalog.reading import Catalog
 from torquerig.errors import InputError
 from torquerig.parameter import Estimate
-from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.scenario.drive_demand import DriveDemand, drive_demand
+from torquerig.scenario.drive_train import driven_motor
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.profiles.gaps import refuse_short
 
@@ -28,8 +28,9 @@ class DemandFault:
 
 
 def check_demand(scenario: Scenario, catalog: Catalog, *, duration: float) -> tuple[str, ...]:
-    """Return a sentence on each demand that is beyond a rating; a rig without a controlled motor has none,
-    nor has a run without length.
+    """Return a sentence on each demand that is beyond a rating.
+
+    A rig without a driven motor has none, nor has a run without length.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ def check_demand(scenario: Scenario, catalog: Catalog, *, duration: float) -> tu
         Also where the profile ends before the recording.
     """
     rig = scenario.rig
-    if not rig.parts_of(SpeedController) or rig.run.speed is None or not duration > 0:
+    if driven_motor(rig) is None or rig.run.speed is None or not duration > 0:
         return ()
     course, place = rig.run.course(), scenario.document.place(("operating_point",))
     try:
@@ -60,9 +61,8 @@ def check_demand(scenario: Scenario, catalog: Catalog, *, duration: float) -> tu
 
 def entry_of(rig: Rig, catalog: Catalog) -> Entry | None:
     """Return the catalog's entry of the driven motor; None where its values are the scenario's own."""
-    driven = rig.part(rig.parts_of(SpeedController)[0].motor)
-    known = isinstance(driven, Motor) and driven.model in catalog.motors
-    return catalog.motor(driven.model) if isinstance(driven, Motor) and known else None
+    driven = driven_motor(rig)
+    return catalog.motors.get(driven.model) if driven is not None else None
 
 
 def demand_faults(demand: DriveDemand, rig: Rig, entry: Entry | None) -> tuple[DemandFault, ...]:
@@ -93,8 +93,8 @@ def _speed_faults(demand: DriveDemand, entry: Entry) -> list[DemandFault]:
 
 
 def _torque_faults(demand: DriveDemand, rig: Rig) -> list[DemandFault]:
-    driven = rig.part(rig.parts_of(SpeedController)[0].motor)
-    limit = driven.torque_limit if isinstance(driven, Motor) else float("inf")
+    driven = driven_motor(rig)
+    limit = driven.torque_limit if driven is not None else float("inf")
     asked, time = demand.at_worst()
     if asked <= limit:
         return []

@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError
-from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.rig import Rig
-from torquerig.scenario.drive_train import DriveTrain, drive_train
+from torquerig.scenario.drive_train import DriveTrain, drive_train, driven_motor
 from torquerig.signals.profiles.corners import Corners
 from torquerig.signals.profiles.tabulated import Tabulated
 
@@ -77,11 +76,10 @@ def drive_demand(rig: Rig, *, duration: float) -> DriveDemand:
     Raises
     ------
     InputError
-        When the rig has no speed-controlled motor, or its run states no speed.
+        When no motor of the rig has a speed to follow, or its run states none.
     """
-    drive = next(iter(rig.parts_of(SpeedController)), None)
-    motor = rig.part(drive.motor) if drive else None
-    if not isinstance(motor, Motor) or rig.run.speed is None:
+    motor = driven_motor(rig)
+    if motor is None or rig.run.speed is None:
         raise InputError("no motor with a speed is in the rig, so that nothing is asked of one; add a speed_controller "
                          "and a speed")  # fmt: skip
     train, course = drive_train(rig, rig.node(motor.name)), rig.run.course()

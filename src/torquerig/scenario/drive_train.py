@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from math import copysign
 from typing import NamedTuple
 
+from torquerig.rig.parts import InductionDrive, Motor, SpeedController
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import GROUND, AppliedTorque, BladeTorque, Friction, Inertia, Load, Signal, Spring, Term
 
@@ -72,6 +73,14 @@ class DriveTrain:
             torque / efficiency if torque * heading >= 0 else torque * efficiency
             for efficiency, torque in by_efficiency.items()
         )
+
+
+def driven_motor(rig: Rig) -> Motor | None:
+    """Return the motor that follows the run's set-point, under a controller or on an inverter; None without one."""
+    drives: tuple[SpeedController | InductionDrive, ...]
+    drives = (*rig.parts_of(SpeedController), *rig.parts_of(InductionDrive))
+    part = rig.part(drives[0].motor) if drives else None
+    return part if isinstance(part, Motor) else None
 
 
 def drive_train(rig: Rig, motor: str) -> DriveTrain:
