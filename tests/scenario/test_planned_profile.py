@@ -71,7 +71,7 @@ def test_a_table_is_found_beside_its_scenario(tmp_path):
 
 
 FAULTS = {
-    "no segments": ("profile=duty_cycle",),
+    "no segments": ("profile=duty_cycle", "operating_point.duty_cycle=null"),
     "empty": ("profile=duty_cycle", "operating_point.duty_cycle={segments: []}"),
     "missing one": ("operating_point.duty_cycle={segments: [{duration: 1 s, motor_speed: 5 rpm}, null]}",),
     "no speed": ("operating_point.duty_cycle={segments: [{duration: 1 s}]}",),
