@@ -27,6 +27,7 @@ def _in_a_folder_with_bad_recordings(tmp_path: Path, monkeypatch: pytest.MonkeyP
     Path("good.yaml").write_text(SIDECAR)
     Path("broken.yaml").write_text("rig: [\n")
     Path("file").write_text("kept")
+    Path("file.svg").write_text("kept")
     Path("there.parquet").write_text("kept")
 
 
@@ -58,6 +59,8 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "no samples": (("info", "none.csv"), "none.csv: "),
     "text among numbers": (("info", "text.csv"), "text.csv:3"),
     "wrong columns": (("filter", "wrong.csv", "--motor", "REF", "--ratio", "5"), "wrong.csv: "),
+    "a picture of another kind": (("info", "good.csv", "--picture", "x.gif"), "x.gif: a picture is written as .svg or .png"),
+    "a picture that is there": (("info", "good.csv", "--picture", "file.svg"), "file.svg: is there already; choose another name, or overwrite it with --force"),
     "no such recording": (("info", "run.csv"), "run.csv: there is no such file"),
     "no motor in the sidecar": (("filter", "good.csv"), "good.csv: the sidecar does not name the motor"),
     "unknown chain": (("filter", "good.csv", "--chain", "seed_cod", "--motor", "REF", "--ratio", "5"), "did you mean 'seed_code'"),

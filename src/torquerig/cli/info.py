@@ -2,26 +2,93 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from dataclasses import replace
+from math import isfinite, pi
 from pathlib import Path
 
 import click
+import numpy as np
 
-from torquerig.plain_table import grid
-from torquerig.signals.files import read_recording, recording_info
+from torquerig.cli.inputs import catalog_beside, winding_of
+from torquerig.errors import TorquerigError, UnknownNameError
+from torquerig.plain_table import grid, wrapped
+from torquerig.signals.files import open_stream, stream_info
+from torquerig.signals.files.blocks import Blocking
+from torquerig.signals.files.info import RecordingInfo
+from torquerig.signals.files.stream import RecordingStream
+from torquerig.signals.kinematics import KinematicLine, Kinematics
 
 
 @click.command("info")
 @click.argument("recording", type=click.Path(path_type=Path))
-def command(recording: Path) -> None:
-    """Show channels, rate, length and levels of RECORDING, and what looks suspicious."""
-    made = read_recording(recording)
-    info = recording_info(made)
-    click.echo(f"{recording}: {made.samples} samples at {made.sample_rate:g} Hz, {made.duration:g} s")
+@click.option("--picture", type=click.Path(path_type=Path), default=None,
+              help="Draw channels, spectrum and levels (.svg or .png).")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
+def command(*, recording: Path, picture: Path | None, force: bool) -> None:
+    """Show channels, rate, length, levels and speed of RECORDING, and what looks suspicious, with sample numbers.
+
+    Suspicious are gaps of time, samples that are no numbers, clipping, dropouts, spikes, values that stand still. A
+    long recording is read block by block.
+    """
+    if picture is not None:
+        from torquerig.report.picture import check_picture
+
+        check_picture(picture, overwrite=force)
+    stream = open_stream(recording)
+    info = stream_info(stream)
+    click.echo(f"{recording}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s")
     rows = [["channel", "quantity", "unit", "minimum", "mean", "maximum", "std"]]
-    for name, channel in made.channels.items():
-        values = channel.values
-        rows.append([name, channel.quantity, channel.unit, *(f"{number:.6g}" for number in (
-            values.min(), values.mean(), values.max(), values.std()))])  # fmt: skip
+    for name, one in info.channels.items():
+        figures = (f"{number:.6g}" for number in (one.minimum, one.mean, one.maximum, one.std))
+        rows.append([name, one.quantity, one.unit, *figures])
     click.echo(grid(rows))
+    speed, told = _speed(stream)
+    click.echo(wrapped(told))
+    if stream.table.read_whole:
+        click.echo(f"read whole: {stream.table.read_whole}")
     for suspicion in info.suspicions():
         click.echo(f"suspicious: {suspicion}")
+    if picture is not None:
+        _draw(info, stream, speed, picture, force=force)
+
+
+def _speed(stream: RecordingStream) -> tuple[float | None, str]:
+    """Return the motor's mean speed over the first block [rad/s], and how it was found in words."""
+    from torquerig.signals.best_angle import best_motor_speed
+
+    head = next(Blocking(samples=2**20).cut(stream)).answer()
+    # a channel with samples that are no numbers may not hide the one that tells the speed
+    sound = {name: one for name, one in head.channels.items() if np.isfinite(one.values).all()}
+    head = replace(head, channels=sound)
+    try:
+        found = best_motor_speed(head, _lines(stream))
+    except TorquerigError as error:
+        return stream.run.speed, f"motor speed: not found ({error})"
+    rpm = found.value * 30 / pi
+    spread = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
+    whole = stream.samples is not None and stream.samples <= head.samples
+    where = "" if whole else f" over the first {head.duration:.3g} s"
+    set_point = stream.run.speed_rpm
+    beside = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
+    return found.value, f"motor speed: {rpm:.6g} rpm{spread}{where} ({found.origin}{beside})"
+
+
+def _lines(stream: RecordingStream) -> tuple[KinematicLine, ...]:
+    """Return the lines that the torque may show: those of the sheet's motor and ratio, as far as they are known."""
+    pole_pairs, slots = None, None
+    if stream.run.motor is not None:
+        with suppress(UnknownNameError):
+            pole_pairs, slots, _ = winding_of(catalog_beside(None, ()).motor(stream.run.motor))
+    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=stream.run.gear_ratio or 1.0).lines()
+
+
+def _draw(info: RecordingInfo, stream: RecordingStream, speed: float | None, path: Path, *, force: bool) -> None:
+    from torquerig.report.info_figure import info_figure
+    from torquerig.report.picture import write_picture
+
+    measured = [name for name, one in info.channels.items() if not one.truth] or list(info.channels)
+    main = next((name for name in measured if info[name].quantity in ("torque", "force")), measured[0])
+    output_speed = abs(speed) / (stream.run.gear_ratio or 1.0) if speed else None
+    write_picture(info_figure(info, main=main, output_speed=output_speed), path, overwrite=force)
+    click.echo(f"wrote {path}")

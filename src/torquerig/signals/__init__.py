@@ -8,13 +8,16 @@ stage              the one verb of sensor stages and filters: Recording -> Recor
 stages             what the sensor and its electronics do, one effect per file
 filters            what takes disturbance out, one filter per file
 chain              stages by one name, and the seed's two chains; chain_file reads them from YAML by chain_schema
-effect             what a chain did: spread, mean, energy, line levels
+streaming          chains on recordings too long to be held, block by block; reach: how far their stages look
+inspection         what stands in a recording: levels, runs, spikes, dropouts, spectrum, in one pass
+effect             what a chain did: spread, mean, energy, line levels; effect_joined: from its blocks
 teeth              what tooth counts fix
 kinematics         the order lines of a motor and gearbox
 coincidences       lines that stand on the mains or on each other, and a better speed
 orders             the report of all that; orders_telling puts it into words
 best_angle         the best angle and speed that a recording has, and which source that is
 angle              the motor's angle from its channels; tacho: by pulses; speed_from_torque: by the comb of lines
+load_response      what a model of the rig says the sensor makes of the load
 line_fit           sines of given orders, fitted block by block
 spectrum           amplitude spectra
 coloured_noise     random signals with a given colour

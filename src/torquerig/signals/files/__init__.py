@@ -22,9 +22,9 @@
 ======================= ===========================================================================
 """
 
-from torquerig.signals.files.info import recording_info
+from torquerig.signals.files.info import recording_info, stream_info
 from torquerig.signals.files.reading import read_recording
 from torquerig.signals.files.stream import open_stream
 from torquerig.signals.files.writing import check_target, write_recording
 
-__all__ = ["check_target", "open_stream", "read_recording", "recording_info", "write_recording"]
+__all__ = ["check_target", "open_stream", "read_recording", "recording_info", "stream_info", "write_recording"]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.signals.inspection.runs import runs_of
 from torquerig.signals.recording import Recording
 
 
@@ -51,12 +52,6 @@ def check_finite(recording: Recording, *, first: int = 0) -> Recording:
                 "to a span without them, or record it again"
             )
     return recording
-
-
-def runs_of(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return the first sample and the length of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], flags.view(np.int8), [0]])))
-    return [(int(start), int(stop - start)) for start, stop in zip(edges[::2], edges[1::2], strict=True)]
 
 
 def _runs_told(bad: NDArray[np.bool_], first: int, most: int = 3) -> str:
