@@ -1,6 +1,6 @@
 """The compiled draws against the same hash in plain Python, closed forms, and the audit's published figures."""
 
-from math import sqrt
+from math import exp, log, sqrt
 
 import numpy as np
 import pytest
@@ -60,7 +60,7 @@ def test_every_total_is_the_weighted_points_of_the_drawn_values(table):
                 if one.unknown:
                     points = 1 + 4 * first
                 elif high > 5 * low > 0:
-                    points = BENT.at(low * (high / low) ** first)
+                    points = BENT.at(exp(log(low) * (1 - first) + log(high) * first))
                 else:
                     points = BENT.at(low + (high - low) * first)
                 weight = matrix.criteria[column].weight * (1 + 0.25 * (2 * uniforms(weight_keys[column], draw)[0] - 1))

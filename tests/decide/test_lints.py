@@ -5,11 +5,15 @@ from pathlib import Path
 
 import pytest
 
-from torquerig.decide.criterion import Kind
+from torquerig.decide.criterion import Better, Kind
 from torquerig.decide.lints.audit import BOOK_LINTS, SHEET_LINTS, audit
+from torquerig.decide.lints.demands import wish_worded_demand
 from torquerig.decide.lints.duplication import correlated_rows
+from torquerig.decide.lints.names import nearly_same_names
+from torquerig.decide.lints.polarity import polarity_against_the_name
 from torquerig.decide.lints.rank_checks import conventions_differ
 from torquerig.decide.lints.sums import products_do_not_follow
+from torquerig.decide.lints.ties import winners_tie
 from torquerig.decide.seed_tables import read_tables, tables_from
 from torquerig.decide.sheet import Book, Method, Row, Sheet
 from torquerig.document import parse_document
@@ -162,6 +166,19 @@ CASES = [
     ("same rating, judged differently", "Table II", "200 W", [('follows_rating: ["0.5-6 Nm"]', "follows_rating: []")]),
     ("the datum is not ranked", "Table IV", "4 of 5", [("ranks: [null, 3, 2, 2, 1, 2]", "ranks: []")]),
     ("one thing, several names", "Table II", "HDS6A-104A (Table III", [("HDS6A-104A,", "HDS6A-0104A,")]),
+    ("unclear polarity", "Table II", "Need A series adapter", [("Need A series adapter]", "A series adapter fits]")]),
+    (
+        "unclear polarity",
+        "Table VI",
+        "modifications needed",
+        [("Wear rig modifications needed:", "Few modifications:")],
+    ),
+    (
+        "a tie in front",
+        "Table III",
+        "'ESI MAX-401-302'",
+        [('cells: [REF, "0", "0", "0", "-"', 'cells: [REF, "0", "+", "0", "-"')],
+    ),
     (
         "the datum never changes",
         "Table III, Table IV, Table V",
@@ -238,7 +255,7 @@ def test_clean_tables_have_no_findings():
         sheets=(chart_sheet(), pugh_sheet(), points_sheet()), goal="ripple", goal_words=("ripple",), ratings={"a": "1"}
     )
     assert audit(book) == ()
-    assert len(SHEET_LINTS) + len(BOOK_LINTS) == 21
+    assert len(SHEET_LINTS) + len(BOOK_LINTS) == 26
 
 
 def test_rows_that_rise_together_are_found_over_four_alternatives_and_not_over_three():
@@ -251,6 +268,43 @@ def test_rows_that_rise_together_are_found_over_four_alternatives_and_not_over_t
     unknown = replace(second, entries=(1.0, "?", 4.0, 5.0))
     for other in (falling, unknown):
         assert not correlated_rows(replace(sheet, rows=(first, other)), Book(sheets=(sheet,)))
+
+
+@pytest.mark.parametrize(
+    ("name", "better", "found"),
+    [
+        ("ripple", Better.MORE, True),
+        ("ripple reduction", Better.MORE, False),
+        ("torque reserve", Better.LESS, True),
+        ("price", Better.LESS, False),
+        ("rotor inertia", Better.LESS, False),
+        ("price", None, False),
+    ],
+)
+def test_a_name_that_says_the_opposite_of_its_direction_is_found(name, better, found):
+    sheet = points_sheet(rows=(Row(criterion=name, weight=1.0, entries=(1.0, 2.0, 3.0, 4.0), better=better),))
+    assert bool(polarity_against_the_name(sheet, Book(sheets=(sheet,)))) is found
+
+
+def test_a_demand_that_calls_itself_a_wish_is_found_only_where_it_eliminates():
+    row = Row(criterion="quiet", entries=("+", "+", "+", "+", "-"), purpose="should be pleasant in the room")
+    (finding,) = wish_worded_demand(chart_sheet(rows=(row,)), Book(sheets=()))
+    assert "'quiet' eliminates 'e', but is worded as a wish ('should')" in finding.what
+    assert not wish_worded_demand(chart_sheet(rows=(replace(row, entries=("+",) * 5),)), Book(sheets=()))
+    assert not wish_worded_demand(chart_sheet(rows=(replace(row, purpose="must not ring"),)), Book(sheets=()))
+
+
+def test_a_tie_of_unknowns_is_no_tie_in_front():
+    known = Row(criterion="x", weight=1.0, entries=(4.0, 4.0, 1.0, 2.0))
+    for entries, tie in (((3.0, 3.0, 3.0, 3.0), True), (("?", "?", 3.0, 3.0), False)):
+        sheet = points_sheet(rows=(known, replace(known, criterion="y", entries=entries)), sums=(), ranks=())
+        assert bool(winners_tie(sheet, Book(sheets=(sheet,)))) is tie
+
+
+def test_names_that_differ_only_in_spelling_are_found():
+    sheet = points_sheet(alternatives=("HDS6A-0104A", "hds6a 104A", "HDS6A-0102A", "x"))
+    (finding,) = nearly_same_names(sheet, Book(sheets=(sheet,)))
+    assert finding.what == "'HDS6A-0104A' and 'hds6a 104A' differ only in their spelling"
 
 
 def test_a_wrong_product_is_found():

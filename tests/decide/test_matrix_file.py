@@ -6,7 +6,7 @@ import pytest
 
 from torquerig.decide.matrix_file import matrix_from, read_matrix
 from torquerig.document import parse_document
-from torquerig.errors import InputError
+from torquerig.errors import InputError, UnknownNameError
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "matrix_example.yaml"
 
@@ -53,6 +53,27 @@ def test_the_shipped_example_reads_every_form_of_a_cell():
         ("scale: {min: 1, max: 5}", "scale: {min: 5, max: 1}", r"scale: .*must run upwards"),
         ("points: [[1, 1], [1.5, 4], [2, 5]]", "purpose: none", "criteria.speed reserve: it has a weight but no value"),
         ("seed: 1 ", "draws: 0 ", "draws: 0 draws tell nothing"),
+        ("seed: 1 ", "doubt: {weights: 2} ", "doubt: the doubt about weights, 2, must lie between 0 and 1"),
+        ("seed: 1 ", "doubt: {scores: -1} ", "doubt: the doubt about scores, -1 points, must be"),
+        ("seed: 1 ", "cost: {criterion: prise, permissible: 9} ", "unknown criterion 'prise'; did you mean 'price'"),
+        ("seed: 1 ", "cost: {criterion: price, permissible: 0} ", "cost.permissible: the permissible cost 0 must be"),
+        ("seed: 1 ", "motors: {servo B: HDS6A-0104A} ", "motors.servo B: unknown alternative; did you mean 'servo A'"),
+        (
+            "    price: 400",
+            "    price: {value: 400, by_hand: {points: 3}}",
+            "price: a cell set by hand needs",
+        ),
+        ("    price: 400", "    price: {by_hand: {reason: x}}", "price: a cell set by hand needs|with either value or"),
+        (
+            "    price: 400",
+            "    price: {by_hand: {points: 9, reason: x}}",
+            "price.by_hand.points: 9 points are outside the scale 1..5",
+        ),
+        (
+            "    unit: EUR\n",
+            "    unit: EUR\n    catalog: price\n",
+            "criteria.price.catalog: no alternative has a motor; add motors",
+        ),
     ],
 )
 def test_a_broken_file_is_one_sentence_with_its_place(old, new, said):
@@ -68,3 +89,44 @@ def test_all_weights_zero_is_refused_with_its_place():
         text = text.replace(f"weight: {weight}\n", "weight: 0\n")
     with pytest.raises(InputError, match=r":\d+: criteria: all weights are 0"):
         matrix_from(parse_document(text, FILE))
+
+
+def with_motor(criterion):
+    text = FILE.read_text(encoding="utf-8").replace("seed: 1 ", "motors: {servo A: HDS6A-0104A} ", 1)
+    text = text.replace("  price:\n    unit: EUR\n", f"{criterion}  price:\n    unit: EUR\n", 1)
+    return matrix_from(parse_document(text, FILE))
+
+
+def test_a_cell_from_the_catalog_keeps_unit_interval_evidence_and_source():
+    case = with_motor("  rated torque:\n    unit: N*cm\n    catalog: rated_torque\n")
+    cell = case.matrix.cell("servo A", "rated torque")
+    (origin,) = cell.origins
+    assert origin.name == cell.fact == "rated torque of HDS6A-0104A"
+    assert origin.evidence
+    assert origin.source == cell.source != ""
+    assert "N*cm" in origin.shown
+    assert case.matrix.cell("present drive", "rated torque").unknown
+
+
+@pytest.mark.parametrize(
+    ("criterion", "said"),
+    [
+        ("  torque:\n    unit: N*m\n    catalog: rated_torqe\n", "torque.catalog: .*or 'rated_torque'"),
+        ("  torque:\n    unit: kg\n    catalog: rated_torque\n", "torque.unit: rated_torque of a motor is in 'N[*]m'"),
+    ],
+)
+def test_a_catalog_key_that_is_not_there_is_one_sentence(criterion, said):
+    with pytest.raises(InputError, match=said):
+        with_motor(criterion)
+
+
+def test_an_unknown_motor_is_one_sentence_with_its_place():
+    with pytest.raises(UnknownNameError, match=r":18: motors.servo A: there is no motor 'HDS6A-0104B' in the catalog"):
+        edited("seed: 1 ", "motors: {servo A: HDS6A-0104B} ")
+
+
+def test_what_was_set_by_hand_counts_and_keeps_what_it_replaced():
+    case = edited("    price: 400", "    price: {value: 400, by_hand: {value: 350, reason: quoted by phone}}")
+    cell = case.matrix.cell("induction motor B", "price")
+    assert (cell.bounds, cell.value, cell.shown()) == ((350, 350), 400, "350 (by hand)")
+    assert cell.by_hand.reason == "quoted by phone"

@@ -83,7 +83,7 @@ def _calculated(formula, sheet):
     match = re.fullmatch(r"([A-Z]+\d+)/([A-Z]+\d+)", text)
     if match:
         return sheet[match[1]].value / sheet[match[2]].value
-    match = re.fullmatch(r"1\+SUMPRODUCT\(--\((\w+:\w+)>(\w+)\+1e-09\)\)(?:-\((\w+)>(\w+)\+1e-09\))?", text)
+    match = re.fullmatch(r"1\+SUMPRODUCT\(\((\w+:\w+)>(\w+)\+1e-09\)\*1\)(?:-\((\w+)>(\w+)\+1e-09\))?", text)
     above = sum(value > sheet[match[2]].value + 1e-9 for value in _values(match[1], sheet))
     itself = sheet[match[3]].value > sheet[match[4]].value + 1e-9 if match[3] else False
     return 1 + above - itself

@@ -2,23 +2,99 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from torquerig.decide.matrix_report import matrix_report
-from torquerig.document import read_document
+from torquerig.document import Document, read_document
 from torquerig.errors import InputError
+
+if TYPE_CHECKING:
+    from torquerig.decide.working import WorkedOut
+
+ENDINGS = (".html", ".md", ".xlsx", ".yaml")
 
 
 @click.command("matrix")
 @click.argument("file", type=click.Path(path_type=Path))
-def command(file: Path) -> None:
-    """Recompute the matrices of FILE and list what is wrong with them.
+@click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
+              help=f"Also write it as {', '.join(ENDINGS)}, by the ending; may be given several times.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite what --out names.")
+@click.option("--trace", "traced", nargs=2, multiple=True, metavar="ALTERNATIVE CRITERION",
+              help="Only show how this cell came about; may be given several times.")  # fmt: skip
+@click.option("--before", type=click.Path(path_type=Path), metavar="FILE",
+              help="Only show what was changed since this version, and what that did.")  # fmt: skip
+def command(
+    file: Path, outs: Sequence[Path], force: bool, traced: Sequence[tuple[str, str]], before: Path | None
+) -> None:
+    """Recompute the matrices of FILE, say how sure the winner is, and list what is wrong with them.
 
-    FILE holds published tables (scenarios/seed_tables.yaml) or a matrix of one's own (scenarios/matrix_example.yaml).
+    FILE holds published tables (scenarios/seed_tables.yaml), a matrix of one's own (scenarios/matrix_example.yaml), or
+    such a matrix as a filled-in Excel sheet (write one with --out drives.xlsx).
     """
-    data = read_document(file).data
-    if isinstance(data, dict) and "rig" in data:
+    document = _read(file)
+    if isinstance(document.data, dict) and "tables" in document.data:
+        if outs or traced or before:
+            raise InputError(
+                f"{file}: holds published tables; --out, --trace and --before are for a matrix of one's own"
+            )
+        from torquerig.decide.matrix_report import tell_book
+        from torquerig.decide.seed_tables import tables_from
+
+        click.echo(tell_book(tables_from(document)), nl=False)
+        return
+    for path in outs:
+        _check_target(path, force=force)
+    worked = _worked_out(document)
+    click.echo(_told(worked, traced, before), nl=False)
+    for path in outs:
+        from torquerig.report.matrix_files import write_matrix
+
+        write_matrix(worked, path)
+        click.echo(f"wrote {path}", err=True)
+
+
+def _told(worked: WorkedOut, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
+    from torquerig.decide.comparing import reordering
+    from torquerig.decide.matrix_report import tell_worked_out
+    from torquerig.decide.telling_sure import tell_reordering, tell_trace
+    from torquerig.decide.trace import trace
+
+    parts = [tell_trace(trace(worked, *pair)) for pair in traced]
+    if before is not None:
+        parts.append(tell_reordering(reordering(_worked_out(_read(before)), worked)))
+    return "\n\n".join(parts) + "\n" if parts else tell_worked_out(worked)
+
+
+def _worked_out(document: Document) -> WorkedOut:
+    from torquerig.decide.matrix_file import matrix_from
+    from torquerig.decide.working import work_out
+
+    catalog = None
+    if isinstance(document.data, dict) and document.data.get("motors"):
+        from torquerig.cli.inputs import catalog_beside
+
+        catalog = catalog_beside(document.path, ())
+    return work_out(matrix_from(document, catalog=catalog))
+
+
+def _read(file: Path) -> Document:
+    if file.suffix.lower() == ".xlsx":
+        from torquerig.decide.matrix_sheet import read_matrix_sheet
+
+        return read_matrix_sheet(file)
+    document = read_document(file)
+    if isinstance(document.data, dict) and "rig" in document.data:
         raise InputError(f"{file}: is the scenario of a rig, not a matrix; torquerig compare works its matrices out")
-    click.echo(matrix_report(file), nl=False)
+    return document
+
+
+def _check_target(path: Path, *, force: bool) -> None:
+    if path.suffix.lower() not in ENDINGS:
+        raise InputError(f"{path}: a matrix is written as {', '.join(ENDINGS)}; choose one of these endings")
+    if path.exists() and not force:
+        raise InputError(f"{path}: is there already; choose another name, or overwrite it with --force")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")

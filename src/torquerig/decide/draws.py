@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from hashlib import blake2b
-from math import isfinite, log
+from math import exp, isfinite, log
 from typing import Any
 
 import numpy as np
@@ -132,13 +132,15 @@ def _span(cell: Cell, profile: Profile) -> tuple[float, float, bool] | None:
     low, high = cell.bounds
     if not low < high:
         return None
-    return (log(low), log(high / low), True) if 0 < low * WIDE < high else (low, high - low, False)
+    return (log(low), log(high) - log(low), True) if 0 < low * WIDE < high else (low, high - low, False)
 
 
 def value_at(cell: Cell, share: float) -> float:
     """Return the value below which ``share`` of the draws of an interval lie [unit of the criterion]."""
     low, high = cell.bounds
-    return float(low * (high / low) ** share) if 0 < low * WIDE < high else low + (high - low) * share
+    if 0 < low * WIDE < high:
+        return exp(log(low) + (log(high) - log(low)) * share)
+    return low + (high - low) * share
 
 
 def points_at(cell: Cell, criterion: Criterion, profile: Profile, share: float) -> float:

@@ -2,143 +2,95 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING
 
-from torquerig.decide.cell import UNKNOWN, Cell
-from torquerig.decide.criterion import YES_NO, Better, Criterion, Demand, Indifference, Kind, ValueFunction
-from torquerig.decide.file_schema import STRICT, GoalText, ScaleText
-from torquerig.decide.kesselring import TEACHING, Profile, rated_criteria
+from torquerig.decide.case import Cost, MatrixCase
+from torquerig.decide.criterion import Criterion, Demand, Indifference, ValueFunction
+from torquerig.decide.draws import Doubt
+from torquerig.decide.kesselring import Profile, rated_criteria
 from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.matrix_cells import Cells, Keys, catalog_cells, written_cells
+from torquerig.decide.matrix_schema import CriterionText, MatrixText
+from torquerig.decide.sheet import Alias
 from torquerig.document import Document, read_document, validated
-from torquerig.errors import InputError, TorquerigError, UnitError, did_you_mean
-from torquerig.units import in_unit, parse_quantity, si_unit
+from torquerig.errors import InputError, did_you_mean
 
-Keys = tuple[str | int, ...]
+if TYPE_CHECKING:
+    from torquerig.catalog.reading import Catalog
 
-
-@dataclass(frozen=True, kw_only=True)
-class _Demand:
-    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
-    min: float | None = None
-    max: float | None = None
-    in_question: str = ""
+__all__ = ["MatrixCase", "matrix_from", "read_matrix"]
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Indifference:
-    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
-    absolute: float = 0.0
-    relative: float = 0.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Criterion:
-    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
-    unit: str = "1"
-    better: Better = Better.MORE
-    band: tuple[float, float] | None = None
-    demand: _Demand | None = None
-    indifference: _Indifference = field(default_factory=_Indifference)
-    points: tuple[tuple[float, float], ...] | None = None
-    weight: float = 0.0
-    kind: Kind = Kind.TECHNICAL
-    purpose: str = ""
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Cell:
-    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
-    value: str | float | None = None
-    low: str | float | None = None
-    high: str | float | None = None
-    text: str = ""
-    source: str = ""
-    evidence: str = ""
-    note: str = ""
-    unknown_reason: str = ""
-
-
-@dataclass(frozen=True, kw_only=True)
-class _File:
-    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
-    criteria: dict[str, _Criterion]
-    alternatives: dict[str, dict[str, Any]]
-    name: str = "matrix"
-    datum: str = ""
-    goal: GoalText | None = None
-    scale: ScaleText = field(default_factory=lambda: ScaleText(min=TEACHING.p_min, max=TEACHING.p_max))
-    draws: int = 10_000
-    seed: int = 0
-
-
-@dataclass(frozen=True, kw_only=True)
-class MatrixCase:
-    """A matrix with how to judge it.
-
-    Parameters
-    ----------
-    matrix : DecisionMatrix
-    datum : str
-        The alternative that Pugh starts from.
-    profile : Profile
-        The points scale.
-    goal : str
-    goal_words : tuple of str
-        What a criterion's name must hold to ask for the goal.
-    draws, seed : int
-        For the probability of being best.
-    """
-
-    matrix: DecisionMatrix
-    datum: str
-    profile: Profile = TEACHING
-    goal: str = ""
-    goal_words: tuple[str, ...] = ()
-    draws: int = 10_000
-    seed: int = 0
-
-
-def read_matrix(path: Path) -> MatrixCase:
+def read_matrix(path: Path, *, catalog: Catalog | None = None) -> MatrixCase:
     """Read a matrix file; InputError, UnitError or UnknownNameError name file, line, key and remedy."""
-    return matrix_from(read_document(path))
+    return matrix_from(read_document(path), catalog=catalog)
 
 
-def matrix_from(document: Document) -> MatrixCase:
-    """Return the matrix of a YAML document that has been read; the first alternative is the datum if none is named."""
+def matrix_from(document: Document, *, catalog: Catalog | None = None) -> MatrixCase:
+    """Return the matrix of a document that has been read; the first alternative is the datum if none is named.
+
+    ``catalog`` is needed where the file has ``motors:``; the shipped one is taken where none is given.
+    """
     from pydantic import TypeAdapter
 
-    file = validated(document, TypeAdapter(_File))
+    file = validated(document, TypeAdapter(MatrixText))
     if not file.alternatives or not file.criteria:
         raise InputError(f"{document.place()}: a matrix needs criteria and alternatives; at least one of each")
     criteria = {name: _criterion(document, name, written) for name, written in file.criteria.items()}
-    cells = {
-        (alternative, name): _cell(document, ("alternatives", alternative, name), criteria)
-        for alternative, given in file.alternatives.items()
-        for name in given
-    }
-    datum = file.datum or next(iter(file.alternatives))
-    if datum not in file.alternatives:
-        hint = did_you_mean(datum, file.alternatives)
-        raise InputError(f"{document.place(('datum',))}: the datum {datum!r} is not in the matrix; {hint}")
-    if file.draws < 1:
-        raise InputError(f"{document.place(('draws',))}: {file.draws} draws tell nothing; write 1 or more")
+    cells = {**_cells_of_motors(document, file, criteria, catalog), **written_cells(document, file, criteria)}
     matrix = DecisionMatrix(
         name=file.name, alternatives=tuple(file.alternatives), criteria=tuple(criteria.values()), cells=cells
     )
+    profile = _profile(document, file, matrix)
+    _check_points_by_hand(document, cells, profile)
+    if file.draws < 1:
+        raise InputError(f"{document.place(('draws',))}: {file.draws} draws tell nothing; write 1 or more")
     return MatrixCase(
         matrix=matrix,
-        datum=datum,
-        profile=_profile(document, file, matrix),
+        datum=_datum(document, file),
+        profile=profile,
         goal=file.goal.name if file.goal else "",
         goal_words=file.goal.words if file.goal else (),
         draws=file.draws,
         seed=file.seed,
+        doubt=_doubt(document, file),
+        cost=_cost(document, file),
+        aliases=tuple(
+            Alias(names=one.names, reason=one.reason, place=document.place(("aliases", place)))
+            for place, one in enumerate(file.aliases)
+        ),
+        history=file.history,
+        places={name: document.place(("criteria", name)) for name in criteria},
     )
 
 
-def _criterion(document: Document, name: str, written: _Criterion) -> Criterion:
+def _cells_of_motors(
+    document: Document, file: MatrixText, criteria: dict[str, Criterion], catalog: Catalog | None
+) -> Cells:
+    if not file.motors:
+        asking = next((name for name, one in file.criteria.items() if one.catalog), None)
+        if asking:
+            place = document.place(("criteria", asking, "catalog"))
+            raise InputError(f"{place}: no alternative has a motor; add motors: {{alternative: name in the catalog}}")
+        return {}
+    if catalog is None:
+        from torquerig.catalog.reading import load_catalog
+        from torquerig.catalog.shipped import shipped_folder
+
+        catalog = load_catalog(shipped_folder())
+    return catalog_cells(document, file, criteria, catalog)
+
+
+def _datum(document: Document, file: MatrixText) -> str:
+    datum = file.datum or next(iter(file.alternatives))
+    if datum not in file.alternatives:
+        hint = did_you_mean(datum, file.alternatives)
+        raise InputError(f"{document.place(('datum',))}: the datum {datum!r} is not in the matrix; {hint}")
+    return datum
+
+
+def _criterion(document: Document, name: str, written: CriterionText) -> Criterion:
     demand = written.demand
     try:
         return Criterion(
@@ -157,7 +109,7 @@ def _criterion(document: Document, name: str, written: _Criterion) -> Criterion:
         raise InputError(f"{document.place(('criteria', name))}: {_unnamed(error, name)}") from None
 
 
-def _profile(document: Document, file: _File, matrix: DecisionMatrix) -> Profile:
+def _profile(document: Document, file: MatrixText, matrix: DecisionMatrix) -> Profile:
     """Return the scale, after checking that every weighted criterion has points inside it."""
     try:
         scale = file.scale
@@ -171,65 +123,33 @@ def _profile(document: Document, file: _File, matrix: DecisionMatrix) -> Profile
     return profile
 
 
-def _cell(document: Document, keys: Keys, criteria: dict[str, Criterion]) -> Cell:
-    from pydantic import TypeAdapter
+def _check_points_by_hand(document: Document, cells: Cells, profile: Profile) -> None:
+    for pair, cell in cells.items():
+        given = cell.points_by_hand
+        if given is not None and not profile.p_min <= given <= profile.p_max:
+            raise InputError(
+                f"{document.place(('alternatives', *pair, 'by_hand', 'points'))}: {given:g} points are outside the "
+                f"scale {profile.p_min:g}..{profile.p_max:g}"
+            )
 
-    name = str(keys[-1])
-    if name not in criteria:
-        raise InputError(f"{document.place(keys)}: unknown criterion; {did_you_mean(name, criteria)}")
-    data = document.data["alternatives"][keys[1]][name]
-    unit = criteria[name].unit
+
+def _doubt(document: Document, file: MatrixText) -> Doubt:
     try:
-        if isinstance(data, dict):
-            adapter: TypeAdapter[_Cell] = TypeAdapter(_Cell)
-            return _from_mapping(validated(document, adapter, within=keys), unit)
-        if isinstance(data, list):
-            if len(data) != 2:
-                raise InputError("an interval has two ends; write [low, high]")
-            return Cell(low=_number(data[0], unit), high=_number(data[1], unit))
-        if data is None or data == "?":
-            return UNKNOWN
-        return Cell(value=_number(data, unit), text=_shown(data, unit))
-    except TorquerigError as error:
-        if str(error).startswith(str(document.path)):
-            raise
-        raise InputError(f"{document.place(keys)}: {error}") from None
+        return Doubt(scores=file.doubt.scores, weights=file.doubt.weights)
+    except InputError as error:
+        raise InputError(f"{document.place(('doubt',))}: {error}") from None
 
 
-def _from_mapping(written: _Cell, unit: str) -> Cell:
-    value, low, high = (
-        None if one is None or one == "?" else _number(one, unit) for one in (written.value, written.low, written.high)
-    )
-    return Cell(
-        value=value,
-        low=low,
-        high=high,
-        text=written.text or _shown(written.value, unit),
-        source=written.source,
-        evidence=written.evidence,
-        note=written.note,
-        unknown_reason=written.unknown_reason,
-    )
-
-
-def _number(written: Any, unit: str) -> float:
-    """Return the number in the criterion's unit; text may be written in any unit of the same kind, or yes and no."""
-    if unit == YES_NO:
-        if isinstance(written, bool) or written in ("yes", "no"):
-            return float(written in (True, "yes"))
-        raise InputError(f"{written!r} is no answer; write yes, no or ?")
-    if isinstance(written, bool) or not isinstance(written, str | int | float):
-        raise InputError(f"{written!r} is no number; write a number [{unit}], [low, high] or ?")
-    if isinstance(written, str):
-        try:
-            return in_unit(parse_quantity(written, si_unit(unit)), unit)
-        except UnitError as error:
-            raise InputError(f"{error}; or write a bare number [{unit}], [low, high] or ?") from None
-    return float(written)
-
-
-def _shown(written: Any, unit: str) -> str:
-    return ("yes" if written in (True, "yes") else "no") if unit == YES_NO and written not in (None, "?") else ""
+def _cost(document: Document, file: MatrixText) -> Cost | None:
+    if file.cost is None:
+        return None
+    if file.cost.criterion not in file.criteria:
+        hint = did_you_mean(file.cost.criterion, file.criteria)
+        raise InputError(f"{document.place(('cost', 'criterion'))}: unknown criterion {file.cost.criterion!r}; {hint}")
+    if not 0 < file.cost.permissible < float("inf"):
+        place = document.place(("cost", "permissible"))
+        raise InputError(f"{place}: the permissible cost {file.cost.permissible:g} must be above 0")
+    return Cost(criterion=file.cost.criterion, permissible=file.cost.permissible)
 
 
 def _unnamed(error: InputError, name: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
-from torquerig.decide.criterion import Kind
+from torquerig.decide.criterion import Better, Kind
 from torquerig.decide.kesselring import TEACHING, Profile
 
 UNKNOWN = "?"
@@ -46,7 +46,9 @@ class Row:
         The datum itself has the asked property, so that nobody can be better.
     follows_rating : bool
         The answer follows from the rating, so that equal ratings must get equal marks.
-    note : str
+    better : Better or None
+        Which values are wanted, where that is stated.
+    purpose, note : str
     """
 
     criterion: str
@@ -57,6 +59,8 @@ class Row:
     kind: Kind = Kind.TECHNICAL
     datum_has: bool = False
     follows_rating: bool = False
+    better: Better | None = None
+    purpose: str = ""
     note: str = ""
 
     @property

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from torquerig.decide.criterion import Criterion
 from torquerig.decide.eliminate import SelectionChart
-from torquerig.decide.flips import FlipWeight
 from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.lints.finding import Finding
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.pugh import DatumSweep, PughResult, Sign
 from torquerig.decide.ranks import shown_rank
-from torquerig.decide.robustness import BestShares
 from torquerig.plain_table import grid, wrapped
 
 
@@ -87,7 +85,10 @@ def tell_kesselring(result: KesselringResult) -> str:
             f"{result.weights[column]:.4g}",
             f"{result.normalised[column]:.3f}",
             f"{result.profile.p_max:g}",
-            *(span(*ends) for ends in zip(result.low[:, column], result.high[:, column], strict=True)),
+            *(
+                span(*ends) + ("*" if (name, criterion) in result.by_hand else "")
+                for name, *ends in zip(result.alternatives, result.low[:, column], result.high[:, column], strict=True)
+            ),
         ]
         for column, criterion in enumerate(result.criteria)
     ]
@@ -99,36 +100,13 @@ def tell_kesselring(result: KesselringResult) -> str:
     )
     body.append(["rank", "", "", "", *(shown_rank(*ends) for ends in zip(best.tolist(), worst.tolist(), strict=True))])
     told = [f"warning: {result.warning}"] if result.warning else []
+    told += [f"* set by hand: {name}, {criterion!r}: {why}" for (name, criterion), why in result.by_hand.items()]
     told += [
         f"weak spot: {spot.alternative} gets at most {spot.points:g} for {spot.criterion!r}, "
         f"hidden by T/T_max = {spot.share:.2f}"
         for spot in result.weak_spots
     ]
     return "\n".join([grid([head, *body]), *told])
-
-
-def tell_ratings(technical: KesselringResult, economic: KesselringResult) -> str:
-    """Return the technical rating x and the economic rating y of each alternative apart, as VDI 2225 looks at them."""
-    body = []
-    for row, name in enumerate(technical.alternatives):
-        x, y = (
-            span(round(one.total_low[row] / one.ideal, 3), round(one.total_high[row] / one.ideal, 3))
-            for one in (technical, economic)
-        )
-        body.append([name, x, y])
-    return grid([["", "technical x", "economic y"], *body])
-
-
-def tell_robustness(shares: BestShares, flips: Iterable[FlipWeight]) -> str:
-    """Return how often each is best, and the weights at which the runner-up catches up."""
-    told = [
-        f"best in {share:.1%} of {shares.draws} joint draws (seed {shares.seed}): {name}"
-        for name, share in zip(shares.alternatives, shares.p_best.tolist(), strict=True)
-    ]
-    for flip in flips:
-        ends = "no weight makes them tie" if flip.flip is None else f"they tie at {flip.flip:.3g}"
-        told.append(f"{flip.winner} against {flip.rival}, weight of {flip.criterion!r} is {flip.weight:g}: {ends}")
-    return "\n".join(told)
 
 
 def tell_findings(findings: Sequence[Finding]) -> str:

@@ -27,8 +27,8 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided) -> None:
     looks = formats(book)
     sheets.write_ranking(book.add_worksheet("Ranking"), looks, decided)
     sheets.write_shares(book.add_worksheet("Shares"), looks, runs)
-    sheets.write_elimination(book.add_worksheet("Elimination"), looks, decided)
-    sheets.write_pugh(book.add_worksheet("Pugh"), looks, decided)
+    sheets.write_elimination(book.add_worksheet("Elimination"), looks, decided.chart, decided.demands)
+    sheets.write_pugh(book.add_worksheet("Pugh"), looks, decided.pugh)
     write_kesselring(book.add_worksheet("Kesselring"), looks, decided.overall)
     sheets.write_assumptions(book.add_worksheet("Assumptions"), looks, runs)
     book.close()
@@ -45,6 +45,8 @@ def formats(book: Any) -> dict[str, Any]:
         "one": {"num_format": "0.0"},
         "mark": {"align": "center"},
         "unknown": {"align": "right", "bg_color": "#FDF0C4"},
+        "hand": {"num_format": "0.000", "bold": True, "bg_color": "#E3D7F2"},
+        "entry": {"bg_color": "#FFF2CC", "border": 1},
         "guess": {"num_format": "0.000", "italic": True},
         "weight": {"num_format": "0.###", "bold": True, "bg_color": "#FFF2CC", "border": 1},
         "+": {"align": "center", "bg_color": "#D5ECD4"},

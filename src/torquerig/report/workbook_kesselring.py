@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from torquerig.decide.kesselring import KesselringResult
@@ -13,35 +15,66 @@ HEAD, WEIGHTS, NORMALISED, IDEAL, FIRST = 1, 2, 3, 4, 5
 TOTALS = ("T", "T/T_max", "rank", "T low", "T high", "best rank", "worst rank")
 
 
-def write_kesselring(sheet: Any, looks: Looks, result: KesselringResult) -> None:
+@dataclass(frozen=True, kw_only=True)
+class Links:
+    """Formulas that fetch what the sheet calculates with from other sheets.
+
+    Parameters
+    ----------
+    weight : function of the criterion's place
+    points : function of the places of alternative and criterion, and of 0, 1, 2 for middle, fewest and most
+    ideal : str
+    hint : str
+        Where the reader changes what.
+    """
+
+    weight: Callable[[int], str]
+    points: Callable[[int, int, int], str]
+    ideal: str
+    hint: str
+
+
+HINT = "Change the weights in the coloured row; totals and ranks follow."
+
+
+def write_kesselring(sheet: Any, looks: Looks, result: KesselringResult, *, links: Links | None = None) -> None:
     """Write weights, ideal, points and the formulas over them, each with its present value stored.
 
-    Beside the points stand the fewest and the most that the facts allow, from which the range of the rank follows.
+    With ``links``, weights and points are formulas themselves. Beside the points stand the fewest and the most that
+    the facts allow, from which the range of the rank follows.
     Ranks are shared competition ranks: 1 plus how many are better by more than rounding.
     """
     from xlsxwriter.utility import xl_range_abs
 
     count = len(result.criteria)
     points, low, high = 1, 1 + count + len(TOTALS), 1 + 2 * count + len(TOTALS)
-    sheet.write_string(0, 0, "Change the weights in the coloured row; totals and ranks follow. Points in italics are "
-                       "the middle of a range that the facts leave open.", looks["bold"])  # fmt: skip
+    sheet.write_string(0, 0, f"{HINT if links is None else links.hint} Points in italics are the middle of a range "
+                       "that the facts leave open.", looks["bold"])  # fmt: skip
     _head(sheet, looks, result)
     weights = xl_range_abs(WEIGHTS, 1, WEIGHTS, count)
     for column in range(count):
         weight, share = float(result.weights[column]), float(result.normalised[column])
-        sheet.write_number(WEIGHTS, 1 + column, weight, looks["weight"])
+        _number(sheet, (WEIGHTS, 1 + column), weight, looks["weight" if links is None else "three"],
+                None if links is None else links.weight(column))  # fmt: skip
         sheet.write_formula(NORMALISED, 1 + column, f"={_cell(WEIGHTS, 1 + column)}/SUM({weights})", looks["three"],
                             share)  # fmt: skip
-        sheet.write_number(IDEAL, 1 + column, result.profile.p_max)
+        _number(sheet, (IDEAL, 1 + column), result.profile.p_max, None,
+                None if links is None else links.ideal)  # fmt: skip
     _ideal(sheet, looks, result, weights)
     for row, name in enumerate(result.alternatives):
         sheet.write_string(FIRST + row, 0, name)
         for column in range(count):
             known = result.low[row, column] == result.high[row, column]
-            look = looks["three" if known else "guess"]
-            sheet.write_number(FIRST + row, points + column, float(result.middle[row, column]), look)
-            sheet.write_number(FIRST + row, low + column, float(result.low[row, column]), looks["three"])
-            sheet.write_number(FIRST + row, high + column, float(result.high[row, column]), looks["three"])
+            by_hand = (name, result.criteria[column]) in result.by_hand
+            look = looks["hand" if by_hand else "three" if known else "guess"]
+            blocks = (
+                (points, result.middle, look),
+                (low, result.low, looks["three"]),
+                (high, result.high, looks["three"]),
+            )
+            for block, (start, ends, looked) in enumerate(blocks):
+                formula = None if links is None else links.points(row, column, block)
+                _number(sheet, (FIRST + row, start + column), float(ends[row, column]), looked, formula)
         _totals(sheet, looks, result, row=row, blocks=(points, low, high), weights=weights)
     last = FIRST + len(result.alternatives) - 1
     scale = {"type": "3_color_scale", "min_color": "#F4B6AE", "mid_color": "#FFF3C9", "max_color": "#B5DDB4"}
@@ -50,6 +83,14 @@ def write_kesselring(sheet: Any, looks: Looks, result: KesselringResult) -> None
                                       "mid_value": (result.profile.p_min + result.profile.p_max) / 2,
                                       "max_type": "num", "max_value": result.profile.p_max})  # fmt: skip
     sheet.conditional_format(FIRST, count + 2, last, count + 2, scale)
+
+
+def _number(sheet: Any, place: tuple[int, int], value: float, look: Any, formula: str | None) -> None:
+    """Write a number, or the formula that gives it with the number stored beside it."""
+    if formula:
+        sheet.write_formula(*place, formula, look, value)
+    else:
+        sheet.write_number(*place, value, look)
 
 
 def _head(sheet: Any, looks: Looks, result: KesselringResult) -> None:
@@ -88,7 +129,7 @@ def _totals(
         sheet.write_formula(line, column, formula, looks["three"], float(values[row]))
     sheet.write_formula(line, share, f"={_cell(line, total)}/{_cell(IDEAL, total, fixed=True)}", looks["three"],
                         float(result.share[row]))  # fmt: skip
-    above = {column: f"1+SUMPRODUCT(--({whole[column]}>{{}}+{TIE}))" for column in (total, low, high)}
+    above = {column: f"1+SUMPRODUCT(({whole[column]}>{{}}+{TIE})*1)" for column in (total, low, high)}
     best_rank, worst_rank = (int(ends[row]) for ends in result.rank_range)
     sheet.write_formula(line, rank, f"={above[total].format(_cell(line, total))}", None, int(result.ranks[row]))
     sheet.write_formula(line, best, f"={above[low].format(_cell(line, high))}", None, best_rank)

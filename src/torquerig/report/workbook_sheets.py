@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from torquerig.decide.pugh import Sign
+from torquerig.decide.eliminate import SelectionChart
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.pugh import PughResult, Sign
 from torquerig.metrics.figure import Figure
 from torquerig.report.shares_figure import SHARES
 from torquerig.report.study_answers import assumptions
@@ -61,11 +63,12 @@ def write_shares(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
         sheet.write_row(row, 4 + len(SHARES), [percent[name] for name in SHARES], looks["one"])
 
 
-def write_elimination(sheet: Any, looks: Looks, decided: Decided) -> None:
+def write_elimination(
+    sheet: Any, looks: Looks, chart: SelectionChart, demands: DecisionMatrix, *, of: str = "drive"
+) -> None:
     """Write the selection chart with every remark in full."""
-    chart = decided.chart
-    rules = [rule_text(one) for one in decided.demands.criteria if one.name in chart.criteria]
-    _head(sheet, looks, ["drive", *rules, "decision", "remarks"], wide={0: 24, len(rules) + 2: 110})
+    rules = [rule_text(one) for one in demands.criteria if one.name in chart.criteria]
+    _head(sheet, looks, [of, *rules, "decision", "remarks"], wide={0: 24, len(rules) + 2: 110})
     for row, line in enumerate(chart.rows, start=1):
         sheet.write_string(row, 0, line.alternative)
         for column, name in enumerate(chart.criteria, start=1):
@@ -75,11 +78,10 @@ def write_elimination(sheet: Any, looks: Looks, decided: Decided) -> None:
         sheet.write_string(row, len(rules) + 2, "; ".join(remark.sentence() for remark in line.remarks))
 
 
-def write_pugh(sheet: Any, looks: Looks, decided: Decided) -> None:
+def write_pugh(sheet: Any, looks: Looks, result: PughResult) -> None:
     """Write the signs of all combinations against the datum; the counts are formulas over the signs."""
     from xlsxwriter.utility import xl_range
 
-    result = decided.pugh
     best, worst = result.rank_range
     width = len(result.criteria)
     counted = [f"count {sign}" for sign in Sign]

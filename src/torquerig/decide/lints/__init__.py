@@ -8,8 +8,10 @@ rank_checks     tied sums with different ranks; mixed rank conventions
 sums            sums and products that do not follow from the cells
 unknowns        ``?`` counted as 0; ``?`` passed as yes
 demands         a wish used as a demand
+polarity        criteria of which nobody can tell whether high is good
+ties            equal sums in front
 goal            a stated goal without a criterion
-names           one thing under several names; equal ratings judged differently
+names           one thing under several names, or two nearly equal ones; equal ratings judged differently
 price           price inside the technical rating
 audit           all of them over a book of tables
 finding         what a check says

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from torquerig.decide.lints.finding import Finding, about
 from torquerig.decide.sheet import UNKNOWN, Book, Sheet, canonical
 
@@ -70,6 +72,29 @@ def same_rating_judged_differently(sheet: Sheet, book: Book) -> list[Finding]:
                     )
                 )
     return found
+
+
+def nearly_same_names(sheet: Sheet, book: Book) -> list[Finding]:
+    """Find names in one table that differ only in case, spaces, signs or leading zeros."""
+    groups: dict[str, list[str]] = {}
+    for name in sheet.alternatives:
+        groups.setdefault(_bare(name), []).append(name)
+    return [
+        about(
+            sheet,
+            lint="nearly the same name",
+            table=sheet.name,
+            what=f"{' and '.join(map(repr, names))} differ only in their spelling",
+            why="one thing may be judged twice, and take two ranks",
+            remedy="keep one of them, or give them names that say how they differ",
+        )
+        for names in groups.values()
+        if len(names) > 1
+    ]
+
+
+def _bare(name: str) -> str:
+    return "".join(part.lstrip("0") or "0" for part in re.findall(r"[a-z]+|[0-9]+", name.lower()))
 
 
 def _all_names(book: Book, name: str) -> tuple[str, ...]:

@@ -1,0 +1,37 @@
+"""A worked-out matrix as a file: page, Markdown, workbook or YAML, by its ending; whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from torquerig.decide.working import WorkedOut
+
+
+def write_matrix(worked: WorkedOut, path: Path) -> None:
+    """Write ``path`` as .html, .md, .xlsx or .yaml; what stood there is replaced when the new one is complete."""
+    partial = path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")
+    try:
+        if path.suffix.lower() == ".xlsx":
+            from torquerig.report.workbook_matrix import write_matrix_workbook
+
+            write_matrix_workbook(partial, worked)
+        else:
+            partial.write_text(_text(worked, path.suffix.lower()), encoding="utf-8", newline="\n")
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def _text(worked: WorkedOut, ending: str) -> str:
+    if ending == ".html":
+        from torquerig.report.matrix_page import matrix_page
+
+        return matrix_page(worked)
+    if ending == ".md":
+        from torquerig.report.matrix_markdown import matrix_markdown
+
+        return matrix_markdown(worked)
+    from torquerig.decide.matrix_writing import matrix_yaml
+
+    return matrix_yaml(worked.case)
