@@ -5,6 +5,7 @@ removal is the same run (same seed) without any line mechanism. Run: python benc
 """
 
 import sys
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -15,9 +16,13 @@ from torquerig.document import read_document
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.load_response import load_response
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.signals.chain import Chain
 from torquerig.signals.chain_file import read_chains
+from torquerig.signals.filters.load_inverse import LoadInverse
+from torquerig.signals.load_response import LoadResponse
 from torquerig.signals.recording import Recording
 from torquerig.simulate.simulate import simulate
 
@@ -44,6 +49,26 @@ def run_of(scenario: Scenario, rig: Rig, *, seconds: float, seed: int) -> Record
     return replace(made, run=rig.run)
 
 
+def chains_of(scenario: Scenario, response: LoadResponse) -> Mapping[str, Chain]:
+    kinematics = kinematics_of(scenario.rig)
+    return read_chains(shipped_scenarios() / "filters.yaml", kinematics=kinematics, response=response)
+
+
+def wrong_models(rig: Rig) -> Iterator[tuple[str, Rig]]:
+    """Yield models that are 10 % wrong, each in its own way."""
+    changes = {
+        "all springs 10 % stiffer": ("stiffness", 1.1),
+        "all springs 10 % softer": ("stiffness", 0.9),
+        "all inertias 10 % larger": ("inertia", 1.1),
+        "all dampers 10 % stronger": ("damping", 1.1),
+    }
+    for told, (key, factor) in changes.items():
+        parts = tuple(
+            replace(part, **{key: getattr(part, key) * factor}) if hasattr(part, key) else part for part in rig.parts
+        )
+        yield told, replace(rig, parts=parts)
+
+
 def measured(recording: Recording, *, encoder: bool) -> Recording:
     """Return what the rig records, without truth and, where asked for, without its encoder."""
     bare = recording.without_truth()
@@ -55,13 +80,19 @@ def main(seconds: float, seeds: int) -> None:
     print(f"rms error to the true load [N m], {seconds:g} s, {seeds} seeds; times perfect line removal")
     for occupancy in OCCUPANCIES:
         scenario = scenario_at(occupancy)
-        chains = read_chains(shipped_scenarios() / "filters.yaml", kinematics=kinematics_of(scenario.rig))
+        chains = chains_of(scenario, load_response(scenario.rig))
         errors: dict[str, list[float]] = {}
         for seed in range(1, seeds + 1):
             run = run_of(scenario, scenario.rig, seconds=seconds, seed=seed)
             clean = run_of(scenario, without_lines(scenario.rig), seconds=seconds, seed=seed)
             # the load sees the same draws, but the shaft turns a little differently: each against its own truth
             errors.setdefault("perfect", []).append(truth_error(clean, clean))
+            reading = measured(run, encoder=True)
+            for told, rig in wrong_models(scenario.rig):
+                for retune, how in ((0.15, "retuned"), (0.0, "trusted")):
+                    stage = LoadInverse(response=load_response(rig), retune=retune)
+                    answer = stage.apply(chains["order_lines"].apply(reading))
+                    errors.setdefault(f"inverse, model with {told}, {how}", []).append(truth_error(answer, run))
             for name, chain in chains.items():
                 for encoder in (True, False):
                     answer = chain.apply(measured(run, encoder=encoder))

@@ -67,7 +67,10 @@ def test_the_text_of_the_seed_puts_the_shaft_lines_back(frequency, gain):
 
 def test_the_shipped_chains_hold_the_seed_chains():
     chains = read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=SEED_MOTOR)
-    assert list(chains) == ["none", "seed_code", "seed_text", "low_pass_20Hz", "order_lines", "order_lines_low_pass"]
+    assert list(chains) == [
+        "none", "seed_code", "seed_text", "low_pass_20Hz", "order_lines", "order_lines_low_pass", "order_lines_inverse",
+    ]  # fmt: skip
+    assert chains["order_lines_inverse"].left_out[-1] == "load_inverse: no model of the rig is known here"
     assert chains["seed_code"] == seed_code_chain(SEED_MOTOR)
     assert chains["seed_text"] == seed_text_chain(SEED_MOTOR)
     assert chains["low_pass_20Hz"].stages == (ButterworthLowPass(cutoff=20.0, order=4),)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,10 +12,15 @@ from torquerig.signals.chain import Chain
 
 if TYPE_CHECKING:
     from torquerig.signals.kinematics import Kinematics
+    from torquerig.signals.load_response import LoadResponse
 
 
 def read_chains(
-    source: Document | Path, *, kinematics: Kinematics, within: tuple[str, ...] = ("filters",)
+    source: Document | Path,
+    *,
+    kinematics: Kinematics,
+    response: LoadResponse | None = None,
+    within: tuple[str, ...] = ("filters",),
 ) -> Mapping[str, Chain]:
     """Return the chains under the key ``filters`` by name, in the order of the file, for one drive.
 
@@ -25,6 +30,8 @@ def read_chains(
         ``filters: {NAME: [{type: ideal_bandstop, lines: {motor: 1..4}, half_width: 0.5 Hz}, ...], ...}``
     kinematics : Kinematics
         Poles, slots, ratio and teeth that the lines' orders follow from.
+    response : LoadResponse, optional
+        What a model of the rig says the sensor makes of the load; without it, ``load_inverse`` stages are left out.
     within : tuple of str
         Where in the document the chains stand.
 
@@ -43,7 +50,15 @@ def read_chains(
         data = data[key]
     chains = {}
     for name, texts in validated(document, CHAINS, within=within).items():
-        made = [text.made_for(kinematics) for text in texts]
+        made = [text.made_for(kinematics, response) for text in texts]
         left_out = dict.fromkeys(word for _, words in made for word in words)
         chains[name] = Chain(name=name, stages=tuple(stage for stage, _ in made), left_out=tuple(left_out))
     return chains
+
+
+def needs_response(document: Document, names: Iterable[str], *, within: tuple[str, ...] = ("filters",)) -> bool:
+    """Return whether any of the named chains takes a model's response back; making one takes half a second."""
+    data = document.data
+    for key in within:
+        data = data.get(key) if isinstance(data, Mapping) else None
+    return isinstance(data, Mapping) and any("load_inverse" in str(data.get(name)) for name in names)

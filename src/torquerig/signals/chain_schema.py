@@ -10,16 +10,18 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter
 
 from torquerig.errors import did_you_mean
 from torquerig.parameter import Parameter
-from torquerig.signals.chain import select_lines
+from torquerig.signals.chain import Chain, select_lines
 from torquerig.signals.filters.butterworth import ButterworthLowPass
 from torquerig.signals.filters.harmonic_regression import HarmonicRegression
 from torquerig.signals.filters.ideal_bandstop import IdealBandstop
+from torquerig.signals.filters.load_inverse import LoadInverse
 from torquerig.signals.filters.moving_mean import MovingMeanKept
 from torquerig.signals.filters.notch_bank import CausalNotchBank, NotchBank
 from torquerig.signals.filters.order_bandstop import OrderBandstop
 from torquerig.signals.filters.revolution_mean import RevolutionMean
 from torquerig.signals.filters.weighed_lines import WeighedLines
 from torquerig.signals.kinematics import FAMILIES, Family, Kinematics
+from torquerig.signals.load_response import LoadResponse
 from torquerig.signals.stage import Stage
 
 _HIGHEST_HARMONIC = 100
@@ -63,8 +65,11 @@ class _StageText(BaseModel, ABC):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     @abstractmethod
-    def made_for(self, kinematics: Kinematics) -> Made:
-        """Return the stage for one drive, and what of its lines that drive does not have."""
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the stage for one drive, and what of its lines that drive does not have.
+
+        ``response`` is what a model of the rig says the sensor makes of the load, where there is one.
+        """
 
 
 class IdealBandstopText(_StageText):
@@ -74,7 +79,7 @@ class IdealBandstopText(_StageText):
     lines: Lines
     half_width: Annotated[float, Parameter("Hz", "half of each band", above=0)] = 0.5
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the band-stop for one drive."""
         lines, left_out = select_lines(kinematics, self.lines)
         return IdealBandstop(lines=lines, half_width=self.half_width), left_out
@@ -87,7 +92,7 @@ class HarmonicRegressionText(_StageText):
     lines: Lines
     block: Annotated[float, Parameter("s", "length of a block", above=0)] = 4.0
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the regression for one drive."""
         lines, left_out = select_lines(kinematics, self.lines)
         return HarmonicRegression(lines=lines, block=self.block), left_out
@@ -101,7 +106,7 @@ class WeighedLinesText(_StageText):
     block: Annotated[float, Parameter("s", "length of a block", above=0)] = 30.0
     changing_block: Annotated[float, Parameter("s", "length of a block in runs that are not steady", above=0)] = 4.0
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the stage for one drive."""
         lines, left_out = select_lines(kinematics, self.lines)
         return WeighedLines(lines=lines, block=self.block, changing_block=self.changing_block), left_out
@@ -114,7 +119,7 @@ class OrderBandstopText(_StageText):
     lines: Lines
     half_width: Annotated[float, Parameter("1/rev", "half of each band, in orders of the output shaft", above=0)] = 0.05
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the band-stop for one drive."""
         lines, left_out = select_lines(kinematics, self.lines)
         return OrderBandstop(lines=lines, half_width=self.half_width), left_out
@@ -128,7 +133,7 @@ class NotchBankText(_StageText):
     half_width: Annotated[float, Parameter("Hz", "half of each notch at -3 dB", above=0)] = 0.5
     causal: bool = False
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the notches for one drive."""
         lines, left_out = select_lines(kinematics, self.lines)
         made = CausalNotchBank if self.causal else NotchBank
@@ -142,7 +147,7 @@ class ButterworthLowPassText(_StageText):
     cutoff: Annotated[float, Parameter("Hz", "cutoff frequency", above=0)]
     order: Annotated[int, Field(ge=1, le=10)] = 4
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the low-pass; it is the same for every drive."""
         return ButterworthLowPass(cutoff=self.cutoff, order=self.order), ()
 
@@ -153,9 +158,22 @@ class RevolutionMeanText(_StageText):
     type: Literal["revolution_mean"]
     turns: Annotated[float, Parameter("1", "turns of the output shaft", above=0)] = 1.0
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the mean for one drive."""
         return RevolutionMean(ratio=kinematics.ratio, turns=self.turns), ()
+
+
+class LoadInverseText(_StageText):
+    """The YAML of the rig's response taken back; without a model of the rig it changes nothing and says so."""
+
+    type: Literal["load_inverse"]
+    retune: Annotated[float, Field(ge=0, le=0.5)] = 0.15
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the inverse, or an empty chain where no model is known."""
+        if response is None:
+            return Chain(name="load_inverse", stages=()), ("load_inverse: no model of the rig is known here",)
+        return LoadInverse(response=response, retune=self.retune), ()
 
 
 class MovingMeanKeptText(_StageText):
@@ -165,9 +183,9 @@ class MovingMeanKeptText(_StageText):
     samples: Annotated[int, Field(ge=1)]
     around: list[StageText]
 
-    def made_for(self, kinematics: Kinematics) -> Made:
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the rolling mean around its stages for one drive."""
-        made = [stage.made_for(kinematics) for stage in self.around]
+        made = [stage.made_for(kinematics, response) for stage in self.around]
         stage = MovingMeanKept(samples=self.samples, around=tuple(stage for stage, _ in made))
         return stage, tuple(word for _, left_out in made for word in left_out)
 
@@ -180,6 +198,7 @@ _Texts = (
     | NotchBankText
     | ButterworthLowPassText
     | RevolutionMeanText
+    | LoadInverseText
     | MovingMeanKeptText
 )
 _TYPES = tuple(str(get_args(text.model_fields["type"].annotation)[0]) for text in get_args(_Texts))

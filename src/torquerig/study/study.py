@@ -10,9 +10,10 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, did_you_mean
 from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.load_response import load_response
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.chain import Chain
-from torquerig.signals.chain_file import read_chains
+from torquerig.signals.chain_file import needs_response, read_chains
 from torquerig.study.settings import Settings, read_settings
 
 
@@ -33,8 +34,9 @@ class Study:
         InputError
             When the study names a chain that the file does not have.
         """
-        made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig))
         wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
+        response = load_response(scenario.rig) if needs_response(self.filters, wanted) else None
+        made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig), response=response)
         for name in wanted:
             if name not in made:
                 key = ("filters", "names") if name in self.settings.filters.names else ("present", "filter")

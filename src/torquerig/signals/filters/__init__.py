@@ -8,6 +8,7 @@ revolution_mean      mean over whole turns of the output shaft
 order_bandstop       narrow bands around the lines, by the motor's angle
 weighed_lines        fitted sines, each subtracted by as much as it stands out of the load
 harmonic_regression  fitted sines of the lines, following the motor's angle, subtracted
+load_inverse         the load that the reading came from, by the rig's own response
 
 What they stand on:
 biquads              cascades of second-order sections, causal or both ways, with quiet edges; biquad_stream: in pieces

@@ -1,0 +1,47 @@
+"""What the linear twin says the sensor makes of the load: the model that a load inverse takes back."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from torquerig.errors import InputError
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Load
+from torquerig.signals.load_response import LoadResponse
+from torquerig.signals.stages.amplifier import AmplifierLowPass
+from torquerig.simulate.twin.plant import load_input
+from torquerig.simulate.twin.twin import twin_of
+
+LOWEST, HIGHEST, POINTS = 0.05, 12_500.0, 6_000  # Hz; 0.2 % from one to the next, a tenth of the sharpest mode
+
+
+def load_response(rig: Rig) -> LoadResponse:
+    """Return the reading per true load of the rig's twin at its operating point, speed loop and amplifier included.
+
+    The true load is all that opposes the wear part's motion, friction included: the twin's transfer from the load to
+    the measured torque over that from the load to the opposing torque.
+
+    Raises
+    ------
+    InputError
+        For a rig without a load, whose reading is of nothing.
+    """
+    twin = twin_of(rig)
+    rows = [row for row, term in enumerate(twin.lowered.load_terms) if isinstance(term, Load)]
+    if not rows:
+        raise InputError("the rig has no load whose torque could be read back; add one, such as a particle_load")
+    frequencies = np.geomspace(LOWEST, HIGHEST, POINTS)
+    cause = load_input(twin.lowered, rows[0])
+    worn = twin.lowered.nodes[int(twin.lowered.loads.on[rows[0]])]
+    system = twin.closed_loop.only(inputs=[cause], outputs=[twin.sensor, f"opposing torque on {worn}"])
+    read, opposing = system.response(frequencies)[:, :, 0].T
+    for stage in rig.stages():
+        if isinstance(stage, AmplifierLowPass):
+            read = read * _butterworth(frequencies / stage.cutoff, stage.order)
+    return LoadResponse(frequencies, read / opposing, "the linear twin of the scenario's rig")
+
+
+def _butterworth(ratio: np.ndarray, order: int) -> np.ndarray:
+    """Return the analog Butterworth low-pass at ``ratio`` times its cutoff."""
+    poles = np.exp(1j * np.pi * (2 * np.arange(order) + order + 1) / (2 * order))
+    return np.asarray(np.prod(-poles / (1j * ratio[:, None] - poles), axis=1))
