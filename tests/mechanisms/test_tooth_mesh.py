@@ -32,7 +32,7 @@ def geared(teeth: Planetary | Spur, *effects: Part, speed_rpm: float = 1000.0) -
             gear,
             Coupling(name="sensor", after="gearbox", stiffness=1100, damping=0.12, inertia=4e-5),
             Body(name="wear_part", after="sensor", inertia=2e-3),
-            SpeedController(name="controller", kp=1e-6, ki=0.0),
+            SpeedController(name="controller", kp=0.01, ki=0.1),  # a mesh in a damper brakes
             *effects,
         ),
         Run(speed=speed_rpm * pi / 30),

@@ -23,4 +23,4 @@ def test_a_change_of_any_file_changes_the_key(tmp_path: Path, monkeypatch: pytes
 
 def test_the_loop_closes_over_the_key() -> None:
     """Numba's documented rule: what a function closes over is part of the key of its cache on disk."""
-    assert inspect.getclosurevars(loop.integrate.py_func).nonlocals["key"] == sources.sources_key()
+    assert inspect.getclosurevars(loop.advance.py_func).nonlocals["key"] == sources.sources_key()

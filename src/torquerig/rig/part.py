@@ -75,6 +75,10 @@ class Part:
         """Return the kinematic error [rad] that this part gives to the gear or coupling ``gear``; mostly none."""
         return ()
 
+    def stiffness_waves(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
+        """Return by how much of its mean [1] this part lets the stiffness of the gear or coupling ``gear`` vary."""
+        return ()
+
     def extra_gap(self, gear: str) -> float:
         """Return the gap [rad] that this part adds to the gear ``gear``; none for most parts."""
         return 0.0

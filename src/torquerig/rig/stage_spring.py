@@ -10,12 +10,12 @@ def stage_spring(
     rig: Rig, name: str, *, stiffness: float, damping: float, gap: float = 0.0, ratio: float = 1.0,
     efficiency: float = 1.0,
 ) -> Spring:  # fmt: skip
-    """Return the spring of the part ``name`` with the kinematic errors and gaps that effects add to it.
+    """Return the spring of the part ``name`` with the errors, gaps and stiffness waves that effects add to it.
 
     Parameters
     ----------
     rig : Rig
-        Whose parts are asked for their ``kinematic_error`` and ``extra_gap``.
+        Whose parts are asked for their ``kinematic_error``, ``stiffness_waves`` and ``extra_gap``.
     stiffness, damping, gap
         At the output [N m/rad], [N m s/rad], [rad].
     ratio, efficiency
@@ -31,4 +31,5 @@ def stage_spring(
         ratio=ratio,
         efficiency=efficiency,
         error=tuple(wave for part in rig.parts for wave in part.kinematic_error(name, rig)),
+        stiffness_waves=tuple(wave for part in rig.parts for wave in part.stiffness_waves(name, rig)),
     )

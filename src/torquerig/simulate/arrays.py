@@ -65,6 +65,41 @@ class Frictions(NamedTuple):
     inverse_smoothing: Floats
 
 
+class Varied(NamedTuple):
+    """Springs whose stiffness has waves, relative to its mean."""
+
+    spring: Rows
+    damping_follows: Rows  # 1 where the damping varies alike
+    first: Starts
+    slot: Rows
+    order: Floats
+    c: Floats
+    s: Floats
+
+
+class Bristles(NamedTuple):
+    """Bristle frictions; column 0 backward, column 1 forward."""
+
+    on: Rows
+    against: Rows
+    stiffness: Floats
+    damping: Floats
+    coulomb: Floats  # (bristles, 2)
+    excess: Floats  # (bristles, 2): static minus Coulomb
+    inverse_stribeck: Floats
+    viscous: Floats
+
+
+class AngleLoads(NamedTuple):
+    """Torques over the angle; all grids one after the other, each with its first point once more at its end."""
+
+    on: Rows
+    inverse_smoothing: Floats
+    points_per_radian: Floats
+    first: Starts  # (angle loads + 1,)
+    values: Floats
+
+
 class Loads(NamedTuple):
     """Sampled torques, linear between samples: they oppose a node's motion, or drive it where the smoothing is 0."""
 
@@ -102,6 +137,18 @@ class Drives(NamedTuple):
     demand: Floats  # (drives, settling + samples + 1)
 
 
+class Sensings(NamedTuple):
+    """What each drive sees of its speed; the error's waves are made where they are needed, once a sample."""
+
+    ideal: Rows  # 1 where it sees the true speed
+    step: Floats  # (drives,) [rad] of a count, 0: continuous
+    filter_time: Floats
+    first: Starts
+    order: Floats
+    c: Floats
+    s: Floats
+
+
 class Imposed(NamedTuple):
     """Nodes whose motion is given at every sample."""
 
@@ -130,4 +177,8 @@ class Terms(NamedTuple):
     loads: Loads
     blades: Blades
     drives: Drives
+    sensings: Sensings
     imposed: Imposed
+    varied: Varied
+    bristles: Bristles
+    angle_loads: AngleLoads

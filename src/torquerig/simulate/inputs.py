@@ -66,7 +66,11 @@ def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
         drives=lowered.drives._replace(
             reference=np.tile(reference, (len(demands), 1)), demand=_stacked(demands, time.size)
         ),
+        sensings=lowered.sensings,
         imposed=_imposed(lowered, span, reference),
+        varied=lowered.varied,
+        bristles=lowered.bristles,
+        angle_loads=lowered.angle_loads,
     )
 
 

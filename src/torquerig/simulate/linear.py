@@ -37,15 +37,14 @@ class Matrices:
         return np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ self.stiffness, -inverse @ self.damping]])
 
 
-def matrices(lowered: Lowered) -> Matrices:
-    """Return M, C and K of a lowered rig."""
+def matrices(lowered: Lowered, *, stiffest: bool = False) -> Matrices:
+    """Return M, C and K of a lowered rig; ``stiffest`` with bristles stuck and varying springs at their highest."""
     n = len(lowered.nodes)
     mass = np.diag(lowered.inertia)
     damping, stiffness = np.zeros((n + 1, n + 1)), np.zeros((n + 1, n + 1))
     springs = lowered.springs
-    for a, b, k, c, r in zip(
-        springs.a, springs.b, springs.stiffness, springs.damping, springs.inverse_ratio, strict=True
-    ):
+    highest = springs.stiffness * (1 + lowered.swings()) if stiffest else springs.stiffness
+    for a, b, k, c, r in zip(springs.a, springs.b, highest, springs.damping, springs.inverse_ratio, strict=True):
         twist = np.zeros(n + 1)
         twist[a] += r
         twist[b] -= 1.0
@@ -57,6 +56,12 @@ def matrices(lowered: Lowered) -> Matrices:
         slide[on] += 1.0
         slide[against] -= 1.0
         damping += viscous * np.outer(slide, slide)
+    for on, against, k, c, viscous in zip(*lowered.bristles[:4], lowered.bristles.viscous, strict=True):
+        slide = np.zeros(n + 1)
+        slide[on] += 1.0
+        slide[against] -= 1.0
+        damping += (viscous + c if stiffest else viscous) * np.outer(slide, slide)
+        stiffness += (k if stiffest else 0.0) * np.outer(slide, slide)
     return Matrices(lowered.nodes, mass, damping[:n, :n], stiffness[:n, :n])
 
 

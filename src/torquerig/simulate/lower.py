@@ -13,8 +13,10 @@ from torquerig.errors import InputError
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import (
     GROUND,
+    AngleLoad,
     AppliedTorque,
     BladeTorque,
+    BristleFriction,
     Drive,
     Friction,
     HarmonicTorque,
@@ -26,7 +28,20 @@ from torquerig.rig.terms import (
     Wave,
 )
 from torquerig.simulate import rows
-from torquerig.simulate.arrays import Blades, Drives, Frictions, Harmonics, Imposed, Loads, Springs, Waves
+from torquerig.simulate.arrays import (
+    AngleLoads,
+    Blades,
+    Bristles,
+    Drives,
+    Frictions,
+    Harmonics,
+    Imposed,
+    Loads,
+    Sensings,
+    Springs,
+    Varied,
+    Waves,
+)
 from torquerig.simulate.rows import phase_of
 from torquerig.simulate.waves import WaveTable
 
@@ -45,6 +60,7 @@ class Lowered:
     load_terms: tuple[Load | AppliedTorque, ...]
     drive_terms: tuple[Drive, ...]
     imposed_terms: tuple[ImposedMotion, ...]
+    angle_load_terms: tuple[AngleLoad, ...]
     inertia: NDArray[np.float64]
     waves: Waves
     springs: Springs
@@ -54,10 +70,22 @@ class Lowered:
     drives: Drives  # reference and demand still empty: the run fills them
     loads: Loads  # samples still empty: the run fills them
     imposed: Imposed  # motion still empty: the run fills it
+    sensings: Sensings
+    varied: Varied
+    bristles: Bristles
+    angle_loads: AngleLoads
 
     def node(self, name: str) -> int:
         """Return the row of a node; the ground is the last."""
         return len(self.nodes) if name == GROUND else self.nodes.index(name)
+
+    def swings(self) -> NDArray[np.float64]:
+        """Return by how much of its mean the stiffness of each spring can vary at most, shape (springs,) [1]."""
+        swings = np.zeros(len(self.spring_names))
+        sizes = np.hypot(self.varied.c, self.varied.s)
+        for row, start, end in zip(self.varied.spring, self.varied.first, self.varied.first[1:], strict=False):
+            swings[row] = sizes[start:end].sum()
+        return swings
 
     def leader(self) -> str:
         """Return the node that the run's speed belongs to: the first driven, else the first imposed, else the first."""
@@ -71,15 +99,18 @@ def lower(rig: Rig, seed: int) -> Lowered:
     nodes, inertia = _nodes(terms)
     number = {name: row for row, name in enumerate(nodes)} | {GROUND: len(nodes)}
     # a wave of no amplitude must not change how the others are multiplied together
-    springs = tuple(replace(spring, error=_sounding(spring.error)) for spring in _of(terms, Spring))
+    springs = tuple(
+        replace(spring, error=_sounding(spring.error), stiffness_waves=_sounding(spring.stiffness_waves))
+        for spring in _of(terms, Spring)
+    )
     harmonics = tuple(replace(term, waves=_sounding(term.waves)) for term in _of(terms, HarmonicTorque))
     drives = tuple(replace(drive, ripple=_sounding(drive.ripple)) for drive in _of(terms, Drive))
     blades = tuple(blade for blade in _of(terms, BladeTorque) if blade.amplitude)
     loads: tuple[Load | AppliedTorque, ...] = (*_of(terms, Load), *_of(terms, AppliedTorque))
-    imposed = _of(terms, ImposedMotion)
+    imposed, angle_loads = _of(terms, ImposedMotion), _of(terms, AngleLoad)
     _refuse_two_on_a_node(imposed)
     table = WaveTable.of(
-        [(number[s.b], w.order) for s in springs for w in s.error]
+        [(number[s.b], w.order) for s in springs for w in (*s.error, *s.stiffness_waves)]
         + [(number[h.angle], w.order) for h in harmonics for w in h.waves]
         + [(number[d.on], w.order) for d in drives for w in d.ripple]
         + [(number[b.on], b.order) for b in blades]
@@ -91,6 +122,7 @@ def lower(rig: Rig, seed: int) -> Lowered:
         load_terms=loads,
         drive_terms=drives,
         imposed_terms=imposed,
+        angle_load_terms=angle_loads,
         inertia=inertia,
         waves=table.lowered(),
         springs=rows.springs_of(springs, number, table, seed),
@@ -100,6 +132,10 @@ def lower(rig: Rig, seed: int) -> Lowered:
         drives=rows.drives_of(drives, number, table, seed),
         loads=rows.loads_of(loads, number),
         imposed=rows.imposed_of(imposed, number, inertia),
+        sensings=rows.sensings_of(drives, number, seed),
+        varied=rows.varied_of(springs, number, table, seed),
+        bristles=rows.bristles_of(_of(terms, BristleFriction), number),
+        angle_loads=rows.angle_loads_of(angle_loads, number, seed),
     )
 
 

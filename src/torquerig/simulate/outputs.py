@@ -87,4 +87,5 @@ def channels_of(rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64]
 def _worn(rig: Rig, lowered: Lowered) -> int:
     """Return the node that carries the load; without one, the output side of the measured part."""
     carrying = [term.on for term in lowered.load_terms if isinstance(term, Load)]
+    carrying += [term.on for term in lowered.angle_load_terms]
     return lowered.node(carrying[0] if carrying else rig.node(rig.measured))

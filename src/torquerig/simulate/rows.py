@@ -10,9 +10,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.errors import InputError
 from torquerig.rig.terms import (
+    AngleLoad,
     AppliedTorque,
     BladeTorque,
+    BristleFriction,
     Drive,
     Friction,
     HarmonicTorque,
@@ -22,7 +25,19 @@ from torquerig.rig.terms import (
     Wave,
 )
 from torquerig.signals.recording import random_for
-from torquerig.simulate.arrays import Blades, Drives, Frictions, Harmonics, Imposed, Loads, Springs
+from torquerig.simulate.arrays import (
+    AngleLoads,
+    Blades,
+    Bristles,
+    Drives,
+    Frictions,
+    Harmonics,
+    Imposed,
+    Loads,
+    Sensings,
+    Springs,
+    Varied,
+)
 from torquerig.simulate.waves import WaveTable
 
 Numbers = Mapping[str, int]
@@ -79,6 +94,28 @@ def springs_of(springs: Sequence[Spring], number: Numbers, table: WaveTable, see
     )
 
 
+def varied_of(springs: Sequence[Spring], number: Numbers, table: WaveTable, seed: int) -> Varied:
+    """Return the springs of varying stiffness; InputError where it would fall to nothing."""
+    varied = [(row, spring) for row, spring in enumerate(springs) if spring.stiffness_waves]
+    for _, spring in varied:
+        swing = sum(abs(wave.amplitude) for wave in spring.stiffness_waves)
+        if swing >= 1:
+            raise InputError(
+                f"{spring.name}: its stiffness varies by {swing:.3g} of its mean, so that it would not be above 0 at "
+                "all angles; make the sum of the amplitudes smaller than 1"
+            )
+    waves = _phased([(f"{s.name}.stiffness", number[s.b], s.stiffness_waves) for _, s in varied], table, seed)
+    return Varied(
+        spring=_rows(row for row, _ in varied),
+        damping_follows=_rows(s.damping_follows for _, s in varied),
+        first=waves.first,
+        slot=waves.slot,
+        order=waves.order,
+        c=waves.c,
+        s=waves.s,
+    )
+
+
 def harmonics_of(terms: Sequence[HarmonicTorque], number: Numbers, table: WaveTable, seed: int) -> Harmonics:
     """Return the periodic torques, one row per wave."""
     waves = _phased([(t.name, number[t.angle], t.waves) for t in terms], table, seed)
@@ -130,6 +167,38 @@ def frictions_of(terms: Sequence[Friction], number: Numbers) -> Frictions:
     )
 
 
+def bristles_of(terms: Sequence[BristleFriction], number: Numbers) -> Bristles:
+    """Return the bristle frictions; column 0 of what depends on the direction is backward."""
+    for t in terms:
+        if min(t.coulomb_forward, t.coulomb_backward, t.static_forward, t.static_backward, t.stiffness) <= 0:
+            raise InputError(f"{t.name}: bristles need a stiffness, Coulomb and static torque above 0; state them")
+    coulomb = [(t.coulomb_backward, t.coulomb_forward) for t in terms]
+    excess = [(t.static_backward - t.coulomb_backward, t.static_forward - t.coulomb_forward) for t in terms]
+    return Bristles(
+        on=_rows(number[t.on] for t in terms),
+        against=_rows(number[t.against] for t in terms),
+        stiffness=_floats(t.stiffness for t in terms),
+        damping=_floats(t.damping for t in terms),
+        coulomb=np.array(coulomb, dtype=np.float64).reshape(-1, 2),
+        excess=np.array(excess, dtype=np.float64).reshape(-1, 2),
+        inverse_stribeck=_floats(1 / t.stribeck for t in terms),
+        viscous=_floats(t.viscous for t in terms),
+    )
+
+
+def angle_loads_of(terms: Sequence[AngleLoad], number: Numbers, seed: int) -> AngleLoads:
+    """Return the torques over the angle, drawn from the seed by their names."""
+    grids = [t.process.sample(random_for(seed, t.name)) for t in terms]
+    closed = [np.append(grid, grid[:1]) for grid in grids]
+    return AngleLoads(
+        on=_rows(number[t.on] for t in terms),
+        inverse_smoothing=_floats(1 / t.smoothing for t in terms),
+        points_per_radian=_floats(t.process.points_per_turn / (2 * pi) for t in terms),
+        first=np.concatenate([[0], np.cumsum([grid.size for grid in closed])]).astype(np.int64),
+        values=np.concatenate([*closed, np.zeros(0)]),
+    )
+
+
 def blades_of(terms: Sequence[BladeTorque], number: Numbers, table: WaveTable, seed: int) -> Blades:
     """Return the load pulses."""
     phases = [phase_of(t.name, Wave(order=t.order, amplitude=1.0, phase=t.phase), seed) for t in terms]
@@ -149,6 +218,21 @@ def loads_of(terms: Sequence[Load | AppliedTorque], number: Numbers) -> Loads:
         on=_rows(number[t.on] for t in terms),
         inverse_smoothing=_floats(1 / t.smoothing if isinstance(t, Load) else 0.0 for t in terms),
         samples=UNFILLED,
+    )
+
+
+def sensings_of(terms: Sequence[Drive], number: Numbers, seed: int) -> Sensings:
+    """Return what the drives see of their speeds."""
+    senses = [(t.name, number[t.on], t.sensing.error) for t in terms]
+    waves = _phased(senses, WaveTable.of((node, w.order) for _, node, ws in senses for w in ws), seed)
+    return Sensings(
+        ideal=_rows(t.sensing.ideal for t in terms),
+        step=_floats(2 * pi / t.sensing.counts if t.sensing.counts else 0.0 for t in terms),
+        filter_time=_floats(t.sensing.filter_time for t in terms),
+        first=waves.first,
+        order=waves.order,
+        c=waves.c,
+        s=waves.s,
     )
 
 

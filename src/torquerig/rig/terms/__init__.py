@@ -12,17 +12,21 @@ Sign convention: positive torque on a node speeds it up in the positive directio
 when ``a`` runs ahead of ``b``, which is how a driving motor loads the sensor.
 """
 
-from torquerig.rig.terms.drives import AppliedTorque, Drive, HarmonicTorque
-from torquerig.rig.terms.inputs import LoadProcess, Motion, Signal
-from torquerig.rig.terms.resistance import BladeTorque, Friction, Load
+from torquerig.rig.terms.drives import AppliedTorque, Drive, HarmonicTorque, Sensing
+from torquerig.rig.terms.inputs import AngleProcess, LoadProcess, Motion, Signal
+from torquerig.rig.terms.resistance import AngleLoad, BladeTorque, BristleFriction, Friction, Load
 from torquerig.rig.terms.shafts import GROUND, ImposedMotion, Inertia, Spring, Wave
 
-Term = Inertia | Spring | ImposedMotion | HarmonicTorque | Friction | Load | AppliedTorque | BladeTorque | Drive
+Resistance = Friction | BristleFriction | Load | AngleLoad | BladeTorque
+Term = Inertia | Spring | ImposedMotion | HarmonicTorque | AppliedTorque | Drive | Resistance
 
 __all__ = [
     "GROUND",
+    "AngleLoad",
+    "AngleProcess",
     "AppliedTorque",
     "BladeTorque",
+    "BristleFriction",
     "Drive",
     "Friction",
     "HarmonicTorque",
@@ -31,6 +35,8 @@ __all__ = [
     "Load",
     "LoadProcess",
     "Motion",
+    "Resistance",
+    "Sensing",
     "Signal",
     "Spring",
     "Term",

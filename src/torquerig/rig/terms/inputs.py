@@ -21,6 +21,24 @@ class LoadProcess(Protocol):
         ...
 
 
+class AngleProcess(Protocol):
+    """A random (or given) torque over the angle; the simulator asks it once a run."""
+
+    @property
+    def mean(self) -> float:
+        """What it is on average [N m]."""
+        ...
+
+    @property
+    def points_per_turn(self) -> int:
+        """How many points of the grid lie on a turn, > 0."""
+        ...
+
+    def sample(self, rng: np.random.Generator) -> NDArray[np.float64]:
+        """Return the torque [N m] on the points of the grid from angle 0 on, shape (points,); then it repeats."""
+        ...
+
+
 @runtime_checkable
 class Signal(Protocol):
     """A torque that is known at every time: a profile, or a measured channel that is replayed."""

@@ -32,12 +32,15 @@ class Wave:
 
 @dataclass(frozen=True, kw_only=True)
 class Spring:
-    """A spring and damper with gap, gear ratio, losses and kinematic error between two shafts.
+    """A spring and damper with gap, gear ratio, losses, kinematic error and varying stiffness between two shafts.
 
-    ``twist = theta_a / ratio - theta_b + e(theta_b)``; ``T = k twist + c d(twist)/dt``. With a gap, k counts the twist
-    beyond it, the damping torque is at most the spring's and the sum never pulls (the contact law of the Modelica
-    Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T``, ``a`` gets ``-T / (ratio eta)``
-    while power flows from a to b and ``-T eta / ratio`` when it flows back.
+    ``twist = theta_a / ratio - theta_b + e(theta_b)``; ``T = k(theta_b) twist + c d(twist)/dt``. With a gap, k counts
+    the twist beyond it, the damping torque is at most the spring's and the sum never pulls (the contact law of the
+    Modelica Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T (1 - e') - k' twist^2 /
+    2``, ``a`` gets ``-T / (ratio eta)`` while power flows from a to b and ``-T eta / ratio`` when it flows back.
+
+    The primed terms (derivatives by theta_b) follow from the energy ``k(theta_b) twist^2 / 2`` that spring and shafts
+    share: an error or a stiffness that turns with the shaft does no work of its own, the housing bears the difference.
 
     Parameters
     ----------
@@ -57,6 +60,10 @@ class Spring:
         Share of the power that arrives [1].
     error : tuple of Wave
         Kinematic (transmission) error e [rad] on the side of b, a function of the angle of b.
+    stiffness_waves : tuple of Wave
+        ``k = stiffness (1 + sum of waves)``, a function of the angle of b [1]; the amplitudes' sum is below 1.
+    damping_follows : bool
+        Whether c varies with k, or stays.
     """
 
     name: str
@@ -68,6 +75,8 @@ class Spring:
     ratio: float = 1.0
     efficiency: float = 1.0
     error: tuple[Wave, ...] = ()
+    stiffness_waves: tuple[Wave, ...] = ()
+    damping_follows: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,23 +5,17 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-FAST = {"contract", "reassoc", "arcp", "nsz", "afn"}  # not nnan and ninf: a run that blows up must be seen
+from torquerig.simulate.kernel.direction import FAST, direction
+from torquerig.simulate.kernel.rare import bend, drag, share_of_turning, vary
 
 
 @njit(fastmath=FAST, inline="always")
-def direction(speed: float, inverse_smoothing: float) -> float:
-    """Return the sign of a speed, smoothed as tanh."""
-    scaled = speed * inverse_smoothing
-    if scaled > 20.0:
-        return 1.0
-    if scaled < -20.0:
-        return -1.0
-    return np.tanh(scaled)
+def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, contact, opposing, torque,
+           rare, stiffness, damping, twisted, bristle, bristle_slope, fastest):  # fmt: skip
+    """Fill ``torque`` (per node) and the by-products of one evaluation.
 
-
-@njit(fastmath=FAST, inline="always")
-def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, contact, opposing, torque):
-    """Fill ``torque`` (per node) and the by-products of one evaluation."""
+    ``stiffness`` and ``damping`` are those of the springs now; ``rare`` says whether there is a term of ``rare.py``.
+    """
     waves, springs, harmonics, frictions = terms.waves, terms.springs, terms.harmonics, terms.frictions
     loads, blades, drives = terms.loads, terms.blades, terms.drives
     torque[:] = 0.0
@@ -34,6 +28,8 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         to, p, q = i + waves.base_node.size, waves.first[i], waves.second[i]
         cosine[to] = cosine[p] * cosine[q] - sine[p] * sine[q]
         sine[to] = sine[p] * cosine[q] + cosine[p] * sine[q]
+    if rare:
+        vary(terms.varied, springs, cosine, sine, stiffness, damping)
     for i in range(harmonics.on.size):
         slot = harmonics.slot[i]
         value = harmonics.c[i] * cosine[slot] - harmonics.s[i] * sine[slot]
@@ -42,17 +38,18 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
     for i in range(springs.a.size):
         a, b, r = springs.a[i], springs.b[i], springs.inverse_ratio[i]
         twist = theta[a] * r - theta[b]
-        rate = omega[a] * r - omega[b]
+        lean = 1.0  # 1 - e': what the kinematic error makes of the lever on b
         for j in range(springs.e_first[i], springs.e_first[i + 1]):
             slot = springs.e_slot[j]
             twist += springs.e_cos[j] * cosine[slot] - springs.e_sin[j] * sine[slot]
-            slope = springs.e_cos[j] * sine[slot] + springs.e_sin[j] * cosine[slot]
-            rate -= springs.e_order[j] * slope * omega[b]
+            lean += springs.e_order[j] * (springs.e_cos[j] * sine[slot] + springs.e_sin[j] * cosine[slot])
+        rate = omega[a] * r - omega[b] * lean
+        twisted[i] = twist
         half = springs.half_gap[i]
         if half > 0.0:
             side = 1.0 if twist > 0.0 else -1.0
-            pressed = springs.stiffness[i] * (side * twist - half)
-            damped = side * springs.damping[i] * rate
+            pressed = stiffness[i] * (side * twist - half)
+            damped = side * damping[i] * rate
             if pressed <= 0.0:
                 value, contact[i] = 0.0, 0.0
             elif damped > pressed:
@@ -62,9 +59,9 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
             else:
                 value, contact[i] = 0.0, 3.0 * side
         else:
-            value = springs.stiffness[i] * twist + springs.damping[i] * rate
+            value = stiffness[i] * twist + damping[i] * rate
         spring_torque[i] = value
-        torque[b] += value
+        torque[b] += value * lean
         back = value * r
         if springs.loss_half[i] != 0.0:
             flow = direction(omega[b], 50.0) if value > 0.0 else -direction(omega[b], 50.0)
@@ -107,3 +104,7 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         value = tau[i] * factor
         torque[drives.on[i]] += value
         torque[drives.against[i]] -= value
+    if rare:
+        share_of_turning(terms.varied, springs, cosine, sine, twisted, spring_torque, torque)
+        bend(terms.bristles, omega, bristle, bristle_slope, fastest, torque, opposing)
+        drag(terms.angle_loads, theta, omega, torque, opposing)

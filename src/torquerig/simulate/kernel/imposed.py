@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from numba import njit
 
+from torquerig.simulate.kernel.direction import UNCOUNTED
 
-@njit(inline="always")
+
+@njit(**UNCOUNTED)
 def impose(imposed, sample, part, period, theta, omega):
     """Set angle and speed of the imposed nodes ``part`` (0..1) of a period behind ``sample``."""
     for i in range(imposed.on.size):
@@ -18,7 +20,7 @@ def impose(imposed, sample, part, period, theta, omega):
         omega[imposed.on[i]] = (start + part * (2.0 * bend + part * 3.0 * twist)) / period
 
 
-@njit(inline="always")
+@njit(**UNCOUNTED)
 def imposing_torque(imposed, i, sample, period, torque):
     """Return what imposing the motion takes at the instant of ``sample`` [N m]: inertia less all other torques."""
     if sample >= imposed.release[i]:
@@ -28,7 +30,7 @@ def imposing_torque(imposed, i, sample, period, torque):
     return imposed.inertia[i] * 2.0 * bend / (period * period) - torque[imposed.on[i]]
 
 
-@njit(inline="always")
+@njit(**UNCOUNTED)
 def free(imposed, sample, inverse_inertia):
     """Let the nodes go whose release is at ``sample``; hold those that are imposed from the start."""
     for i in range(imposed.on.size):

@@ -12,11 +12,14 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from torquerig.simulate.arrays import Floats, Outputs, Terms
 from torquerig.simulate.kernel.control import control
-from torquerig.simulate.kernel.forces import FAST, forces
+from torquerig.simulate.kernel.direction import FAST, UNCOUNTED
+from torquerig.simulate.kernel.forces import forces
 from torquerig.simulate.kernel.imposed import free, impose
 from torquerig.simulate.kernel.keep import keep
 from torquerig.simulate.kernel.sources import sources_key
+from torquerig.simulate.kernel.work import work_for
 
 LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
 
@@ -24,47 +27,29 @@ LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
 def _built(key: int) -> Callable[..., Any]:
     """Return the compiled loop; ``key`` is closed over so that the cache on disk is keyed by it."""
 
-    @njit(cache=True, nogil=True, fastmath=FAST)
-    def integrate(theta, omega, terms, outputs, rate, settling, substeps, kept):
-        """Step the rig through ``settling`` samples that are not kept and ``kept.shape[1]`` that are.
-
-        Parameters
-        ----------
-        theta, omega : ndarray, shape (nodes + 1,)
-            Start angles [rad] and speeds [rad/s]; changed in place to the end state; the ground is last.
-        terms : Terms
-        rate : float
-            Samples and control steps per second [Hz].
-        kept : ndarray, shape (outputs, samples)
-            Filled with the outputs at the instant of each sample.
-
-        Returns
-        -------
-        failed_sample, failed_node : int
-            -1, -1 when the run went through; else where a speed ceased to be finite (sample counted from the start of
-            settling).
-        """
-        drives, loads, imposed = terms.drives, terms.loads, terms.imposed
-        inverse_inertia = terms.inverse_inertia.copy()
-        nodes, n_drives, n_springs = theta.size, drives.on.size, terms.springs.a.size
-        moving = nodes - 1  # all but the ground
-        slots = terms.waves.base_node.size + terms.waves.first.size
-        cosine, sine = np.zeros(slots), np.zeros(slots)
-        spring_torque, contact, contact_before = np.zeros(n_springs), np.zeros(n_springs), np.zeros(n_springs)
-        opposing, torque, torque_before = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
-        tau, integral, command = np.zeros(n_drives), np.zeros(n_drives), np.zeros(n_drives)
-        theta_k, omega_k, tau_k = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
-        theta_sum, omega_sum, tau_sum = np.zeros(nodes), np.zeros(nodes), np.zeros(n_drives)
-        load_now = np.zeros(loads.on.size)
-        gaps = np.flatnonzero(terms.springs.half_gap > 0.0)
+    @njit(cache=True, nogil=True, fastmath=FAST, **UNCOUNTED)
+    def advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work):
+        drives, loads, imposed, bristles = terms.drives, terms.loads, terms.imposed, terms.bristles
+        moving, n_drives, n_bristles = theta.size - 1, drives.on.size, bristles.on.size  # moving: all but the ground
+        cosine, sine, load_now, inverse_inertia = work.cosine, work.sine, work.load_now, work.inverse_inertia
+        spring_torque, contact, contact_before = work.spring_torque, work.contact, work.contact_before
+        stiffness, damping, twisted, gaps = work.stiffness, work.damping, work.twisted, work.gaps
+        opposing, torque, torque_before = work.opposing, work.torque, work.torque_before
+        integral, command, seen_angle, seen_speed = work.integral, work.command, work.seen_angle, work.seen_speed
+        theta_k, omega_k, theta_sum, omega_sum = work.theta_k, work.omega_k, work.theta_sum, work.omega_sum
+        tau, tau_k, tau_sum = work.tau, work.tau_k, work.tau_sum
+        bend, bend_k, bend_sum = work.bend, work.bend_k, work.bend_sum
+        bend_slope, bend_before = work.bend_slope, work.bend_before
         period = 1.0 / rate
         h = period / substeps
-        rare = imposed.on.size > 0 or key < 0  # terms that most rigs lack: one test skips them all
+        fastest = 1.0 / h  # [1/s] at which a bristle may follow
+        # terms that most rigs lack: one test skips them all; a key is never below 0
+        rare = imposed.on.size + n_bristles + terms.varied.spring.size + terms.angle_loads.on.size > 0 or key < 0
         for sample in range(settling + kept.shape[1]):
             if rare:
                 free(imposed, sample, inverse_inertia)
                 impose(imposed, sample, 0.0, period, theta, omega)
-            control(drives, sample, omega, period, integral, command)
+            control(drives, terms.sensings, sample, theta, omega, period, integral, command, seen_angle, seen_speed)
             # the very first pass has no length: it makes the forces at the start; later ones are there
             for step in range(-1 if sample == 0 else 0, substeps):
                 if step == 0 and sample >= settling:
@@ -96,6 +81,10 @@ def _built(key: int) -> Callable[..., Any]:
                         for i in range(n_drives):
                             slope = (command[i] - tau[i]) * drives.inverse_lag[i]
                             tau_sum[i], tau_k[i] = length / 6.0 * slope, tau[i] + 0.5 * length * slope
+                        if rare:
+                            for i in range(n_bristles):
+                                bend_sum[i] = length / 6.0 * bend_before[i]
+                                bend_k[i] = bend[i] + 0.5 * length * bend_before[i]
                         for stage in range(3 if step < 0 else 0, 4):
                             ahead = 0.5 * length if stage < 2 else length
                             if stage == 3:
@@ -103,14 +92,19 @@ def _built(key: int) -> Callable[..., Any]:
                                     theta_k[i], omega_k[i] = theta[i] + theta_sum[i], omega[i] + omega_sum[i]
                                 for i in range(n_drives):
                                     tau_k[i] = tau[i] + tau_sum[i]
+                                if rare:
+                                    for i in range(n_bristles):
+                                        bend_k[i] = bend[i] + bend_sum[i]
                             part = (start + ahead) * rate
                             for i in range(loads.on.size):
                                 u = loads.samples[i, sample]
                                 load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
                             if rare:
                                 impose(imposed, sample, part, period, theta_k, omega_k)
-                            forces(theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
-                                    opposing, torque)  # fmt: skip
+                            forces(
+                                theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
+                                opposing, torque, rare, stiffness, damping, twisted, bend_k, bend_slope, fastest,
+                            )  # fmt: skip
                             if stage == 3:
                                 break
                             weight = length / 6.0 if stage == 2 else length / 3.0
@@ -125,10 +119,15 @@ def _built(key: int) -> Callable[..., Any]:
                                 slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
                                 tau_sum[i] += weight * slope
                                 tau_k[i] = tau[i] + ahead * slope
+                            if rare:
+                                for i in range(n_bristles):
+                                    bend_sum[i] += weight * bend_slope[i]
+                                    bend_k[i] = bend[i] + ahead * bend_slope[i]
                         if accepted:
                             break
                         kinked = False
-                        for gap in gaps:
+                        for g in range(gaps.size):
+                            gap = gaps[g]
                             kinked = kinked or contact[gap] != contact_before[gap]
                         if whole and not kinked:
                             break
@@ -143,7 +142,11 @@ def _built(key: int) -> Callable[..., Any]:
                         theta[i], omega[i], torque_before[i] = theta_k[i], omega_k[i], torque[i]
                     for i in range(n_drives):
                         tau[i] = tau_k[i]
-                    for gap in gaps:
+                    if rare:
+                        for i in range(n_bristles):
+                            bend[i], bend_before[i] = bend_k[i], bend_slope[i]
+                    for g in range(gaps.size):
+                        gap = gaps[g]
                         contact_before[gap] = contact[gap]
                     start += length
                     remaining -= length
@@ -153,7 +156,39 @@ def _built(key: int) -> Callable[..., Any]:
                     return sample, i
         return -1, -1
 
-    return integrate
+    return advance
 
 
-integrate = _built(sources_key())
+advance = _built(sources_key())
+
+
+def integrate(
+    theta: Floats,
+    omega: Floats,
+    terms: Terms,
+    outputs: Outputs,
+    rate: float,
+    settling: int,
+    substeps: int,
+    kept: Floats,
+) -> tuple[int, int]:
+    """Step the rig through ``settling`` samples that are not kept and ``kept.shape[1]`` that are.
+
+    Parameters
+    ----------
+    theta, omega : ndarray, shape (nodes + 1,)
+        Start angles [rad] and speeds [rad/s]; changed in place to the end state; the ground is last.
+    terms : Terms
+    rate : float
+        Samples and control steps per second [Hz].
+    kept : ndarray, shape (outputs, samples)
+        Filled with the outputs at the instant of each sample.
+
+    Returns
+    -------
+    failed_sample, failed_node : int
+        -1, -1 when the run went through; else where a speed ceased to be finite (sample counted from the start of
+        settling).
+    """
+    failed: tuple[int, int] = advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work_for(terms))
+    return failed

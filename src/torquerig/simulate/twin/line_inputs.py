@@ -50,7 +50,7 @@ def line_inputs(
         turning = float(order * point.speeds[node])
         value = phasor * np.exp(1j * order * start_angles[node])
         column = entering.setdefault(turning, np.zeros(len(open_loop.inputs), dtype=np.complex128))
-        for at, share in _columns(name, open_loop, turning, lowered):
+        for at, share in _columns(name, open_loop, turning, lowered, point):
             column[at] += share * value
     angular = np.array(list(entering), dtype=np.float64)
     columns = np.array(list(entering.values()), dtype=np.complex128).reshape(-1, len(open_loop.inputs)).T
@@ -100,13 +100,19 @@ def half_wave_squared(harmonic: int) -> float:
 
 
 def _columns(
-    name: tuple[str, int], system: LinearSystem, angular: float, lowered: Lowered
+    name: tuple[str, int], system: LinearSystem, angular: float, lowered: Lowered, point: OperatingPoint
 ) -> list[tuple[int, complex]]:
     """Return by which inputs of the twin a wave enters, and with what factor."""
     kind, row = name
     if kind == "error":
-        spring = lowered.spring_names[row]
-        return [(system.input(f"error of {spring}"), 1.0), (system.input(f"error rate of {spring}"), 1j * angular)]
+        spring, b = lowered.spring_names[row], int(lowered.springs.b[row])
+        order = angular / point.speeds[b] if point.speeds[b] else 0.0
+        lever = -point.spring_torques[row] * 1j * order  # b gets T (1 - de/dtheta)
+        return [
+            (system.input(f"error of {spring}"), 1.0),
+            (system.input(f"error rate of {spring}"), 1j * angular),
+            (system.input(f"torque on {lowered.nodes[b]}"), lever),
+        ]
     if kind == "blade":
         return [(system.input(blade_input(lowered, row)), 1.0)]
     ends = lowered.harmonics if kind == "harmonic" else lowered.drives
