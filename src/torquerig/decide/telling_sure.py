@@ -43,16 +43,17 @@ def tell_convergence(found: Convergence, circles: Sequence[tuple[str, ...]]) -> 
     told = []
     for number, step in enumerate(found.steps, start=1):
         net = str(step.net_low) if step.net_low == step.net_high else f"{step.net_low}..{step.net_high}"
-        head = f"run {number}: datum {step.datum}; "
+        parts = [f"run {number}: datum {step.datum}"]
         if step.strongest == step.datum:
-            told.append(f"{head}nobody is stronger")
+            parts.append("nobody is stronger")
         else:
-            told.append(f"{head}strongest is {step.strongest} (net {net})")
-            told.append(f"    attack its negatives: {', '.join(step.negatives) or 'it has none'}")
+            parts.append(f"strongest is {step.strongest} (net {net})")
+            parts.append(f"attack its negatives: {', '.join(step.negatives) or 'it has none'}")
         if step.weak:
-            told.append(f"    never better than the datum, to be dropped: {', '.join(step.weak)}")
+            parts.append(f"never better than the datum, to be dropped: {', '.join(step.weak)}")
         if step.undiscriminating:
-            told.append(f"    the same for all: {', '.join(step.undiscriminating)}")
+            parts.append(f"the same for all: {', '.join(step.undiscriminating)}")
+        told.append("; ".join(parts))
     if found.stands:
         told.append(f"the datum stands: {found.stands}{'' if found.sure else ', as far as the known signs go'}")
     else:

@@ -6,6 +6,12 @@ study_tables     the tables of what was simulated            study_answers    qu
 study_text       ranked table and shares for the terminal    study_csv        every figure of every combination
 workbook         the matrices as an Excel file               workbook_sheets  its sheets
 workbook_kesselring  the sheet that calculates: weights to change, totals and ranks as formulas
+workbook_matrix  a matrix of one's own as an Excel file that is filled in, calculates and is read back
+workbook_entries its sheets to fill in               workbook_links   formulas from these to the points
+workbook_answers its verdict, open questions, lints
+matrix_files     a matrix as .html, .md, .xlsx, .yaml    matrix_chapters  its chapters, for page and Markdown
+matrix_page      its page                                matrix_markdown  its Markdown
+strength_figure  the S-diagram                           value_profile    points by criterion, weak spots
 layout           what a table is made of                     shades           colour scales whose text stays readable
 picture          a matplotlib figure in a page or file       envelope         a long curve drawn with few points
 spectrum_figure  amplitude spectrum with lines by cause      signal_figure    a stretch of the reading beside the truth

@@ -21,12 +21,15 @@ class Cell:
         CSS classes: ``number``, ``mark``, ``unknown``.
     title : str
         What the reader sees when pointing at the cell, such as a source.
+    link : str
+        Where the cell leads to, such as ``#cell-1-2``.
     """
 
     text: str
     style: str = ""
     word: str = ""
     title: str = ""
+    link: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
