@@ -113,8 +113,9 @@ def _margins(found: Margins) -> str:
         words += (
             f", gain margin {found.gain_margin:.3g} ({20 * log10(found.gain_margin):.1f} dB) at {found.gain_at:.4g} Hz"
         )
-    if found.lowest_gain is not None:
-        words += f", and the gain must not fall below {found.lowest_gain:.3g} of what it is"
+    if found.lower_gain is not None:
+        must = "must stay above" if found.stable else "must come down below"
+        words += f", and the gain {must} {found.lower_gain:.3g} of what it is"
     words += f", modulus margin {found.modulus_margin:.3f} at {found.modulus_at:.4g} Hz"
     return f"{found.controller}: {'stable' if found.stable else 'UNSTABLE: it grows until the torque limit'}; {words}"
 

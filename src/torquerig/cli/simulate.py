@@ -31,12 +31,13 @@ DURATION = 10.0  # [s]
               help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
 @click.option("--truth", is_flag=True, help="Write the true load and the other truth channels too.")
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording of that name.")
+@click.option("--prove-step", is_flag=True, help="Run again with half the step and say what that changes.")
 @profile_option
 @set_option
 @catalog_option
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, seed: int, out: Path, truth: bool,
-    force: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    force: bool, prove_step: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Simulate SCENARIO and write what its torque sensor records at 25 kHz.
 
@@ -61,11 +62,21 @@ def command(
         f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
         f"mean {torque.mean():.4f} N*m, std {torque.std():.4f} N*m"
     )
+    if prove_step:
+        click.echo(wrapped(_proof(made, duration=seconds, seed=seed)))
     for flag in flags:
         click.echo(wrapped(f"flagged: {flag}"))
     if made.assumed:
         click.echo("assumed, because no document states it:")
         click.echo(grid([["value", "taken"], *([key, text] for key, text in made.assumed.items())]))
+
+
+def _proof(made: Scenario, *, duration: float, seed: int) -> str:
+    """Return in one sentence what fixed the integration step and what halving it changes."""
+    from torquerig.simulate.step_proof import prove_step
+
+    wander = made.operating_point.slow_speed_wander
+    return prove_step(made.rig, duration=duration, seed=seed, wander=wander).sentence()
 
 
 def _seconds(duration: str | None) -> float | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import ceil
 from typing import Any
 
 import numpy as np
@@ -14,14 +13,14 @@ from torquerig.errors import InputError, SimulationError
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 from torquerig.simulate import kernel
+from torquerig.simulate.failure import why_it_failed
 from torquerig.simulate.inputs import Span, filled, held_while_settling, start
-from torquerig.simulate.linear import matrices
-from torquerig.simulate.lower import Lowered, lower
+from torquerig.simulate.lower import lower
 from torquerig.simulate.outputs import Output, as_arrays, channels_of, outputs_of
+from torquerig.simulate.step_choice import StepChoice, step_choice
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
 SETTLING = 1.5  # [s] the rig turns this long before the recording starts
-STEP_ANGLE = 0.6  # [rad] largest angle that the fastest mode may turn in one Runge-Kutta step
 
 
 def simulate(
@@ -42,12 +41,12 @@ def simulate(
     wander : float
         Relative rms of the slow wander of the speed in steady runs [1].
     substeps : int, optional
-        Integration steps per sample; chosen from the fastest mode when not given (see ``steps_per_sample``).
+        Integration steps per sample; chosen from the fastest mode or event when not given (see ``step_choice``).
 
     Raises
     ------
     SimulationError
-        When a speed ceases to be finite: names the node and the time.
+        When a speed ceases to be finite: names the node, the time and, as far as it can be told, why.
     """
     samples, unkept = round(duration * sample_rate), round(settling * sample_rate)
     span = Span(settling=unkept, samples=samples, rate=sample_rate, seed=seed, wander=wander)
@@ -61,12 +60,13 @@ def simulate(
     outputs = outputs_of(rig, lowered)
     theta, omega = start(rig, lowered, terms)
     kept = np.empty((len(outputs), samples))
-    steps = substeps or steps_per_sample(lowered, sample_rate)
+    steps = substeps or step_choice(lowered, terms, sample_rate).steps
     failed, node = kernel.integrate(theta, omega, terms, as_arrays(outputs), sample_rate, unkept, steps, kept)
     if failed >= 0:
         raise SimulationError(
             f"the speed of {lowered.nodes[node]!r} ceased to be finite {(failed - unkept) / sample_rate:.4f} s after "
-            "the start of the recording: the speed loop is unstable or the step too long; lower kp or raise substeps"
+            "the start of the recording: "
+            + why_it_failed(rig, lowered, terms, sample=failed, steps=steps, sample_rate=sample_rate)
         )
     return recorded(
         rig, outputs, kept, rate=sample_rate, origin={"scenario": scenario, "seed": seed, "substeps": steps}
@@ -97,11 +97,15 @@ def recorded(
     return recording
 
 
-def steps_per_sample(lowered: Lowered, sample_rate: float) -> int:
-    """Return how many Runge-Kutta steps a sample takes so that the fastest mode turns at most ``STEP_ANGLE`` in one.
-
-    Runge-Kutta 4 is stable to 2.8 rad; at 0.6 rad its phase error is 6e-4 rad a step (x^5/120) and shrinks with the
-    fourth power. Contacts of a gap are located within the step and need no shorter one.
-    """
-    fastest = float(np.abs(np.linalg.eigvals(matrices(lowered).state_matrix())).max())
-    return max(1, ceil(fastest / sample_rate / STEP_ANGLE))
+def choice_for(
+    rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
+    settling: float = SETTLING, substeps: int | None = None,
+) -> StepChoice:  # fmt: skip
+    """Return the steps that ``simulate`` would take, what fixed them, or how far ``substeps`` of your own reach."""
+    span = Span(
+        settling=round(settling * sample_rate), samples=round(duration * sample_rate), rate=sample_rate, seed=seed,
+        wander=wander,
+    )  # fmt: skip
+    lowered = held_while_settling(lower(rig, seed), span)
+    chosen = step_choice(lowered, filled(rig, lowered, span), sample_rate)
+    return chosen if substeps is None else StepChoice(substeps, 1 / sample_rate / substeps, chosen.fixed_by)

@@ -30,8 +30,9 @@ class Margins:
         Least distance of the phase from -180 degrees where the gain is 1 [deg], and where [Hz].
     gain_margin, gain_at : float or None
         Least factor by which the gain may grow before the loop is unstable [1], and where the phase is -180 deg [Hz].
-    lowest_gain : float or None
-        Factor below which the gain must not fall [1], for a loop that is stable only with enough gain.
+    lower_gain : float or None
+        Largest factor below 1 at which the phase is -180 degrees [1]: a stable loop must keep more gain than that, an
+        unstable one may become stable below it.
     modulus_margin, modulus_at : float
         Least distance of the loop gain from -1 [1], and where [Hz]; its inverse is the largest amplification of a
         disturbance (Maciejowski, Multivariable Feedback Design, section 1.3: 0.5 is a usual demand).
@@ -45,7 +46,7 @@ class Margins:
     phase_at: float | None
     gain_margin: float | None
     gain_at: float | None
-    lowest_gain: float | None
+    lower_gain: float | None
     modulus_margin: float
     modulus_at: float
     stable: bool
@@ -129,7 +130,7 @@ def _margins(
         phase_at=None if phase is None else phase[1],
         gain_margin=None if above is None else above[0],
         gain_at=None if above is None else above[1],
-        lowest_gain=None if below is None else below[0],
+        lower_gain=None if below is None else below[0],
         modulus_margin=nearest,
         modulus_at=at,
         stable=stable,

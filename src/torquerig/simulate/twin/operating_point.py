@@ -187,6 +187,8 @@ def _nonlinear(lowered: Lowered) -> tuple[str, ...]:
         told.append("the motor's ripple in proportion to changes of its torque (it has that of the steady torque)")
     if lowered.drives.on.size:
         told.append("the torque limit of the motor")
+    if lowered.drives.breakdown.any():
+        told.append("the bend of the motor's torque over its slip, taken as straight through no load")
     return tuple(told)
 
 
