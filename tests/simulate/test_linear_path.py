@@ -175,7 +175,7 @@ def test_what_is_not_linear_is_refused_by_name() -> None:
     dry = StribeckFriction(name="dry", at="second", coulomb=0.3, static=0.5, stribeck_speed=1.0)
     with pytest.raises(InputError, match="dry friction on a shaft that stands"):
         simulate_linear(two_masses(dry), duration=0.1, seed=0, settling=0)
-    with pytest.raises(InputError, match="shaft: no steady torque holds its gap"):
+    with pytest.raises(InputError, match=r"shaft: a gap of 0\.004 rad that no steady torque holds closed"):
         simulate_linear(two_masses(gap=0.004), duration=0.1, seed=0, settling=0)
     with pytest.raises(InputError, match="settling of 0"):
         simulate_linear(two_masses(), duration=0.1, seed=0)

@@ -4,6 +4,6 @@ simulate  the one verb              lower    Rig -> flat arrays       arrays   w
 kernel/   the compiled loop         rows     each kind of term        outputs  what a run keeps
 profile   set-point over time       waves    few sine calls           inputs   what is given at every sample
 linear    the same arrays as M, C, K twin/    modes, margins, Campbell diagram, python-control StateSpace
-linear_path  exact and fast where the rig is linear; linear_start  what that path starts from and what it refuses
+linear_path  exact and fast where the rig is linear; linear_start  its start; linear_refusals  what it refuses
 step_choice  what fixes the step    step_proof  what halving it changes    failure  why a run could not be integrated
 """

@@ -18,6 +18,7 @@ from torquerig.simulate.lower import Lowered
 from torquerig.simulate.outputs import Output, outputs_of
 from torquerig.simulate.simulate import SAMPLE_RATE, SETTLING, recorded
 from torquerig.simulate.twin.blocks import lifted, run
+from torquerig.simulate.twin.friction_slope import sliding
 from torquerig.simulate.twin.operating_point import HALF_WAVE_SQUARED_MEAN, mean_torques
 from torquerig.simulate.twin.plant import load_input
 from torquerig.simulate.twin.system import LinearSystem
@@ -129,7 +130,7 @@ def _steady(path: LinearPath, output: Output, times: Floats) -> Floats | float:
 
 def _steady_opposing(path: LinearPath, node: int) -> float:
     lowered, point = path.lowered, path.point
-    total = float(point.friction_torques[lowered.frictions.on == node].sum())
+    total = float(point.friction_torques[sliding(lowered).on == node].sum())
     means = mean_torques(lowered)
     for term, on, way, mean in zip(lowered.load_terms, lowered.loads.on, point.load_directions, means, strict=True):
         if on == node and isinstance(term, Load):

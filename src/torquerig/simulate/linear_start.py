@@ -1,4 +1,4 @@
-"""A rig made ready for the exact linear path: what it is linear about, its lines, its start; and what is refused."""
+"""A rig made ready for the exact linear path: what it is linear about, its lines and its start."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 from torquerig.rig.rig import Rig
+from torquerig.simulate.linear_refusals import refuse_nonlinear
 from torquerig.simulate.lower import Lowered, lower
 from torquerig.simulate.twin.line_inputs import LineInputs, line_inputs
 from torquerig.simulate.twin.loop import sampled_loop
@@ -17,8 +18,6 @@ from torquerig.simulate.twin.plant import plant
 from torquerig.simulate.twin.system import LinearSystem
 
 Floats = NDArray[np.float64]
-
-NEAR_STANDSTILL = 3.0  # [1] speeds over the smoothing of a sign: tanh(3) is 0.995
 
 
 @dataclass(frozen=True)
@@ -53,7 +52,7 @@ def prepared(rig: Rig, seed: int, *, rate: float) -> LinearPath:
     if not lowered.drive_terms and not lowered.load_terms:
         raise InputError("nothing moves the rig; add a speed controller to the motor")
     point = operating_point(rig, lowered)
-    _refuse(rig, lowered, point)
+    refuse_nonlinear(rig, lowered, point)
     open_loop = plant(lowered, point)
     system = sampled_loop(open_loop, lowered, rate=rate)
     start = _start(lowered, point, system)
@@ -66,50 +65,6 @@ def prepared(rig: Rig, seed: int, *, rate: float) -> LinearPath:
         np.pad(lines.onto_outputs, ((0, more_outputs), (0, 0))),
     )  # fmt: skip
     return LinearPath(lowered, point, system, lines, start, angles)
-
-
-def _refuse(rig: Rig, lowered: Lowered, point: OperatingPoint) -> None:
-    """Refuse by name what is not linear anywhere near the operating point."""
-    if lowered.imposed_terms:
-        raise InputError(f"{lowered.imposed_terms[0].name}: an imposed motion is not in the linear path; use simulate")
-    for drive in lowered.drive_terms:
-        if not drive.holds_speed or drive.torque or drive.demand is not None:
-            raise InputError(f"{drive.name}: a torque that is demanded is not in the linear path; use simulate")
-        if drive.breakdown:
-            raise InputError(f"{drive.name}: the torque over the slip is no straight line; use simulate")
-    if not lowered.drive_terms and (lowered.waves.base_node.size or rig.run.speed):
-        raise InputError("nothing controls the speed, so that lines have no frequency of their own; use simulate")
-    if rig.run.profile != "steady" and lowered.drive_terms:
-        raise InputError(
-            f"profile {rig.run.profile}: the linear path needs one speed, at which lines stand still in frequency; "
-            "use simulate for it"
-        )
-    for row in np.flatnonzero(lowered.springs.half_gap):
-        if point.spring_torques[row] == 0:
-            raise InputError(
-                f"{lowered.spring_names[row]}: no steady torque holds its gap of "
-                f"{2 * lowered.springs.half_gap[row]:.3g} rad closed; use simulate, or take the gap away"
-            )
-    _refuse_standing(lowered, point)
-
-
-def _refuse_standing(lowered: Lowered, point: OperatingPoint) -> None:
-    """Refuse dry friction and opposing loads on shafts that stand or creep."""
-    speeds, frictions = point.speeds, lowered.frictions
-    for row in range(frictions.on.size):
-        slide = speeds[frictions.on[row]] - speeds[frictions.against[row]]
-        dry = frictions.coulomb[row].any() or frictions.excess[row].any()
-        if dry and abs(slide) * frictions.inverse_smoothing[row] < NEAR_STANDSTILL:
-            raise InputError(
-                f"{lowered.nodes[int(frictions.on[row])]}: dry friction on a shaft that stands or creeps is not "
-                "linear; give the run a speed, or use simulate"
-            )
-    for term, on, smooth in zip(lowered.load_terms, lowered.loads.on, lowered.loads.inverse_smoothing, strict=True):
-        if smooth and abs(speeds[on]) * smooth < NEAR_STANDSTILL:
-            raise InputError(
-                f"{term.name}: a load that opposes a shaft that stands or creeps is not linear; give the run a speed, "
-                "or use simulate"
-            )
 
 
 def _start(lowered: Lowered, point: OperatingPoint, system: LinearSystem) -> Floats:

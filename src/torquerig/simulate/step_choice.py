@@ -78,7 +78,7 @@ def rates(lowered: Lowered, terms: Terms) -> tuple[Rate, ...]:
 
 
 def _modes(lowered: Lowered) -> list[Rate]:
-    values, vectors = np.linalg.eig(matrices(lowered).state_matrix())
+    values, vectors = np.linalg.eig(matrices(lowered, stiffest=True).state_matrix())
     found = []
     for row in np.flatnonzero(values.imag >= 0):
         shape = vectors[: len(lowered.nodes), row]

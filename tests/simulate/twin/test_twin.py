@@ -15,8 +15,9 @@ from torquerig.mechanisms import Backlash, GearMesh, QuadraticDrag, StribeckFric
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedController
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import AppliedTorque, Term
+from torquerig.rig.terms import AppliedTorque, BristleFriction, Sensing, Term
 from torquerig.signals.run import Run
+from torquerig.simulate.arrays import Terms
 from torquerig.simulate.linear import spring_response
 from torquerig.simulate.simulate import simulate
 from torquerig.simulate.twin.crossings import nearest_to
@@ -242,3 +243,65 @@ def test_mesh_lines_enter_as_error_and_kinematic_lines_without_amplitude() -> No
 def test_gap_and_backlash_leave_the_modes_as_they_are() -> None:
     plain, gapped = (twin_of(one).modes() for one in (rig(), rig(Backlash(name="gap", gear="gear", gap=1e-3))))
     assert [mode.undamped for mode in gapped] == [mode.undamped for mode in plain]
+
+
+def test_the_twin_knows_every_kind_of_term() -> None:
+    """A new kind of term belongs into the plant, its operating point or what it leaves out: then add it here."""
+    told = {"waves", "springs", "harmonics", "frictions", "loads", "blades", "drives", "sensings", "imposed", "varied",
+            "bristles", "angle_loads", "inverse_inertia"}  # fmt: skip
+    assert set(Terms._fields) == told
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bristles(Part):
+    """LuGre friction on the wheel."""
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        friction = BristleFriction(
+            name=self.name, on=rig.node("wheel"), stiffness=200.0, damping=0.5, coulomb_forward=0.3,
+            coulomb_backward=0.4, static_forward=0.5, static_backward=0.6, stribeck=15.0, viscous=0.01,
+        )  # fmt: skip
+        return (friction,)
+
+
+def test_sliding_bristles_settle_where_the_integrator_does() -> None:
+    made = simulate(rig(Bristles(name="lugre")), duration=0.1, seed=1, settling=2.0)
+    point = twin_of(rig(Bristles(name="lugre"))).point
+    assert made.channels["true_sensor_torque_Nm"].values[-1] == pytest.approx(point.spring_torques[1], rel=1e-5)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SeenThrough(SpeedController):
+    """A speed loop behind a filter of 1 ms."""
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        (drive,) = super().terms(rig)
+        return (replace(drive, sensing=Sensing(filter_time=1e-3)),)
+
+
+def test_a_speed_filter_costs_phase_margin_and_the_integrator_agrees() -> None:
+    """At the crossover f filter and difference lag by atan(2 pi f 1 ms) and half a sample, 180 f T degrees."""
+    parts = tuple(
+        SeenThrough(name="controller", kp=0.05, ki=0.5) if isinstance(part, SpeedController) else part
+        for part in rig().parts
+    )
+    through = replace(rig(), parts=parts)
+    (plain,), (filtered,) = twin_of(rig(kp=0.02)).margins(), twin_of(with_gain(through, 0.02)).margins()
+    at = plain.phase_at or 0.0
+    lag = np.degrees(np.arctan(2 * pi * at * 1e-3)) + 180 * at * 4e-5
+    assert plain.phase_margin is not None
+    assert filtered.phase_margin == pytest.approx(plain.phase_margin - lag, abs=0.5)
+    shaker = Shaken(name="shaker", at="wheel", process=Small(60.0, 0.02))
+    made = simulate(through + shaker, duration=1.0, seed=1, settling=1.0)
+    time = made.time() + 0.8
+    kept = time > time[-1] - 0.5
+    columns = np.column_stack([np.ones(kept.sum()), np.sin(2 * pi * 60 * time[kept]), np.cos(2 * pi * 60 * time[kept])])
+    _, sine, cosine = np.linalg.lstsq(columns, made.channels["true_sensor_torque_Nm"].values[kept], rcond=None)[0]
+    twin = twin_of(through + shaker)
+    expected = twin.sampled_loop.transfer("applied shaker", twin.sensor, np.array([60.0]))[0] * 0.02
+    assert abs(complex(sine, cosine) - expected) < 3e-4 * abs(expected)
+
+
+def with_gain(through: Rig, kp: float) -> Rig:
+    controller = through.part("controller")
+    return through.changed(replace(controller, kp=kp))

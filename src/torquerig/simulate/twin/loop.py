@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.simulate.lower import Lowered
+from torquerig.simulate.twin.sensing import measured, with_sensing
 from torquerig.simulate.twin.system import LinearSystem, sampled
 
 Floats = NDArray[np.float64]
@@ -24,11 +25,11 @@ def closed_loop(open_loop: LinearSystem, lowered: Lowered) -> LinearSystem:
 def sampled_loop(open_loop: LinearSystem, lowered: Lowered, *, rate: float) -> LinearSystem:
     """Return the rig with its sampled speed loops closed, exact at the samples (``rate`` [Hz]).
 
-    The command is held over a sample, all other inputs run straight from sample to sample. The torque limit is not
-    in it. The integrals are counted in [rad].
+    The command is held over a sample, all other inputs run straight from sample to sample; a loop that sees its speed
+    through an encoder and a filter has their lag. The torque limit is not in it. The integrals are counted in [rad].
     """
     held = [f"command of {name}" for name in lowered.drive_names]
-    discrete = sampled(open_loop, 1 / rate, held=held)
+    discrete = with_sensing(sampled(open_loop, 1 / rate, held=held), lowered)
     gain = lowered.drives.kp + lowered.drives.ki / rate  # the integral takes the present error before it commands
     return _closed(discrete, lowered, gain=gain, kept=1.0, counted=1 / rate)
 
@@ -37,14 +38,11 @@ def _closed(system: LinearSystem, lowered: Lowered, *, gain: Floats, kept: float
     drives, d = lowered.drives, lowered.drives.on.size
     commands = [system.input(f"command of {name}") for name in lowered.drive_names]
     others = [column for column in range(len(system.inputs)) if column not in commands]
-    nodes = (*lowered.nodes, None)
     Cs, Ds = np.zeros((d, len(system.states))), np.zeros((d, len(system.inputs)))
-    for row, ends in enumerate(zip(drives.on, drives.against, strict=True)):
-        for end, sign in zip(ends, (1.0, -1.0), strict=True):
-            if nodes[end] is not None:
-                at = system.output(f"speed of {nodes[end]}")
-                Cs[row] += sign * system.C[at]
-                Ds[row] += sign * system.D[at]
+    for row in range(d):
+        for output, sign in measured(system, lowered, row):
+            Cs[row] += sign * system.C[system.output(output)]
+            Ds[row] += sign * system.D[system.output(output)]
     K, ki = np.diag(gain), np.diag(drives.ki)
     Bc, Dc, Bo, Do = system.B[:, commands], system.D[:, commands], system.B[:, others], system.D[:, others]
     # command = K (r - Cs x - Ds u) + ki I; a motor's speed does not jump with its own command

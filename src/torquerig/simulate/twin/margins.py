@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.simulate.lower import Lowered
 from torquerig.simulate.twin.loop import sampled_loop
+from torquerig.simulate.twin.sensing import measured, with_sensing
 from torquerig.simulate.twin.system import LinearSystem, sampled
 
 Floats = NDArray[np.float64]
@@ -75,11 +76,10 @@ def loop_gain(
     open_loop: LinearSystem, lowered: Lowered, *, controller: int = 0, rate: float
 ) -> Callable[[Floats], Complexes]:
     """Return L(f): controller times held plant, from the speed error to the speed [1], f in [Hz] below ``rate / 2``."""
-    names, drives = (*lowered.nodes, None), lowered.drives
+    drives = lowered.drives
     commands = [f"command of {name}" for name in lowered.drive_names]
-    held = sampled(open_loop, 1 / rate, held=commands)
-    ends = [(f"speed of {names[end]}", sign) for end, sign in
-            ((drives.on[controller], 1.0), (drives.against[controller], -1.0)) if names[end] is not None]  # fmt: skip
+    held = with_sensing(sampled(open_loop, 1 / rate, held=commands), lowered)
+    ends = measured(held, lowered, controller)
     small = held.only(inputs=[commands[controller]], outputs=[name for name, _ in ends])
     signs = np.array([sign for _, sign in ends])
     kp, ki = drives.kp[controller], drives.ki[controller]

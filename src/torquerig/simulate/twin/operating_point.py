@@ -11,7 +11,7 @@ from torquerig.errors import InputError
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import AppliedTorque, Load, Signal
 from torquerig.simulate.lower import Lowered
-from torquerig.simulate.twin.friction_slope import friction_at
+from torquerig.simulate.twin.friction_slope import friction_at, sliding
 
 Floats = NDArray[np.float64]
 
@@ -35,8 +35,8 @@ class OperatingPoint:
         [N m].
     spring_back : ndarray, shape (springs,)
         Torque on a per torque on b [1]: inverse ratio and the loss of the direction in which power flows.
-    friction_torques, friction_slopes : ndarray, shape (frictions,)
-        [N m] and [N m s/rad] at the relative speed of each friction.
+    friction_torques, friction_slopes : ndarray, shape (frictions + bristle frictions,)
+        [N m] and [N m s/rad] at the relative speed of each row of ``sliding``.
     load_directions : ndarray, shape (loads,)
         +-1 where a load opposes, -1 where a torque is applied; [1].
     blade_directions : ndarray, shape (blades,)
@@ -122,11 +122,14 @@ def _at(lowered: Lowered, speeds: Floats) -> OperatingPoint:
     ])  # fmt: skip
     blades = np.tanh(speeds[lowered.blades.on] * lowered.blades.inverse_smoothing)
     outside = np.zeros(speeds.size)
-    frictions = lowered.frictions
+    frictions = sliding(lowered)
     np.subtract.at(outside, frictions.on, torques)
     np.add.at(outside, frictions.against, torques)
     np.subtract.at(outside, loads.on, direction * mean_torques(lowered))
     np.subtract.at(outside, lowered.blades.on, blades * lowered.blades.amplitude * HALF_WAVE_SQUARED_MEAN)
+    for term, smooth in zip(lowered.angle_load_terms, lowered.angle_loads.inverse_smoothing, strict=True):
+        on = lowered.node(term.on)
+        outside[on] -= term.process.mean * np.tanh(speeds[on] * smooth)
     point = OperatingPoint(
         speeds=speeds,
         angles=np.zeros(speeds.size - 1),
@@ -185,6 +188,10 @@ def _nonlinear(lowered: Lowered) -> tuple[str, ...]:
         told.append("what the lines' own wobble of the angle does to their phase")
     if lowered.drives.r_slot.size:
         told.append("the motor's ripple in proportion to changes of its torque (it has that of the steady torque)")
+    told += [f"the load {term.name!r} over the angle but for its mean" for term in lowered.angle_load_terms]
+    told += [f"the varying of the stiffness of {lowered.spring_names[int(row)]!r}" for row in lowered.varied.spring]
+    if (lowered.sensings.step > 0).any() or lowered.sensings.order.size:
+        told.append("the counts and the error of the encoder that the speed loop sees its speed by")
     if lowered.drives.on.size:
         told.append("the torque limit of the motor")
     if lowered.drives.breakdown.any():

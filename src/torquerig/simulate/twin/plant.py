@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig.rig.terms import Load
 from torquerig.simulate.lower import Lowered
+from torquerig.simulate.twin.friction_slope import sliding
 from torquerig.simulate.twin.operating_point import OperatingPoint
 from torquerig.simulate.twin.system import LinearSystem
 
@@ -103,7 +104,7 @@ def _springs(lowered: Lowered, point: OperatingPoint) -> _Springs:
 
 def _drag(lowered: Lowered, point: OperatingPoint) -> tuple[Floats, Floats]:
     """Return the torque against each node per speed of each, and the part of it that counts as opposing."""
-    n, frictions = len(lowered.nodes), lowered.frictions
+    n, frictions = len(lowered.nodes), sliding(lowered)
     drag, opposing = np.zeros((n + 1, n + 1)), np.zeros((n + 1, n + 1))
     for on, against, slope in zip(frictions.on, frictions.against, point.friction_slopes, strict=True):
         slide = np.zeros(n + 1)
