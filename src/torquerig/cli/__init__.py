@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  modes  simulate  duty  info  filter  matrix  compare
+init  catalog  orders  modes  simulate  duty  synth  info  filter  matrix  compare
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ COMMANDS = {
     "modes": "show at what frequencies a rig rings, its speed loop's margins, and which line meets which mode",
     "simulate": "simulate one rig and write what its sensor records",
     "duty": "tell what a duty cycle asks of a motor and how hot it becomes",
+    "synth": "make test signals whose every part is known",
     "info": "show what is in a recording",
     "filter": "put a recording through filter chains and say what they changed",
     "matrix": "work out elimination, Pugh and Kesselring matrices and what is wrong with them",

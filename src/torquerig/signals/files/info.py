@@ -87,7 +87,11 @@ class RecordingInfo:
             for gap in self.gaps[:_NAMED]
         ]
         more = [f"{self.time_name} jumps {len(self.gaps) - _NAMED} more times"] if len(self.gaps) > _NAMED else []
-        return [*gaps, *more, *chain.from_iterable(self._of(name, one) for name, one in self.channels.items())]
+        return [
+            *gaps,
+            *more,
+            *chain.from_iterable(self._of(name, one) for name, one in self.channels.items() if not one.truth),
+        ]
 
     def _of(self, name: str, one: ChannelInfo) -> list[str]:
         found = []

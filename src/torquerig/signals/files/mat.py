@@ -107,7 +107,6 @@ def write_mat(recording: Recording, path: Path) -> None:
     """
     from scipy.io import savemat
 
-    refuse_variable_names(recording.channels, path)
     for name, channel in recording.channels.items():
         if channel.values.nbytes >= 2**31:
             raise InputError(f"{path}: {name} is larger than the 2 GiB of a v5 .mat file; write Parquet or TDMS")

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.signals.files.mat import refuse_variable_names
 from torquerig.signals.recording import Recording
 
 # the 512 bytes before the HDF5 part: text up to 116, subsystem offset, version 2.0 and the byte order
@@ -26,7 +25,6 @@ def mat_block_writer(path: Path, head: Recording) -> Iterator[Callable[[Mapping[
     """
     import h5py
 
-    refuse_variable_names(head.channels, path)
     with h5py.File(path, "w", userblock_size=_USER_BLOCK) as file:
         made = {
             name: file.create_dataset(name, (1, 0), "f8", maxshape=(1, None), chunks=(1, _CHUNK))

@@ -9,7 +9,7 @@ from pathlib import Path
 from torquerig.errors import InputError
 from torquerig.signals.files.checks import check_finite, check_lengths
 from torquerig.signals.files.csv import write_csv
-from torquerig.signals.files.mat import write_mat
+from torquerig.signals.files.mat import refuse_variable_names, write_mat
 from torquerig.signals.files.parquet import write_parquet
 from torquerig.signals.files.sidecar import read_sidecar, sidecar_path
 from torquerig.signals.files.sidecar_text import sidecar_text
@@ -93,6 +93,8 @@ def refuse_names(recording: Recording, path: Path) -> None:
             raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")
         if not name.strip() or not name.isprintable():
             raise InputError(f"{path}: {name!r} cannot name a channel; use letters, digits and _")
+    if path.suffix.lower() == ".mat":
+        refuse_variable_names(recording.channels, path)
 
 
 def _refuse_overwriting(path: Path, sidecar: Path, *, overwrite: bool) -> None:

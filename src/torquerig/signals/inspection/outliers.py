@@ -12,6 +12,8 @@ MARGIN = 4096
 
 # a second difference or a step this many times its usual size is worth a look
 _STANDS_OUT, _STEP = 12.0, 8.0
+# and this many times that of the dozen samples on either side
+_ALONE = 5.0
 # within a dropout the signal moves by less than this share of what it usually does
 _QUIET = 0.25
 
@@ -38,8 +40,9 @@ def spikes_in(values: NDArray[np.float64]) -> list[int]:
     for place in places.tolist():
         around = values[[place - 3, place - 2, place + 2, place + 3]]
         height = abs(values[place] - float(np.median(around)))
-        # the neighbours of a spike bend too, but do not stand out themselves
-        if height > least and height > 4 * float(np.ptp(around)) and not (found and place - found[-1] < 3):
+        # a fast oscillation bends like that all the time
+        alone = bend[place - 1] > _ALONE * float(np.median(bend[max(place - 12, 0) : place + 11]))
+        if alone and height > max(least, 4 * float(np.ptp(around))) and not (found and place - found[-1] < 3):
             local = np.abs(values[place - 1 : place + 3] - np.median(around))
             found.append(place - 1 + int(np.argmax(local)))
     return found

@@ -1,0 +1,192 @@
+"""``torquerig synth``: test signals whose every part is known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from torquerig.errors import InputError, UnitError
+from torquerig.signals.files import check_target, write_recording
+from torquerig.units import parse_quantity
+
+if TYPE_CHECKING:
+    from torquerig.signals.recording import Recording
+
+
+class _Quantity(click.ParamType[float]):
+    """A number with a unit on the command line, in SI behind it."""
+
+    def __init__(self, unit: str) -> None:
+        self.unit = unit
+        self.name = f"quantity in {unit}"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        if isinstance(value, float):
+            return value
+        try:
+            return parse_quantity(value, self.unit)
+        except UnitError as error:
+            raise UnitError(f"{param.opts[0] if param else ''}: {error}") from None
+
+
+_seed = click.option(
+    "--seed", type=click.IntRange(0), default=None, help="Fixes every random number; 1 where not given."
+)
+_force = click.option("--force", is_flag=True, help="Overwrite earlier recordings of that name.")
+_out = click.option("--out", type=click.Path(path_type=Path), default=Path("synthetic.parquet"), show_default=True,
+                    help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
+
+
+def _run_options(function: Callable[..., None]) -> Callable[..., None]:
+    """Add the options of a recording that no file describes."""
+    for option in (
+        click.option("--ratio", type=float, default=None, help="Motor turns per output turn, for the sidecar."),
+        click.option("--motor", default=None, help="Motor of the catalog, for the sidecar."),
+        click.option("--speed", type=_Quantity("rad/s"), default=None, metavar="SPEED",
+                     help="Speed of the motor for the sidecar, such as '1000 rpm'."),
+        click.option("--rate", type=_Quantity("Hz"), default="25 kHz", show_default=True, metavar="FREQUENCY",
+                     help="Sample rate."),
+        click.option("--duration", type=_Quantity("s"), default="10 s", show_default=True, metavar="TIME",
+                     help="Length of the recording."),
+        click.option("--amplitude", type=_Quantity("N*m"), default="1 mN*m", show_default=True, metavar="TORQUE",
+                     help="Zero to peak of each sine."),
+    ):  # fmt: skip
+        function = option(function)
+    return function
+
+
+@click.group("synth")
+def command() -> None:
+    """Make test signals whose every part is known, to see what a filter does to each.
+
+    The same description and seed give the same bytes.
+    """
+
+
+@command.command("control")
+@_run_options
+@_seed
+@_out
+@_force
+def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
+    """Make the seed's control signal: every frequency from 0 to half the sample rate at equal amplitude."""
+    _write_mixture({"control": {"type": "control"}}, "control", run, seed=seed, out=out, force=force)
+
+
+@command.command("sweep")
+@click.option("--from", "start", type=_Quantity("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
+@click.option("--to", "stop", type=_Quantity("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
+@click.option("--linear", "spacing", flag_value="linear", help="Each hertz takes equally long, not each octave.")
+@_run_options
+@_seed
+@_out
+@_force
+def sweep(
+    *, start: float, stop: float, spacing: str | None, seed: int | None, out: Path, force: bool, **run: Any
+) -> None:
+    """Make a sine that runs through a span of frequencies."""
+    written = {"type": "sweep", "start": f"{start!r} Hz", "stop": f"{stop!r} Hz", "spacing": spacing or "logarithmic"}
+    _write_mixture({"sweep": written}, "sweep", run, seed=seed, out=out, force=force)
+
+
+@command.command("mixture")
+@click.argument("description", type=click.Path(path_type=Path))
+@_seed
+@_out
+@_force
+def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> None:
+    """Make the mixture that DESCRIPTION (YAML) lists, with every component as a channel of its own."""
+    check_target(out, overwrite=force)
+    _write(_mixed(description, seed), out, force=force)
+
+
+@command.command("pair")
+@click.argument("description", type=click.Path(path_type=Path))
+@_seed
+@_out
+@_force
+def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None:
+    """Make the mixture of DESCRIPTION, and beside it its load alone and its noise alone (NAME_load, NAME_noise)."""
+    from torquerig.synthetic.pairs import load_only, noise_only
+
+    targets = [out, *(out.with_name(f"{out.stem}_{word}{out.suffix}") for word in ("load", "noise"))]
+    for target in targets:
+        check_target(target, overwrite=force)
+    whole = _mixed(description, seed)
+    for recording, target in zip((whole, load_only(whole), noise_only(whole)), targets, strict=True):
+        _write(recording, target, force=force)
+
+
+@command.command("effects")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--duration", type=_Quantity("s"), default="10 s", show_default=True, metavar="TIME")
+@click.option("--set", "settings", multiple=True, metavar="PATH=VALUE", help="Change a value without editing.")
+@_seed
+@_out
+@_force
+def effects(
+    *, scenario: Path, duration: float, settings: tuple[str, ...], seed: int | None, out: Path, force: bool
+) -> None:
+    """Take the reading of SCENARIO's rig apart: what each mechanism and each stage of the sensor adds.
+
+    Stages of the sensor add exactly; mechanisms on the shafts are differences of runs in which they are switched on one
+    after the other.
+    """
+    from torquerig.cli.inputs import catalog_beside, edited
+    from torquerig.plain_table import grid
+    from torquerig.scenario.reading import read_scenario
+    from torquerig.synthetic.mixture import components_of
+    from torquerig.synthetic.simulated import taken_apart
+
+    check_target(out, overwrite=force)
+    number = 1 if seed is None else seed
+    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, ()), seed=number)
+    wander = made.operating_point.slow_speed_wander
+    recording = taken_apart(made.rig, duration=duration, seed=number, wander=wander, scenario=made.title)
+    _write(recording, out, force=force)
+    labels = recording.origin["components"]
+    rows = [[name, f"{values.mean():.5f}", f"{values.std():.5f}", labels[name]]
+            for name, values in components_of(recording).items()]  # fmt: skip
+    click.echo(grid([["component", "mean N*m", "std N*m", "what it is"], *rows]))
+
+
+def _mixed(description: Path, seed: int | None) -> Recording:
+    from torquerig.synthetic.description import read_mixture
+    from torquerig.synthetic.mixture import mixed
+
+    made = read_mixture(description)
+    return mixed(made if seed is None else made.model_copy(update={"seed": seed}))
+
+
+def _write_mixture(
+    components: dict[str, dict[str, str]], title: str, run: dict[str, Any], *, seed: int | None, out: Path, force: bool
+) -> None:
+    """Write a mixture of one component that the command line describes."""
+    from torquerig.synthetic.mixture import Mixture, mixed
+
+    check_target(out, overwrite=force)
+    for option, value in (("--amplitude", run["amplitude"]), ("--duration", run["duration"]), ("--rate", run["rate"])):
+        if not value > 0:
+            raise InputError(f"{option}: {value:g} cannot be; write more than 0")
+    if run["ratio"] is not None and not run["ratio"] > 0:
+        raise InputError(f"--ratio {run['ratio']:g} cannot be; write motor turns per output turn, more than 0")
+    written = {name: {**one, "amplitude": f"{run['amplitude']!r} N*m"} for name, one in components.items()}
+    described = {
+        "synthetic": title, "duration": f"{run['duration']!r} s", "sample_rate": f"{run['rate']!r} Hz",
+        "seed": 1 if seed is None else seed, "motor": run["motor"], "gear_ratio": run["ratio"],
+        "motor_speed": None if run["speed"] is None else f"{run['speed']!r} rad/s", "components": written,
+    }  # fmt: skip
+    made = Mixture.model_validate(described)
+    _write(mixed(made), out, force=force)
+
+
+def _write(recording: Recording, out: Path, *, force: bool) -> None:
+    written = write_recording(recording, out, overwrite=force)
+    torque = recording.torque()
+    click.echo(
+        f"wrote {' and '.join(str(path) for path in written)}: {recording.samples} samples at "
+        f"{recording.sample_rate:g} Hz, mean {torque.mean():.5f} N*m, std {torque.std():.5f} N*m"
+    )

@@ -1,0 +1,40 @@
+"""The seed's control signal: all frequencies from 0 to half the sample rate at equal amplitude."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+
+
+def control_signal(samples: int, *, amplitude: float, rng: np.random.Generator) -> NDArray[np.float64]:
+    """Return a signal whose spectrum has ``amplitude`` on every bin, the mean and half the sample rate included.
+
+    What a filter cuts shows at once in the spectrum behind it, and what it should keep must still stand at the same
+    height. The phases are drawn, so that the energy is spread over the recording; a window mixes neighbours of
+    different phase, so look at it without one (``amplitude_spectrum``).
+
+    Parameters
+    ----------
+    samples : int
+        At least 2.
+    amplitude : float
+        Zero to peak of each sine [any unit]; the rms is amplitude * sqrt(samples / 2) or so.
+    rng : Generator
+        Draws the phases.
+
+    Notes
+    -----
+    Source: seed section 4.3.1, Figures 4.4 and 4.5 (its own signal is not printed; equal amplitude is what the figures
+    show).
+    """
+    if samples < 2:
+        raise InputError(f"a control signal of {samples} samples has no spectrum; ask for a longer one")
+    bins = samples // 2 + 1
+    spectrum = 0.5 * samples * amplitude * np.exp(1j * rng.uniform(0, 2 * np.pi, bins))
+    spectrum[0] = samples * amplitude
+    if samples % 2 == 0:
+        # half the sample rate has no mirror image and no phase
+        spectrum[-1] = samples * amplitude
+    return np.asarray(np.fft.irfft(spectrum, n=samples))

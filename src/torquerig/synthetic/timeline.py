@@ -1,0 +1,59 @@
+"""When, and at what angle of the motor, the samples of a synthetic recording are taken."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.signals.coloured_noise import low_passed_noise
+from torquerig.signals.recording import random_for
+
+WANDER_CUTOFF = 0.3  # [Hz] how fast a speed wanders; as in the simulated rig
+
+
+@dataclass(frozen=True, kw_only=True)
+class Timeline:
+    """The samples of one recording.
+
+    Parameters
+    ----------
+    samples : int
+    rate : float
+        [Hz].
+    seed : int
+        Every component draws its own numbers from it, by its name.
+    motor_angle : ndarray, shape (samples,)
+        [rad]; zeros where the motor has no speed.
+    """
+
+    samples: int
+    rate: float
+    seed: int
+    motor_angle: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def time(self) -> NDArray[np.float64]:
+        """The time of each sample [s]."""
+        return np.asarray(np.arange(self.samples) / self.rate, dtype=np.float64)
+
+    @property
+    def duration(self) -> float:
+        """[s]."""
+        return self.samples / self.rate
+
+    def random(self, purpose: str) -> np.random.Generator:
+        """Return the random generator of one purpose."""
+        return random_for(self.seed, purpose)
+
+
+def turning(*, samples: int, rate: float, seed: int, speed: float, error: float = 0.0, wander: float = 0.0) -> Timeline:
+    """Return the samples of a motor that turns at ``speed`` [rad/s] times 1 + ``error``, with slow ``wander``.
+
+    Both are shares of the speed; the wander is the rms of noise below 0.3 Hz.
+    """
+    course = np.full(samples, 1.0 + error)
+    if wander:
+        course += wander * low_passed_noise(samples, rate, WANDER_CUTOFF, random_for(seed, "wander of the speed"))
+    return Timeline(samples=samples, rate=rate, seed=seed, motor_angle=np.cumsum(speed * course) / rate)
