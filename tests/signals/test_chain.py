@@ -13,6 +13,7 @@ from torquerig.signals.chain_file import read_chains
 from torquerig.signals.filters.butterworth import ButterworthLowPass
 from torquerig.signals.filters.ideal_bandstop import IdealBandstop
 from torquerig.signals.filters.moving_mean import MovingMeanKept
+from torquerig.signals.filters.synchronous_average import SynchronousAverage
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.recording import Channel, Recording
 from torquerig.signals.run import Run
@@ -114,6 +115,38 @@ def test_stages_nest():
     assert isinstance(kept, MovingMeanKept)
     assert isinstance(kept.around[0], IdealBandstop)
     assert len(chain.lines) == 1
+
+
+STAGES = """
+filters:
+  a:
+    - {type: hampel}
+    - {type: notch_bank, lines: {motor: 1..2}, half_width: 0.3 Hz}
+    - {type: notch_bank, lines: {motor: 1..2}, causal: true}
+    - {type: order_bandstop, lines: {shaft: 1..4}, half_width: 0.1 1/rev}
+    - {type: vold_kalman, lines: {shaft: 1..4}}
+    - {type: weighed_lines, lines: {electrical: 1..4}, block: 20 s}
+    - {type: adaptive_canceller, lines: {motor: 1..4}, half_width: 0.2 Hz}
+    - {type: comb, lines: {shaft: 1}, periods: 3}
+    - {type: comb, lines: {shaft: 1}, periods: 3, causal: true}
+    - {type: synchronous_average, lines: {motor: 1..4}}
+    - {type: butterworth_low_pass, cutoff: 50 Hz, causal: true}
+    - {type: fir_low_pass, cutoff: 50 Hz, transition: 20 Hz}
+    - {type: fir_low_pass, cutoff: 50 Hz, transition: 20 Hz, causal: true}
+"""
+
+
+def test_every_stage_can_be_written_keeps_a_constant_and_says_its_reach():
+    chain = read_chains(parse_document(STAGES, Path("f.yaml")), kinematics=SEED_MOTOR)["a"]
+    speed = Channel(values=np.full(100_000, SPEED), quantity="motor_speed", unit="rad/s")
+    source = recording(np.full(100_000, 2.5)).with_channel("speed", speed)
+    for stage in chain.stages:
+        assert stage.apply(source).torque() == pytest.approx(2.5, abs=1e-6), stage
+        # a mean turn is that of the whole recording: no block can know it
+        assert isinstance(stage, SynchronousAverage) or stage.reach(source) > 0
+    causal = [stage for stage in chain.stages if hasattr(stage, "delay")]
+    assert len(causal) == 5
+    assert all(stage.delay(source) > 0 for stage in causal)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,8 @@ files              recordings in and out of every format
 stage              the one verb of sensor stages and filters: Recording -> Recording
 stages             what the sensor and its electronics do, one effect per file
 filters            what takes disturbance out, one filter per file
-chain              stages by one name, and the seed's two chains; chain_file reads them from YAML by chain_schema
+chain              stages by one name, and the seed's two chains; chain_file reads them from YAML by chain_schema,
+                   chain_form and chain_line_stages
 streaming          chains on recordings too long to be held, block by block; reach: how far their stages look
 inspection         what stands in a recording: levels, runs, spikes, dropouts, spectrum, in one pass
 effect             what a chain did: spread, mean, energy, line levels; effect_joined: from its blocks

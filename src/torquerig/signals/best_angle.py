@@ -24,7 +24,7 @@ class MotorSpeed:
     origin: str
 
 
-def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine]) -> MotorAngle:
+def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine], *, ratio: float | None = None) -> MotorAngle:
     """Return the motor's angle from the best source that the recording has; its ``origin`` says which.
 
     An encoder or another angle or speed channel comes first, then a tacho's pulses, then the comb of ``lines`` in the
@@ -35,14 +35,17 @@ def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine]) -> Mo
     recording : Recording
         With any of them.
     lines : sequence of KinematicLine
-        The lines to look for in the torque; they also tell the gear ratio that output channels are counted with.
+        The lines to look for in the torque.
+    ratio : float, optional
+        Motor turns per output turn, which channels of the output shaft are counted with; by default that of the lines,
+        or of the run's sheet.
 
     Raises
     ------
     RecordingError
         Where none of them can serve.
     """
-    ratio = _ratio(recording, lines)
+    ratio = _ratio(recording, lines) if ratio is None else ratio
     return (
         measured_motor_angle(recording, ratio=ratio)
         or motor_angle_from_tacho(recording, ratio=ratio)

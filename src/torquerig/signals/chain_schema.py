@@ -1,158 +1,51 @@
-"""How a filter chain is written in YAML: a list of stages, each with its type and values, lines named by cause."""
+"""How a filter chain is written in YAML: a list of stages; those that take lines out are in chain_line_stages."""
 
 from __future__ import annotations
 
-import re
-from abc import ABC, abstractmethod
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter
+from pydantic import BeforeValidator, Field, TypeAdapter
 
 from torquerig.errors import did_you_mean
 from torquerig.parameter import Parameter
-from torquerig.signals.chain import Chain, select_lines
-from torquerig.signals.filters.butterworth import ButterworthLowPass
-from torquerig.signals.filters.harmonic_regression import HarmonicRegression
-from torquerig.signals.filters.ideal_bandstop import IdealBandstop
+from torquerig.signals.chain import Chain
+from torquerig.signals.chain_form import Made, StageForm
+from torquerig.signals.chain_line_stages import (
+    AdaptiveCancellerText,
+    CombText,
+    HarmonicRegressionText,
+    IdealBandstopText,
+    NotchBankText,
+    OrderBandstopText,
+    SynchronousAverageText,
+    VoldKalmanText,
+    WeighedLinesText,
+)
+from torquerig.signals.filters.butterworth import ButterworthLowPass, CausalButterworthLowPass
+from torquerig.signals.filters.fir_low_pass import CausalFirLowPass, FirLowPass
+from torquerig.signals.filters.hampel import Hampel
 from torquerig.signals.filters.load_inverse import LoadInverse
 from torquerig.signals.filters.moving_mean import MovingMeanKept
-from torquerig.signals.filters.notch_bank import CausalNotchBank, NotchBank
-from torquerig.signals.filters.order_bandstop import OrderBandstop
 from torquerig.signals.filters.revolution_mean import RevolutionMean
-from torquerig.signals.filters.weighed_lines import WeighedLines
-from torquerig.signals.kinematics import FAMILIES, Family, Kinematics
+from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.load_response import LoadResponse
-from torquerig.signals.stage import Stage
-
-_HIGHEST_HARMONIC = 100
-_RANGE = re.compile(r"^\s*(\d+)\s*(?:\.\.\s*(\d+)\s*)?$")
-
-Made = tuple[Stage, tuple[str, ...]]
 
 
-def _harmonics(written: Any) -> tuple[int, ...]:
-    texts = written if isinstance(written, list) else [written]
-    numbers: set[int] = set()
-    for text in texts:
-        match = None if isinstance(text, bool) else _RANGE.match(str(text))
-        first, last = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
-        if not 1 <= first <= last <= _HIGHEST_HARMONIC:
-            raise ValueError(
-                f"{text!r} names no harmonics; write for example 1..4, or 2, or [1, 3]; 1 is the fundamental"
-            )
-        numbers.update(range(first, last + 1))
-    if not numbers:
-        raise ValueError("no harmonics are named; write for example 1..4")
-    return tuple(sorted(numbers))
-
-
-def _family_names(written: Any) -> Any:
-    if not isinstance(written, dict) or not written:
-        raise ValueError(
-            f"lines are named by cause; write for example {{motor: 1..4}}; known are {', '.join(FAMILIES)}"
-        )
-    for name in written:
-        if name not in FAMILIES:
-            raise ValueError(f"no lines have the cause {name!r}; {did_you_mean(str(name), FAMILIES)}")
-    return written
-
-
-Harmonics = Annotated[tuple[int, ...], BeforeValidator(_harmonics)]
-Lines = Annotated[dict[Family, Harmonics], BeforeValidator(_family_names)]
-
-
-class _StageText(BaseModel, ABC):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-    @abstractmethod
-    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the stage for one drive, and what of its lines that drive does not have.
-
-        ``response`` is what a model of the rig says the sensor makes of the load, where there is one.
-        """
-
-
-class IdealBandstopText(_StageText):
-    """The YAML of an ideal band-stop."""
-
-    type: Literal["ideal_bandstop"]
-    lines: Lines
-    half_width: Annotated[float, Parameter("Hz", "half of each band", above=0)] = 0.5
-
-    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the band-stop for one drive."""
-        lines, left_out = select_lines(kinematics, self.lines)
-        return IdealBandstop(lines=lines, half_width=self.half_width), left_out
-
-
-class HarmonicRegressionText(_StageText):
-    """The YAML of a harmonic regression."""
-
-    type: Literal["harmonic_regression"]
-    lines: Lines
-    block: Annotated[float, Parameter("s", "length of a block", above=0)] = 4.0
-
-    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the regression for one drive."""
-        lines, left_out = select_lines(kinematics, self.lines)
-        return HarmonicRegression(lines=lines, block=self.block), left_out
-
-
-class WeighedLinesText(_StageText):
-    """The YAML of fitted lines that are subtracted by as much as they stand out."""
-
-    type: Literal["weighed_lines"]
-    lines: Lines
-    block: Annotated[float, Parameter("s", "length of a block", above=0)] = 30.0
-    changing_block: Annotated[float, Parameter("s", "length of a block in runs that are not steady", above=0)] = 4.0
-
-    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the stage for one drive."""
-        lines, left_out = select_lines(kinematics, self.lines)
-        return WeighedLines(lines=lines, block=self.block, changing_block=self.changing_block), left_out
-
-
-class OrderBandstopText(_StageText):
-    """The YAML of a band-stop over the angle."""
-
-    type: Literal["order_bandstop"]
-    lines: Lines
-    half_width: Annotated[float, Parameter("1/rev", "half of each band, in orders of the output shaft", above=0)] = 0.05
-
-    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the band-stop for one drive."""
-        lines, left_out = select_lines(kinematics, self.lines)
-        return OrderBandstop(lines=lines, half_width=self.half_width), left_out
-
-
-class NotchBankText(_StageText):
-    """The YAML of a bank of notches; ``causal: true`` runs it forwards only, at the set-point."""
-
-    type: Literal["notch_bank"]
-    lines: Lines
-    half_width: Annotated[float, Parameter("Hz", "half of each notch at -3 dB", above=0)] = 0.5
-    causal: bool = False
-
-    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the notches for one drive."""
-        lines, left_out = select_lines(kinematics, self.lines)
-        made = CausalNotchBank if self.causal else NotchBank
-        return made(lines=lines, half_width=self.half_width), left_out
-
-
-class ButterworthLowPassText(_StageText):
+class ButterworthLowPassText(StageForm):
     """The YAML of a zero-phase Butterworth low-pass."""
 
     type: Literal["butterworth_low_pass"]
     cutoff: Annotated[float, Parameter("Hz", "cutoff frequency", above=0)]
     order: Annotated[int, Field(ge=1, le=10)] = 4
+    causal: bool = False
 
     def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the low-pass; it is the same for every drive."""
-        return ButterworthLowPass(cutoff=self.cutoff, order=self.order), ()
+        made = CausalButterworthLowPass if self.causal else ButterworthLowPass
+        return made(cutoff=self.cutoff, order=self.order), ()
 
 
-class RevolutionMeanText(_StageText):
+class RevolutionMeanText(StageForm):
     """The YAML of a mean over turns of the output shaft."""
 
     type: Literal["revolution_mean"]
@@ -163,7 +56,7 @@ class RevolutionMeanText(_StageText):
         return RevolutionMean(ratio=kinematics.ratio, turns=self.turns), ()
 
 
-class LoadInverseText(_StageText):
+class LoadInverseText(StageForm):
     """The YAML of the rig's response taken back; without a model of the rig it changes nothing and says so."""
 
     type: Literal["load_inverse"]
@@ -176,7 +69,33 @@ class LoadInverseText(_StageText):
         return LoadInverse(response=response, retune=self.retune), ()
 
 
-class MovingMeanKeptText(_StageText):
+class FirLowPassText(StageForm):
+    """The YAML of a low-pass by a finite window; ``causal: true`` looks back only."""
+
+    type: Literal["fir_low_pass"]
+    cutoff: Annotated[float, Parameter("Hz", "gain 1/2", above=0)]
+    transition: Annotated[float, Parameter("Hz", "width from pass to stop", above=0)]
+    causal: bool = False
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the low-pass; it is the same for every drive."""
+        made = CausalFirLowPass if self.causal else FirLowPass
+        return made(cutoff=self.cutoff, transition=self.transition), ()
+
+
+class HampelText(StageForm):
+    """The YAML of a spike remover."""
+
+    type: Literal["hampel"]
+    half_window: Annotated[int, Field(ge=1, le=100)] = 10
+    deviations: Annotated[float, Field(gt=0)] = 5.0
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the spike remover; it is the same for every drive."""
+        return Hampel(half_window=self.half_window, deviations=self.deviations), ()
+
+
+class MovingMeanKeptText(StageForm):
     """The YAML of a rolling mean that is kept aside while other stages work."""
 
     type: Literal["moving_mean_kept"]
@@ -199,6 +118,12 @@ _Texts = (
     | ButterworthLowPassText
     | RevolutionMeanText
     | LoadInverseText
+    | VoldKalmanText
+    | AdaptiveCancellerText
+    | CombText
+    | SynchronousAverageText
+    | FirLowPassText
+    | HampelText
     | MovingMeanKeptText
 )
 _TYPES = tuple(str(get_args(text.model_fields["type"].annotation)[0]) for text in get_args(_Texts))

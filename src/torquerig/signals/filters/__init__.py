@@ -2,11 +2,17 @@
 
 ideal_bandstop       brick-wall notches at the lines' set-point frequencies (the seed's own filter)
 notch_bank           second-order notches at the lines, without delay or causal
-butterworth          zero-phase low-pass
+comb                 everything that repeats with a line's period, the mean kept, without delay or causal
+butterworth          low-pass, without delay or causal
+fir_low_pass         low-pass by a finite window, without delay or causal
+hampel               spikes replaced by the median around them
 moving_mean          rolling mean kept aside while other stages work, then put back
 revolution_mean      mean over whole turns of the output shaft
 order_bandstop       narrow bands around the lines, by the motor's angle
 weighed_lines        fitted sines, each subtracted by as much as it stands out of the load
+vold_kalman          the smoothest amplitudes that explain the torque
+synchronous_average  the mean turn of the output shaft, subtracted
+adaptive_canceller   sines that learn their amplitude, by the motor's angle: causal
 harmonic_regression  fitted sines of the lines, following the motor's angle, subtracted
 load_inverse         the load that the reading came from, by the rig's own response
 

@@ -104,6 +104,13 @@ def time_constants(sections: Floats) -> Floats:
     return np.asarray(-1 / np.log(np.minimum(np.abs(_poles(sections)).max(axis=1), 1 - 1e-15) + 1e-300))
 
 
+def slow_delay(sections: NDArray[np.float64]) -> float:
+    """Return the group delay of a cascade at 0 Hz [samples]: sum n b_n / sum b_n - sum n a_n / sum a_n of each."""
+    n = np.arange(3)
+    each = (sections[:, :3] @ n) / sections[:, :3].sum(axis=1) - (sections[:, 3:] @ n) / sections[:, 3:].sum(axis=1)
+    return float(each.sum())
+
+
 def _poles(sections: Floats) -> NDArray[np.complex128]:
     a1, a2 = sections[:, 4], sections[:, 5]
     root = np.sqrt((a1**2 - 4 * a2).astype(complex))

@@ -1,13 +1,18 @@
-"""What is left below a cutoff frequency, without delay."""
+"""What is left below a cutoff frequency, without delay or causal."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from torquerig.errors import InputError, RecordingError
+from torquerig.signals.filters.biquads import cascaded, slow_delay
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from torquerig.signals.recording import Recording
 
 
@@ -58,3 +63,50 @@ class ButterworthLowPass:
         sections = butter(self.order, self.cutoff, fs=rate, output="sos")
         offset = values[0]
         return recording.with_values(name, sosfiltfilt(sections, values - offset, padlen=ring) + offset)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CausalButterworthLowPass:
+    """A Butterworth low-pass run forwards only: gain 1 / sqrt(1 + (f/fc)^2n), slow load late by :meth:`delay`.
+
+    Parameters
+    ----------
+    cutoff : float
+        -3 dB [Hz], > 0 and below half the sample rate.
+    order : int
+        n, 1 to 10.
+    """
+
+    cutoff: float
+    order: int = 4
+
+    def __post_init__(self) -> None:
+        ButterworthLowPass(cutoff=self.cutoff, order=self.order)
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` low-passed sample by sample; before it, the first value is taken to have stood."""
+        from scipy.signal import sosfilt_zi
+
+        name = recording.torque_name()
+        values, sections = recording.channels[name].values, self._sections(recording)
+        if not values.size:
+            return recording
+        return recording.with_values(name, cascaded(values, sections, states=sosfilt_zi(sections) * values[0])[0])
+
+    def delay(self, recording: Recording) -> float:
+        """Return by how much slow load is late [s]: the group delay at 0 Hz."""
+        return slow_delay(self._sections(recording)) / recording.sample_rate
+
+    def reach(self, head: Recording) -> float:
+        """Return how far back a sample still rings [s]."""
+        return max(10 / self.cutoff, 1 / head.sample_rate)
+
+    def _sections(self, recording: Recording) -> NDArray[np.float64]:
+        from scipy.signal import butter
+
+        if self.cutoff >= recording.sample_rate / 2:
+            raise RecordingError(
+                f"{recording.name}: a low-pass at {self.cutoff:g} Hz needs a sample rate above {2 * self.cutoff:g} Hz, "
+                f"and this one has {recording.sample_rate:g} Hz; lower the cutoff"
+            )
+        return np.asarray(butter(self.order, self.cutoff, fs=recording.sample_rate, output="sos"))

@@ -222,3 +222,58 @@ def orders_put_in(out, turns, orders, edges, amplitudes, gain):
                     block[i] += (a + slope_a * i) * cosine[i] + (b + slope_b * i) * sine[i]
             for i in range(stop - start):
                 out[start + i] += block[i]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
+def cancelled(values, turns, orders, step):
+    """Return the values less what adaptive amplitudes of the orders predict; each error moves them by ``step``.
+
+    What is left is the mean of the errors before and after the step, which leaves the gain at 0 Hz at 1.
+    """
+    size, count = values.size, orders.size
+    answer = np.empty(size)
+    cosine, sine = np.empty((count, BLOCK)), np.empty((count, BLOCK))
+    a, b = np.zeros(count), np.zeros(count)
+    for start in range(0, size, BLOCK):
+        stop = min(start + BLOCK, size)
+        for k in range(count):
+            _unit_vectors(turns, orders[k], start, stop, cosine[k], sine[k])
+        for i in range(stop - start):
+            predicted = 0.0
+            for k in range(count):
+                predicted += a[k] * cosine[k, i] + b[k] * sine[k, i]
+            error = values[start + i] - predicted
+            answer[start + i] = error * (1 - 0.5 * step * count)
+            for k in range(count):
+                a[k] += step * error * cosine[k, i]
+                b[k] += step * error * sine[k, i]
+    return answer
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _sort(values):
+    """Sort a short array in place."""
+    for i in range(1, values.size):
+        value, j = values[i], i
+        while j > 0 and values[j - 1] > value:
+            values[j] = values[j - 1]
+            j -= 1
+        values[j] = value
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def medians(values, half):
+    """Return the median around each sample, and the median distance from it, over ``2 half + 1`` samples inside."""
+    size = values.size
+    width = min(2 * half + 1, size)
+    median, distance, near = np.empty(size), np.empty(size), np.empty(width)
+    for i in range(size):
+        first = min(max(i - half, 0), size - width)
+        near[:] = values[first : first + width]
+        _sort(near)
+        median[i] = near[width // 2]
+        for j in range(width):
+            near[j] = abs(near[j] - median[i])
+        _sort(near)
+        distance[i] = near[width // 2]
+    return median, distance

@@ -11,7 +11,7 @@ import numpy as np
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.signals.best_angle import best_motor_speed
-from torquerig.signals.filters.biquads import cascaded, quiet_start, zero_phase_notched
+from torquerig.signals.filters.biquads import cascaded, quiet_start, slow_delay, zero_phase_notched
 from torquerig.signals.set_point import set_point_speed
 
 if TYPE_CHECKING:
@@ -131,13 +131,6 @@ def notches(lines: Sequence[KinematicLine], motor_speed: float, half_width: floa
         [_notch(2 * pi * at / rate, 2 * pi * min(2 * half_width, at * _WIDEST) / rate)
          for at in centres if 0 < at <= _HIGHEST_SHARE_OF_RATE * rate]
     ).reshape(-1, 6)  # fmt: skip
-
-
-def slow_delay(sections: NDArray[np.float64]) -> float:
-    """Return the group delay of a cascade at 0 Hz [samples]: sum n b_n / sum b_n - sum n a_n / sum a_n of each."""
-    n = np.arange(3)
-    each = (sections[:, :3] @ n) / sections[:, :3].sum(axis=1) - (sections[:, 3:] @ n) / sections[:, 3:].sum(axis=1)
-    return float(each.sum())
 
 
 def _notch(centre: float, width: float) -> tuple[float, ...]:

@@ -25,6 +25,11 @@ class Hops:
     turns: Floats
 
     @property
+    def fastest(self) -> float:
+        """The most that the motor turns from one sample to the next [turns]."""
+        return float(np.abs(np.diff(self.turns)).max(initial=0.0))
+
+    @property
     def samples(self) -> Floats:
         """How many samples each hop has, shape (hops,)."""
         return np.diff(self.edges).astype(np.float64)
@@ -50,9 +55,8 @@ def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
     return Hops(np.unique(edges), np.ascontiguousarray(turns))
 
 
-def seen_orders(orders: Sequence[float], hops: Hops) -> Floats:
-    """Return the orders, each once, that stay below 0.45 periods a sample at the fastest."""
-    fastest = float(np.abs(np.diff(hops.turns)).max(initial=0.0))
+def seen_orders(orders: Sequence[float], fastest: float) -> Floats:
+    """Return the orders, each once, that stay below 0.45 periods a sample at ``fastest`` [turns per sample]."""
     unique = {float(f"{order:.9g}") for order in orders}
     return np.array(sorted(order for order in unique if order * fastest <= _HIGHEST_SHARE_OF_RATE))
 

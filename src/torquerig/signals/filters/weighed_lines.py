@@ -68,7 +68,7 @@ class WeighedLines:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = seen_orders([line.motor_order for line in self.lines], hops)
+        orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
         length = self.block if recording.run.profile == "steady" else self.changing_block
         blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
         fitted = block_amplitudes(values, hops, orders, blocks)
