@@ -24,6 +24,8 @@ from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.recording import Recording
 from torquerig.units import parse_quantity
 
+# a mean of equal numbers is off by so much
+_ROUNDING = 1e-14
 _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "energy change %")
 
 
@@ -86,7 +88,14 @@ def _filtered_whole(
         for chain, after in zip(chains, results, strict=True)
     ]
     known = TRUE_LOAD in before.channels
-    _tell(path, before, chains, effects, [truth_error(after, before) for after in results] if known else None)
+    _tell(
+        path,
+        before,
+        chains,
+        effects,
+        [truth_error(after, before) for after in results] if known else None,
+        samples=before.samples,
+    )
     if out is not None:
         written = write_recording(results[0], out, overwrite=force)
         click.echo(f"wrote {' and '.join(str(path) for path in written)}")
@@ -101,19 +110,20 @@ def _filtered_in_blocks(
     made = filter_long(stream, chains, blocking, ratio=kinematics.ratio, out=out, force=force)
     seconds, overlap = (samples / stream.sample_rate for samples in (blocking.samples, blocking.overlap))
     click.echo(f"filtered in blocks of {seconds:.4g} s that overlap by {overlap:.3g} s on either side")
-    _tell(stream.path, described(stream), chains, made.effects, made.errors)
+    _tell(stream.path, described(stream), chains, made.effects, made.errors, samples=made.samples)
     return made.stretch.before, made.stretch.after[0]
 
 
 def _tell(
     path: Path, before: Recording, chains: Sequence[Chain], effects: Sequence[FilterEffect],
-    errors: Sequence[float] | None,
+    errors: Sequence[float] | None, *, samples: int,
 ) -> None:  # fmt: skip
     first = effects[0]
-    if first.std_before == 0:
-        name = before.torque_name()
+    if first.std_before <= _ROUNDING * abs(first.mean_before):
         click.echo(
-            f"torquerig: warning: {path}: {name} is constant in all its samples; is the sensor connected?", err=True
+            f"torquerig: warning: {path}: {before.torque_name()} is constant in all its {samples} samples; "
+            "is the sensor connected?",
+            err=True,
         )
     click.echo(f"{path}: std {first.std_before:.5f} N*m, mean {first.mean_before:.5f} N*m")
     rows = [_row(chain, effect) for chain, effect in zip(chains, effects, strict=True)]

@@ -31,6 +31,7 @@ class LongResult:
     effects: tuple[FilterEffect, ...]
     errors: tuple[float, ...] | None
     stretch: FilteredBlock
+    samples: int
 
 
 def blocks_for(stream: RecordingStream, chains: Sequence[Chain], *, block: float | None) -> Blocking | None:
@@ -94,7 +95,7 @@ class _Seen:
             weights = np.array(self.samples) / sum(self.samples)
             errors = tuple(float(one) for one in np.sqrt(weights @ np.array(self.errors) ** 2))
         effects = tuple(joined_effect(each, self.samples) for each in zip(*self.effects, strict=True))
-        return LongResult(effects=effects, errors=errors, stretch=self.stretch)
+        return LongResult(effects=effects, errors=errors, stretch=self.stretch, samples=sum(self.samples))
 
 
 def described(stream: RecordingStream) -> Recording:
