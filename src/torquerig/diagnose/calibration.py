@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.correction import Correction, corrected
 from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.knobs import Knob, turned
@@ -35,6 +36,8 @@ class Calibrated:
         One per run.
     cost : float
         Sum of squares of robust residuals and of positions.
+    corrections : tuple of Correction
+        One per run where an effect is beyond the twin; else empty.
     """
 
     rig: Rig
@@ -43,28 +46,35 @@ class Calibrated:
     covariance: NDArray[np.float64]
     misfits: tuple[Misfit, ...]
     cost: float
+    corrections: tuple[Correction, ...] = ()
 
 
-def misfits_of(rig: Rig, seen: Sequence[Features]) -> tuple[Misfit, ...]:
-    """Return the misfit of every run against the linear twin of ``rig``."""
-    return tuple(misfit(features, expected(rig, features)) for features in seen)
+def misfits_of(
+    rig: Rig, seen: Sequence[Features], corrections: Sequence[Correction] | None = None
+) -> tuple[Misfit, ...]:
+    """Return the misfit of every run against the linear twin of ``rig``, corrected for what no twin can hold."""
+    models = [expected(rig, features) for features in seen]
+    if corrections is not None:
+        models = [corrected(model, correction) for model, correction in zip(models, corrections, strict=True)]
+    return tuple(misfit(features, model) for features, model in zip(seen, models, strict=True))
 
 
 def calibrated(
     rig: Rig, seen: Sequence[Features], knobs: Sequence[Knob], *, start: NDArray[np.float64] | None = None,
-    evaluations: int = _MOST_EVALUATIONS,
+    evaluations: int = _MOST_EVALUATIONS, corrections: Sequence[Correction] | None = None,
 ) -> Calibrated:  # fmt: skip
     """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior)."""
     from scipy.optimize import least_squares
 
     def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        each = misfits_of(turned(rig, knobs, positions), seen)
+        each = misfits_of(turned(rig, knobs, positions), seen, corrections)
         return np.concatenate([*(robust(one.all()) for one in each), positions])
 
     first = np.zeros(len(knobs)) if start is None else np.clip(start, -0.99 * _LIMIT, 0.99 * _LIMIT)
     found = least_squares(residuals, first, bounds=(-_LIMIT, _LIMIT), max_nfev=evaluations, ftol=1e-3, xtol=1e-3)
     fitted = turned(rig, knobs, found.x)
-    misfits = misfits_of(fitted, seen)
+    misfits = misfits_of(fitted, seen, corrections)
     covariance = np.linalg.pinv(found.jac.T @ found.jac)
     cost = misfit_sum(misfits) + float(found.x @ found.x)
-    return Calibrated(fitted, tuple(knobs), found.x, covariance, misfits, cost)
+    held = () if corrections is None else tuple(corrections)
+    return Calibrated(fitted, tuple(knobs), found.x, covariance, misfits, cost, held)

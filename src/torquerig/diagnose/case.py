@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from torquerig.diagnose.calibration import Calibrated
+from torquerig.diagnose.calibration import Calibrated, misfits_of
 from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.misfit import misfit_sum
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
 from torquerig.diagnose.places import SAME_ORDER, Place
@@ -72,6 +73,11 @@ class Case:
     model: Calibrated
     left: tuple[Peak, ...]
     accepted: tuple[Candidate, ...] = field(default=())
+
+    def misfit_of(self, rig: Rig) -> float:
+        """Return the misfit sum of another rig, with what no twin can hold as it stands in the model."""
+        corrections = self.model.corrections or None
+        return misfit_sum(misfits_of(rig, self.seen, corrections))
 
     def has(self, mechanism: str) -> bool:
         """Whether a mechanism was added already."""

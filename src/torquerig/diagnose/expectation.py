@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.added_signals import added_signals
 from torquerig.diagnose.features import POINTS, Features
-from torquerig.diagnose.places import RESOLVED, SAME_ORDER, Place, frequency, order
+from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place, frequency, order
+from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.quasi_static import quasi_static
+from torquerig.diagnose.turning import Turning
 from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
@@ -34,6 +36,10 @@ class Expectation:
         Of the real and of the imaginary part of a measured amplitude, from what is random [(N m)^2].
     level, level_variance : ndarray, shape (stretches,)
         [N m], [(N m)^2].
+    turning : ndarray, shape (blocks,), or None
+        Torque of the blocks of a run that turns back [N m].
+    power_tolerance, amplitude_tolerance : float or ndarray
+        What chance in an effect beyond the twin may add: of the density's logarithm [1], of an amplitude [N m].
     """
 
     power: Floats
@@ -41,6 +47,9 @@ class Expectation:
     variance: Floats
     level: Floats
     level_variance: Floats
+    turning: Floats | None = None
+    power_tolerance: float | Floats = 0.0
+    amplitude_tolerance: float | Floats = 0.0
 
 
 def expected(rig: Rig, seen: Features) -> Expectation:
@@ -48,30 +57,36 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     observed = seen.observed
     placed = rig.at(observed.run)
     twin = Twin(placed)
+    if seen.turning is not None:
+        return _turning(twin, seen, seen.turning)
     added = added_signals(twin, seen)
     power = twin.load_power(seen.band) + _noise(placed, observed.rate) + added.power
     points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
     stretches = len(seen.level)
-    balance = [
-        quasi_static(twin, speed=float(speed.mean()), acceleration=float(gain))
-        for speed, gain in zip(seen.speed, seen.acceleration, strict=True)
-    ]
+    balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
     amplitude = np.zeros((stretches, len(seen.places)))
-    motor = np.abs([torques.motor for torques in balance])
+    motor = np.abs(balance.motor)
     for line in twin.lines():
         passed = line.transfer(np.maximum(line.order * points / (2 * pi), 0.05))
         size = _size(passed, line, motor, steady=observed.steady)
         _put(amplitude, power, seen, order(line.order), size)
     for tone, volts in added.tones:
         _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
-    level = np.array([torques.sensor for torques in balance]) + added.level
+    level = balance.sensor + added.level
     return Expectation(
         power=power,
         amplitude=amplitude,
-        variance=_variance(seen, power),
+        variance=amplitude_variance(seen, power),
         level=level,
         level_variance=_level_variance(twin, seen, amplitude),
     )
+
+
+def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
+    """The quasi-static torque of each block: the shafts' own ringing dies out within one."""
+    torque = quasi_static(twin, speed=blocks.speed, acceleration=blocks.acceleration).sensor
+    none = np.zeros((0, len(seen.places)))
+    return Expectation(np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque)
 
 
 def _size(passed: NDArray[np.complex128], line: LineSource, motor: Floats, *, steady: bool) -> Floats:
@@ -81,32 +96,22 @@ def _size(passed: NDArray[np.complex128], line: LineSource, motor: Floats, *, st
 
 
 def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:
-    """Add a line to the place that shows it; where none does, to the bands it stands in."""
-    observed = seen.observed
-    if place in seen.places:
-        column = seen.places.index(place)
-        if np.isfinite(seen.amplitude[:, column]).any():
-            amplitude[:, column] = np.hypot(amplitude[:, column], size)
-            return
-    at = place.frequency(float(np.abs(seen.speed).mean()))
-    if observed.steady:
-        near = [
-            (abs(other.frequency(float(np.abs(seen.speed).mean())) - at), column)
-            for column, other in enumerate(seen.places)
-            if np.isfinite(seen.amplitude[:, column]).any()
-        ]
-        distance, column = min(near, default=(np.inf, -1))
-        if distance * seen.duration.mean() < RESOLVED:
-            amplitude[:, column] = np.hypot(amplitude[:, column], size)
-            return
-    elif place.domain == "order":
-        orders = [other.at if other.domain == "order" else np.inf for other in seen.places]
-        column = int(np.argmin(np.abs(np.array(orders) - place.at))) if orders else -1
-        if column >= 0 and abs(orders[column] - place.at) < SAME_ORDER:
-            amplitude[:, column] = np.hypot(amplitude[:, column], size)
-            return
-    row = int(np.argmin(np.abs(np.log(seen.band / at)))) if at > 0 else 0
-    if seen.band[0] < at < seen.band[-1]:
+    """Add a line to the place that shows it in each stretch; where none does in a steady run, to its band."""
+    if not amplitude.size:
+        return
+    at = np.array([place.frequency(float(speed)) for speed in np.abs(seen.speed).mean(axis=1)])
+    middle = seen.line_frequency.mean(axis=2)
+    apart = np.abs(middle - at[:, None]) * seen.duration[:, None]
+    apart[~np.isfinite(seen.amplitude)] = np.inf
+    same = [other.domain == place.domain and abs(other.at - place.at) < SAME_ORDER for other in seen.places]
+    apart[:, same] = np.where(np.isfinite(apart[:, same]), 0.0, np.inf)
+    rows = np.arange(len(at))
+    column = np.argmin(apart, axis=1)
+    shown = apart[rows, column] < (RESOLVED_STEADY if seen.observed.steady else RESOLVED)
+    amplitude[rows[shown], column[shown]] = np.hypot(amplitude[rows[shown], column[shown]], size[shown])
+    mean = float(at.mean())
+    if seen.power.size and not shown.any() and seen.band[0] < mean < seen.band[-1]:
+        row = int(np.argmin(np.abs(np.log(seen.band / mean))))
         power[row] += 0.5 * float((size**2).mean()) / seen.width[row]
 
 
@@ -115,10 +120,11 @@ def _noise(rig: Rig, rate: float) -> float:
     return 2 * (sensor.noise_rms / sensor.sensitivity) ** 2 / rate if isinstance(sensor, TorqueSensor) else 0.0
 
 
-def _variance(seen: Features, power: Floats) -> Floats:
-    """Spread of a regressed amplitude: density over duration, at the frequencies that the line passes."""
+def amplitude_variance(seen: Features, power: Floats) -> Floats:
+    """Return the spread of regressed amplitudes: density over duration, at the frequencies that each line passes."""
     at = np.log(np.maximum(seen.line_frequency, seen.band[0]))
-    return np.asarray(np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None])
+    window = HANN_NOISE if seen.observed.steady else 1.0
+    return np.asarray(window * np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None])
 
 
 def _level_variance(twin: Twin, seen: Features, amplitude: Floats) -> Floats:

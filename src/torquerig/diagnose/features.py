@@ -10,15 +10,14 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.bands import bands, no_bands, spectrum
 from torquerig.diagnose.observed import Observed, Stretch
-from torquerig.diagnose.places import RESOLVED, Place
+from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, Place
 from torquerig.diagnose.regression import regressed
+from torquerig.diagnose.turning import Turning, turning, turns_back
 
 Floats = NDArray[np.float64]
 
-BANDS_PER_OCTAVE = 8
-_LOWEST_BAND = 1.2  # [Hz]
-_HIGHEST_SHARE = 0.46  # of the sample rate: nearer to half of it converters and filters differ
 _FEWEST_TURNS = 0.9  # periods of a line within a stretch
 POINTS = 9  # speeds kept of each stretch
 
@@ -29,6 +28,8 @@ class Features:
 
     Parameters
     ----------
+    held : bool or None
+        Which stretches: those that fits may see (False), may not see (True), or all (None).
     stretches : tuple of Stretch
         The stretches looked at.
     places : tuple of Place
@@ -44,14 +45,18 @@ class Features:
     band : ndarray, shape (bands,)
         Middle of each band [Hz].
     power : ndarray, shape (bands,)
-        Mean one-sided density [(N m)^2/Hz] of what the lines leave; empty where the speed moves.
+        Mean one-sided density [(N m)^2/Hz] of what the lines leave, NaN where they leave nothing; empty where the
+        speed moves.
     count : ndarray, shape (bands,)
         Independent values behind each ``power``.
     width : ndarray, shape (bands,)
         Of each band [Hz].
+    turning : Turning or None
+        Of a run that turns back, which has this and none of the others.
     """
 
     observed: Observed
+    held: bool | None
     stretches: tuple[Stretch, ...]
     places: tuple[Place, ...]
     amplitude: NDArray[np.complex128]
@@ -63,6 +68,7 @@ class Features:
     power: Floats
     count: Floats
     width: Floats
+    turning: Turning | None = None
 
     @cached_property
     def line_frequency(self) -> Floats:
@@ -75,22 +81,33 @@ class Features:
 
 def features(observed: Observed, places: Sequence[Place], *, held: bool | None = False) -> Features:
     """Return the features of the stretches that fits may see (``held`` False), may not see (True), or all (None)."""
+    if turns_back(observed):
+        return _turning_features(observed, places, held=held)
     stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
     amplitudes, levels, spectra = [], [], []
     for stretch in stretches:
-        amplitude, level, rest = _lines(observed, stretch, places)
+        amplitude, level, rest, lines = _lines(observed, stretch, places)
         amplitudes.append(amplitude)
         levels.append(level)
         if observed.steady:
-            spectra.append(_periodogram(rest, observed.rate))
+            spectra.append(spectrum(rest, observed.rate, lines))
     speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
     duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
-    band, power, count, width = _bands(spectra, stretches, observed.rate)
+    floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
     return Features(
-        observed=observed, stretches=tuple(stretches), places=tuple(places), amplitude=np.array(amplitudes),
+        observed=observed, held=held, stretches=tuple(stretches), places=tuple(places), amplitude=np.array(amplitudes),
         level=np.array(levels),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
-        band=band, power=power, count=count, width=width,
+        band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
+    )  # fmt: skip
+
+
+def _turning_features(observed: Observed, places: Sequence[Place], *, held: bool | None) -> Features:
+    floor = no_bands(observed.rate)
+    return Features(
+        observed=observed, held=held, stretches=(), places=tuple(places), amplitude=np.zeros((0, len(places)), dtype=complex),
+        level=np.zeros(0), speed=np.zeros((0, POINTS)), duration=np.zeros(0), acceleration=np.zeros(0),
+        band=floor.middle, power=floor.power, count=floor.count, width=floor.width, turning=turning(observed, places, held=held),
     )  # fmt: skip
 
 
@@ -99,12 +116,13 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
     speeds = np.abs(observed.speed[stretch.start : stretch.stop])
     duration = (stretch.stop - stretch.start) / observed.rate
     mean, top = float(speeds.mean()), float(speeds.max())
+    resolved = RESOLVED_STEADY if observed.steady else RESOLVED
     shown: list[int] = []
     taken: list[float] = []
     for index, place in enumerate(places):
         at = place.frequency(mean)
         turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < 0.4 * observed.rate
-        if turning and all(abs(at - other) * duration >= RESOLVED for other in taken):
+        if turning and all(abs(at - other) * duration >= resolved for other in taken):
             shown.append(index)
             taken.append(at)
     return shown
@@ -112,40 +130,14 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
 
 def _lines(
     observed: Observed, stretch: Stretch, places: Sequence[Place]
-) -> tuple[NDArray[np.complex128], float, Floats]:
+) -> tuple[NDArray[np.complex128], float, Floats, list[float]]:
     part = slice(stretch.start, stretch.stop)
     time = np.arange(stretch.start, stretch.stop) / observed.rate
     shown = shown_places(observed, stretch, places)
     phases = [places[index].phase(observed.angle[part], time) for index in shown]
-    found = regressed(observed.torque[part], np.array(phases).reshape(len(shown), time.size))
+    window = np.hanning(time.size) if observed.steady else None
+    found = regressed(observed.torque[part], np.array(phases).reshape(len(shown), time.size), window=window)
     amplitude = np.full(len(places), np.nan, dtype=complex)
     amplitude[shown] = found.amplitude
-    return amplitude, found.level, found.rest
-
-
-def _periodogram(rest: Floats, rate: float) -> Floats:
-    window = np.hanning(rest.size)
-    spectrum = np.fft.rfft(rest * window)
-    return np.asarray(2 * np.abs(spectrum) ** 2 / ((window**2).sum() * rate))
-
-
-def _bands(
-    spectra: Sequence[Floats], stretches: Sequence[Stretch], rate: float
-) -> tuple[Floats, Floats, Floats, Floats]:
-    octaves = np.log2(_HIGHEST_SHARE * rate / _LOWEST_BAND)
-    edges = _LOWEST_BAND * 2 ** (np.arange(int(octaves * BANDS_PER_OCTAVE) + 1) / BANDS_PER_OCTAVE)
-    if not spectra:
-        return np.sqrt(edges[:-1] * edges[1:]), np.array([]), np.array([]), np.diff(edges)
-    length = min(stretch.stop - stretch.start for stretch in stretches)
-    frequency = np.fft.rfftfreq(length, 1 / rate)
-    mean = np.mean([spectrum[: frequency.size] for spectrum in spectra], axis=0)
-    index = np.searchsorted(edges, frequency, side="right") - 1
-    inside = (index >= 0) & (index < edges.size - 1)
-    bins = np.bincount(index[inside], minlength=edges.size - 1)
-    power = np.bincount(index[inside], weights=mean[inside], minlength=edges.size - 1)
-    seen = bins > 0
-    middle = np.bincount(index[inside], weights=np.log(np.maximum(frequency[inside], 1e-9)), minlength=edges.size - 1)
-    # a Hann window couples neighbouring bins: about 0.7 of them are independent
-    count = np.asarray(0.7 * bins[seen] * len(spectra), dtype=np.float64)
-    width = np.asarray(bins[seen] * (rate / length), dtype=np.float64)
-    return np.exp(middle[seen] / bins[seen]), power[seen] / bins[seen], count, width
+    mean = float(np.abs(observed.speed[part]).mean())
+    return amplitude, found.level, found.rest, [places[index].frequency(mean) for index in shown]

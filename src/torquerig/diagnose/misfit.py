@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.expectation import Expectation
 from torquerig.diagnose.features import Features
+from torquerig.diagnose.turning import Turning
 
 Floats = NDArray[np.float64]
 
 # what a model may be wrong by before it counts [relative]: details of a real rig that nobody models
 BAND_TOLERANCE, LINE_TOLERANCE, RAMP_LINE_TOLERANCE, LEVEL_TOLERANCE = 0.05, 0.04, 0.06, 0.01
 LEVEL_FLOOR = 0.002  # [N m]
+TURNING_FLOOR, TURNING_TOLERANCE = 0.015, 0.05  # [N m], [1] near standstill no two rigs are alike
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
 _UNMEASURED_ANGLE = 0.015
 _ROBUST = 4.0  # residuals beyond this count by their size, no longer by their square
@@ -30,27 +32,38 @@ class Misfit:
     bands : ndarray, shape (bands,)
     lines : ndarray, shape (places,) in steady runs, (stretches, places) else
     level : ndarray, shape (stretches,)
+    turning : ndarray, shape (blocks,)
+        Only of runs that turn back.
     """
 
     bands: Floats
     lines: Floats
     level: Floats
+    turning: Floats = field(default_factory=lambda: np.zeros(0))
 
     def all(self) -> Floats:
         """Return every residual in one row, shape (features,)."""
-        return np.concatenate([self.bands, self.lines.ravel(), self.level])
+        return np.concatenate([self.bands, self.lines.ravel(), self.level, self.turning])
+
+    def scaled(self, factor: float) -> Misfit:
+        """Return the residuals times ``factor``."""
+        if factor == 1.0:
+            return self
+        return Misfit(self.bands * factor, self.lines * factor, self.level * factor, self.turning * factor)
 
     @property
     def seen(self) -> int:
         """How many features there are to see."""
-        return self.bands.size + int(np.count_nonzero(self.lines)) + self.level.size
+        return self.bands.size + int(np.count_nonzero(self.lines)) + self.level.size + self.turning.size
 
 
 def misfit(seen: Features, model: Expectation) -> Misfit:
     """Return the residuals of a run against a model."""
+    if seen.turning is not None and model.turning is not None:
+        return _turning(seen.turning, model.turning)
     if seen.power.size:
-        spread = np.sqrt(1 / seen.count + BAND_TOLERANCE**2)
-        bands = np.log(seen.power / model.power) / spread
+        spread = np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + np.square(model.power_tolerance))
+        bands = np.nan_to_num(np.log(seen.power / model.power) / spread)
     else:
         bands = np.array([])
     lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)
@@ -69,6 +82,13 @@ def misfit_sum(misfits: Sequence[Misfit]) -> float:
     return float(sum((robust(each.all()) ** 2).sum() for each in misfits))
 
 
+def _turning(seen: Turning, model: Floats) -> Misfit:
+    """Blocks of a run that turns back; what lines could do is taken out, neighbours are about half independent."""
+    spread = np.sqrt(TURNING_FLOOR**2 + (TURNING_TOLERANCE * model) ** 2)
+    none = np.zeros(0)
+    return Misfit(none, none, none, seen.without_lines(seen.torque - model) / spread / np.sqrt(2))
+
+
 def _steady_lines(seen: Features, model: Expectation) -> Floats:
     """All stretches together: power of the line over what chance leaves, against the expected size."""
     shown = np.isfinite(seen.amplitude)
@@ -77,7 +97,8 @@ def _steady_lines(seen: Features, model: Expectation) -> Floats:
     chance = 2 * model.variance.mean(axis=0)
     size, expected = np.sqrt(np.maximum(power - chance, 0.0)), model.amplitude.mean(axis=0)
     tolerance = np.hypot(LINE_TOLERANCE, _smearing(seen))
-    spread = np.sqrt(chance / count + (tolerance * expected) ** 2)
+    beyond = np.broadcast_to(model.amplitude_tolerance, model.amplitude.shape).mean(axis=0)
+    spread = np.sqrt(chance / count + (tolerance * expected) ** 2 + beyond**2)
     return np.asarray(np.where(shown.any(axis=0), (size - expected) / spread, 0.0))
 
 
@@ -87,7 +108,7 @@ def _moving_lines(seen: Features, model: Expectation) -> Floats:
     size = np.abs(np.where(shown, seen.amplitude, 0.0))
     expected = np.sqrt(model.amplitude**2 + model.variance)
     tolerance = np.hypot(RAMP_LINE_TOLERANCE, _smearing(seen))
-    spread = np.sqrt(model.variance + (tolerance * expected) ** 2)
+    spread = np.sqrt(model.variance + (tolerance * expected) ** 2 + np.square(model.amplitude_tolerance))
     return np.asarray(np.where(shown, (size - expected) / spread, 0.0) / np.sqrt(2))
 
 

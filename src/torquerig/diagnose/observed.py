@@ -98,14 +98,15 @@ def observed(recording: Recording, angle: ShaftAngle, *, ratio: float, factor: f
         recording=replace(recording, run=held_at),
         torque=recording.torque(),
         angle=angle.values,
-        speed=_speed(angle.values, recording.sample_rate),
+        speed=speed_of(angle.values, recording.sample_rate),
         origin=angle.origin,
         angle_measured=angle.measured,
         stretches=_stretches(run, angle.values, ratio=ratio),
     )
 
 
-def _speed(angle: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+def speed_of(angle: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
+    """Return the speed [rad/s] at each sample of an angle [rad], as a mean over 50 ms."""
     reach = max(1, int(0.5 * _SPEED_WINDOW * rate))
     at = np.arange(angle.size)
     low, high = np.maximum(at - reach, 0), np.minimum(at + reach, angle.size - 1)

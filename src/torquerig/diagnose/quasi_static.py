@@ -4,27 +4,31 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from math import exp, tanh
+
+import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.twin import BLADE_MEAN, Twin
 from torquerig.rig.terms import BladeTorque, Friction, Inertia, Load
 
+Floats = NDArray[np.float64]
+
 
 @dataclass(frozen=True)
 class QuasiStatic:
-    """Torque at the sensor and at the motor [N m], and the mean of the random load in the former."""
+    """Torque at the sensor and at the motor [N m], shapes as the speeds asked for."""
 
-    sensor: float
-    motor: float
+    sensor: Floats
+    motor: Floats
 
 
-def quasi_static(twin: Twin, *, speed: float, acceleration: float) -> QuasiStatic:
+def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiStatic:
     """Return the torques while the motor turns at ``speed`` [rad/s] and gains ``acceleration`` [rad/s^2].
 
     Power balance along the shafts: each torque reaches the motor times the turns of its node and over the efficiencies
     between. Springs are taken as rigid, which holds far below the first mode.
     """
-    sensor = motor = 0.0
+    sensor, motor = np.zeros(speed.shape), np.zeros(speed.shape)
     behind, efficiency = _behind_sensor(twin), _efficiency(twin)
     for term in twin.terms:
         node = getattr(term, "on", getattr(term, "node", None))
@@ -37,19 +41,20 @@ def quasi_static(twin: Twin, *, speed: float, acceleration: float) -> QuasiStati
     return QuasiStatic(sensor, motor)
 
 
-def _opposing(term: object, speed: float, acceleration: float) -> float:
+def _opposing(term: object, speed: Floats, acceleration: Floats) -> Floats:
     if isinstance(term, Inertia):
         return term.inertia * acceleration
     if isinstance(term, Load):
-        return term.process.mean * tanh(speed / term.smoothing)
+        return np.asarray(term.process.mean * np.tanh(speed / term.smoothing))
     if isinstance(term, BladeTorque):
-        return BLADE_MEAN * term.amplitude * tanh(speed / term.smoothing)
+        return np.asarray(BLADE_MEAN * term.amplitude * np.tanh(speed / term.smoothing))
     if isinstance(term, Friction):
-        coulomb = term.coulomb_forward if speed > 0 else term.coulomb_backward
-        static = term.static_forward if speed > 0 else term.static_backward
-        grip = coulomb + (static - coulomb) * exp(-min((speed / term.stribeck) ** 2, 50.0))
-        return grip * tanh(speed / term.smoothing) + term.viscous * speed + term.quadratic * speed * abs(speed)
-    return 0.0
+        coulomb = np.where(speed > 0, term.coulomb_forward, term.coulomb_backward)
+        static = np.where(speed > 0, term.static_forward, term.static_backward)
+        grip = coulomb + (static - coulomb) * np.exp(-np.minimum((speed / term.stribeck) ** 2, 50.0))
+        dry = grip * np.tanh(speed / term.smoothing)
+        return np.asarray(dry + term.viscous * speed + term.quadratic * speed * np.abs(speed))
+    return np.zeros(speed.shape)
 
 
 def _behind_sensor(twin: Twin) -> set[str]:

@@ -9,14 +9,18 @@ import numpy as np
 
 from torquerig.diagnose.calibration import Calibrated, calibrated
 from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.hypotheses import proposals
 from torquerig.diagnose.peaks import Peak
+from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
 PER_KNOB = 5.0  # what a further number must gain, beside the square of its own position
 LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
+_JOINT_EVALUATIONS = 20
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
+_CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
 _ALIKE = 0.12  # a rival within this share of the winner's gain cannot be told from it
 
 
@@ -42,6 +46,10 @@ def trials(case: Case) -> list[Trial]:
         if trial.gain > 0 and len(finalists) < _FINALISTS and not _repeated(trial, finalists):
             finalists.append(trial)
     fitted = [_joint(case, trial) for trial in finalists]
+    if gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
+        candidate, model = fitted_gap(case, _nominal_with_accepted(case))
+        gain = case.model.cost - model.cost - PER_KNOB
+        fitted.append(Trial(candidate, simulated_model(candidate, model), gain))
     fitted.sort(key=lambda trial: -trial.gain)
     return fitted
 
@@ -52,11 +60,18 @@ def extended(case: Case, best: Trial) -> Case:
     for peak in case.left:
         misses = []
         for features, misfit in zip(case.seen, best.model.misfits, strict=True):
+            if features.turning is not None:
+                continue
             column = features.places.index(peak.place)
             misses.append(float(np.abs(np.atleast_2d(misfit.lines)[:, column]).max()))
         if max(misses, default=0.0) > _EXPLAINED:
             unexplained.append(peak)
     return replace(case, model=best.model, accepted=(*case.accepted, best.candidate), left=tuple(unexplained))
+
+
+def _excess(case: Case) -> float:
+    """How far the model's misfit lies above that of a true one."""
+    return case.model.cost - sum(misfit.seen for misfit in case.model.misfits)
 
 
 def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
@@ -68,22 +83,34 @@ def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
 
 def _screened(case: Case, candidate: Candidate) -> Trial:
     rig = candidate.added_to(case.model.rig)
-    model = calibrated(rig, case.seen, candidate.knobs, evaluations=6)
+    model = calibrated(rig, case.seen, candidate.knobs, evaluations=6, corrections=case.model.corrections or None)
     before = case.model.cost - float(case.model.positions @ case.model.positions)
     return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs))
 
 
 def _joint(case: Case, trial: Trial) -> Trial:
-    candidate, own = trial.candidate, trial.model
-    parts = tuple(own.rig.part(part.name) for part in candidate.parts)
-    placed = replace(candidate, parts=parts)
-    base = case.nominal
+    """Fit all numbers together, from where the model stands and afresh from the nominal values; the better counts.
+
+    What is missing bends the numbers of the model that lacks it, sometimes too far to come back from.
+    """
+    names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
+    base = _nominal_with_accepted(case)
+    afresh = calibrated(trial.candidate.added_to(base), case.seen, trial.candidate.knobs, evaluations=8, corrections=held)
+    fitted = []
+    for own, nuisance in ((trial.model.rig, case.model.positions), (afresh.rig, np.zeros(len(case.model.knobs)))):
+        placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
+        knobs = (*case.model.knobs, *placed.knobs)
+        start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
+        model = calibrated(placed.added_to(base), case.seen, knobs, start=start, evaluations=_JOINT_EVALUATIONS, corrections=held)
+        fitted.append(Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs)))
+    return max(fitted, key=lambda one: one.gain)
+
+
+def _nominal_with_accepted(case: Case) -> Rig:
+    rig = case.nominal
     for earlier in case.accepted:
-        base = earlier.added_to(base)
-    knobs = (*case.model.knobs, *placed.knobs)
-    start = np.concatenate([case.model.positions, np.zeros(len(placed.knobs))])
-    model = calibrated(placed.added_to(base), case.seen, knobs, start=start, evaluations=10)
-    return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs))
+        rig = earlier.added_to(rig)
+    return rig
 
 
 def rivals(best: Trial, others: Sequence[Trial]) -> tuple[Trial, ...]:

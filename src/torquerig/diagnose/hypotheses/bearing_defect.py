@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.impacts import impact_orders
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.loaded_part import loaded_part
-from torquerig.diagnose.misfit import misfit_sum
 from torquerig.diagnose.twin import Twin
 
 _AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3)  # [N m]
@@ -36,5 +34,5 @@ def propose(case: Case) -> Iterator[Candidate]:
                 Knob(part.name, "damping", 0.7),
             )
             candidate = Candidate(mechanism="bearing_defect", parts=(part,), knobs=knobs)
-            ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+            ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
         yield min(ranked, key=lambda item: item[0])[1]

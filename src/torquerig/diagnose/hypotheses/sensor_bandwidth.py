@@ -7,10 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.misfit import misfit_sum
 from torquerig.rig.parts import TorqueSensor
 
 _LOWEST = 15.0  # [Hz]
@@ -26,5 +24,5 @@ def propose(case: Case) -> Iterator[Candidate]:
     for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS):
         part = mechanisms.SensorBandwidth(name="sensor_bandwidth", sensor=sensor.name, cutoff=float(cutoff))
         candidate = Candidate(mechanism="sensor_bandwidth", parts=(part,), knobs=(Knob(part.name, "cutoff", 0.3),))
-        ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+        ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
     yield min(ranked, key=lambda item: item[0])[1]

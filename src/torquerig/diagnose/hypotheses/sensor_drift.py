@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.misfit import misfit_sum
 
 _SPANS = (-0.5, -0.15, -0.05, 0.05, 0.15, 0.5)  # [V]
 _SPREAD = 0.3  # [V]
@@ -28,5 +26,5 @@ def propose(case: Case) -> Iterator[Candidate]:
                     mechanism="sensor_drift", parts=(part,), knobs=tuple(knobs),
                     variant="linear" if tau is None else "exponential",
                 )  # fmt: skip
-                ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+                ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
         yield min(ranked, key=lambda item: item[0])[1]

@@ -6,11 +6,9 @@ from collections.abc import Iterator
 from itertools import product
 
 from torquerig import mechanisms
-from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.loaded_part import loaded_part
-from torquerig.diagnose.misfit import misfit_sum
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
 
@@ -27,5 +25,5 @@ def propose(case: Case) -> Iterator[Candidate]:
         )
         knobs = tuple(Knob(part.name, field, 0.8) for field in ("coulomb", "static", "stribeck_speed"))
         candidate = Candidate(mechanism="stribeck_friction", parts=(part,), knobs=knobs)
-        ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+        ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
     yield min(ranked, key=lambda item: item[0])[1]

@@ -7,11 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from torquerig import mechanisms
-from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.loaded_part import loaded_part
-from torquerig.diagnose.misfit import misfit_sum
 from torquerig.rig.parts import Body
 
 _FREQUENCIES = np.geomspace(15.0, 900.0, 48)
@@ -30,7 +28,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     for share in _SHARES:
         for frequency in _FREQUENCIES:
             candidate = _branch(body, float(frequency), share * body.inertia)
-            ranked.append((misfit_sum(misfits_of(candidate.added_to(case.model.rig), case.seen)), candidate))
+            ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
     ranked.sort(key=lambda item: item[0])
     yield from (candidate for _, candidate in ranked[:_BEST])
 

@@ -1,0 +1,80 @@
+"""The spectrum of what the lines leave, band by band, the bins beside a line left out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+BANDS_PER_OCTAVE = 8
+_LOWEST = 1.2  # [Hz]
+_HIGHEST_SHARE = 0.46  # of the sample rate: nearer to half of it converters and filters differ
+_BESIDE_A_LINE = 2.0  # bins either way that a line fitted under a Hann window empties
+_INDEPENDENT = 0.7  # share of neighbouring bins that a Hann window leaves independent
+
+
+@dataclass(frozen=True)
+class Bands:
+    """Middle [Hz], mean density (NaN where lines leave no bin), independent values and width [Hz] of each band."""
+
+    middle: Floats
+    power: Floats
+    count: Floats
+    width: Floats
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """One stretch: density of each bin, and which bins count."""
+
+    density: Floats
+    counts: NDArray[np.bool_]
+
+
+def spectrum(rest: Floats, rate: float, lines: Sequence[float]) -> Spectrum:
+    """Return the one-sided density of ``rest`` under a Hann window; bins beside ``lines`` [Hz] do not count."""
+    window = np.hanning(rest.size)
+    density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
+    counts = np.ones(density.size, dtype=bool)
+    for line in lines:
+        at = line * rest.size / rate
+        counts[max(int(np.ceil(at - _BESIDE_A_LINE)), 0) : int(np.floor(at + _BESIDE_A_LINE)) + 1] = False
+    return Spectrum(np.asarray(density), counts)
+
+
+def band_edges(rate: float) -> Floats:
+    """Return the edges of the bands [Hz]: eight to the octave."""
+    octaves = np.log2(_HIGHEST_SHARE * rate / _LOWEST)
+    return np.asarray(_LOWEST * 2 ** (np.arange(int(octaves * BANDS_PER_OCTAVE) + 1) / BANDS_PER_OCTAVE))
+
+
+def no_bands(rate: float) -> Bands:
+    """Return the bands of a run whose speed moves: places without densities."""
+    edges = band_edges(rate)
+    return Bands(np.sqrt(edges[:-1] * edges[1:]), np.array([]), np.array([]), np.diff(edges))
+
+
+def bands(spectra: Sequence[Spectrum], rate: float) -> Bands:
+    """Return the mean of several stretches in bands that hold at least one bin."""
+    edges = band_edges(rate)
+    size = min(each.density.size for each in spectra)
+    density = np.array([each.density[:size] for each in spectra])
+    counts = np.array([each.counts[:size] for each in spectra])
+    frequency = np.linspace(0.0, 0.5 * rate, size)
+    index = np.searchsorted(edges, frequency, side="right") - 1
+    inside = (index >= 0) & (index < edges.size - 1)
+
+    def summed(values: Floats) -> Floats:
+        return np.bincount(index[inside], weights=values[inside], minlength=edges.size - 1).astype(np.float64)
+
+    bins = summed(np.ones(size))
+    seen = bins > 0
+    used = summed(counts.sum(axis=0).astype(np.float64))[seen]
+    total = summed((density * counts).sum(axis=0))[seen]
+    middle = np.exp(summed(np.log(np.maximum(frequency, 1e-9)))[seen] / bins[seen])
+    power = np.where(used > 0, total / np.maximum(used, 1.0), np.nan)
+    return Bands(middle, power, np.maximum(_INDEPENDENT * used, 1e-3), bins[seen] * (0.5 * rate / (size - 1)))

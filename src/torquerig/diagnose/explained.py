@@ -1,0 +1,24 @@
+"""How much of what a model missed an effect explains, at the very places where it changes something."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from torquerig.diagnose.misfit import Misfit, robust
+
+_CHANGED = 2.0  # a feature belongs to the effect's place when its robust square moves by more than this
+LEAST_SHARE = 0.8
+
+
+def explained_share(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
+    """Return 1 - (excess misfit left) / (excess misfit before) over the features that the effect changes.
+
+    An effect that is there explains its places down to chance; one that only resembles what is there leaves a rest.
+    """
+    old = np.concatenate([robust(misfit.all()) ** 2 for misfit in before])
+    new = np.concatenate([robust(misfit.all()) ** 2 for misfit in after])
+    place = np.abs(old - new) > _CHANGED
+    excess = float(np.maximum(old[place] - 1, 0).sum())
+    return 1 - float(np.maximum(new[place] - 1, 0).sum()) / excess if excess > 0 else 0.0

@@ -1,0 +1,82 @@
+"""What a model says the features of a run should be, measured on its own simulation: true for any effect, and dearer."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.expectation import Expectation, amplitude_variance, expected
+from torquerig.diagnose.features import Features, features
+from torquerig.diagnose.observed import Observed, speed_of
+from torquerig.rig.rig import Rig
+from torquerig.simulate.simulate import simulate
+
+Floats = NDArray[np.float64]
+
+_WORKERS = 2
+
+
+def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
+    """Return what the rig records in the run of ``observed``, cut into the same stretches."""
+    recording = simulate(
+        rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
+    )
+    angle = recording.channels["true_motor_angle_rad"].values
+    return replace(
+        observed,
+        recording=recording,
+        torque=recording.torque(),
+        angle=angle,
+        speed=speed_of(angle, observed.rate),
+        origin="simulated",
+        angle_measured=True,
+    )
+
+
+def expected_by_simulation(
+    rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]
+) -> tuple[Expectation, ...]:
+    """Return the expected features of every run, from one simulation per run and seed, two at a time."""
+    jobs = [(features, seed) for features in seen for seed in seeds]
+    with ThreadPoolExecutor(_WORKERS) as pool:
+        copies = list(pool.map(lambda job: _copy(rig, *job), jobs))
+    each = len(seeds)
+    return tuple(_mean(rig, one, copies[row * each : (row + 1) * each]) for row, one in enumerate(seen))
+
+
+def _copy(rig: Rig, seen: Features, seed: int) -> Features:
+    copy = simulated(rig, seen.observed, seed=seed)
+    if seen.turning is not None:
+        return features(copy, seen.places, held=seen.held)
+    # a steady run is the same all along, so all of it counts
+    return features(copy, seen.places, held=None if seen.observed.steady else seen.held)
+
+
+def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
+    spread = expected(rig, seen)
+    if seen.turning is not None:
+        # lines differ in phase from copy to recording and are projected out of both
+        blocks = [copy.turning.without_lines(copy.turning.torque) for copy in copies if copy.turning is not None]
+        return replace(spread, turning=np.mean(blocks, axis=0))
+    power = _mean_power(copies, spread.power) if seen.power.size else spread.power
+    sizes = [np.abs(copy.amplitude) ** 2 for copy in copies]
+    chance = amplitude_variance(seen, power)
+    if seen.observed.steady:
+        every = np.concatenate(sizes)
+        shown = np.isfinite(every)
+        mean = (np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1))[None, :]
+        level = np.full(seen.level.shape, np.mean([copy.level.mean() for copy in copies]))
+    else:
+        mean, level = np.mean(sizes, axis=0), np.mean([copy.level for copy in copies], axis=0)
+    amplitude = np.sqrt(np.maximum(np.nan_to_num(mean) - 2 * chance, 0.0))
+    return replace(spread, power=power, amplitude=amplitude, variance=chance, level=level)
+
+
+def _mean_power(copies: Sequence[Features], otherwise: Floats) -> Floats:
+    """Mean over the copies; where lines leave no bin, what the twin says."""
+    mean = np.mean([copy.power for copy in copies], axis=0)
+    return np.asarray(np.where(np.isfinite(mean), mean, otherwise))

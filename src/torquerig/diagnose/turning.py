@@ -1,0 +1,77 @@
+"""The torque of a run that turns back, block by block, with the lines of the shafts projected out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.places import Place
+
+Floats = NDArray[np.float64]
+
+BLOCK = 0.02  # [s] long against the first mode, short against a reversal
+_OVERSAMPLED = 5  # the lines are followed at so many points of a block
+_WIDE = 1e-3  # singular values below this share of the largest carry no line
+
+
+@dataclass(frozen=True)
+class Turning:
+    """Block means of one run.
+
+    Parameters
+    ----------
+    torque, speed, acceleration : ndarray, shape (blocks,)
+        [N m]; of the motor [rad/s], [rad/s^2].
+    lines : ndarray, shape (blocks, dimensions)
+        Orthonormal columns that span what lines of any size and phase can do to the blocks.
+    """
+
+    torque: Floats
+    speed: Floats
+    acceleration: Floats
+    lines: Floats
+
+    def without_lines(self, blocks: Floats) -> Floats:
+        """Return the part of ``blocks`` that no line can make."""
+        return np.asarray(blocks - self.lines @ (self.lines.T @ blocks))
+
+
+def turns_back(observed: Observed) -> bool:
+    """Whether the motor runs both ways in this run."""
+    return float(observed.speed.min()) < -0.05 * float(np.abs(observed.speed).max()) < 0 < float(observed.speed.max())
+
+
+def turning(observed: Observed, places: Sequence[Place], *, held: bool | None) -> Turning:
+    """Return the blocks of the stretches that fits may see (``held`` False), may not see (True), or all (None)."""
+    size = max(1, round(BLOCK * observed.rate))
+    starts = np.concatenate([
+        np.arange(stretch.start, stretch.stop - size + 1, size)
+        for stretch in observed.stretches
+        if held is None or stretch.held == held
+    ])  # fmt: skip
+    index = starts[:, None] + np.arange(size)
+    angle = observed.angle[starts[:, None] + np.linspace(0, size - 1, _OVERSAMPLED).astype(int)]
+    ends = observed.speed[np.minimum(starts + size, observed.speed.size - 1)]
+    orders = [place.at for place in places if place.domain == "order"]
+    waves = [np.exp(1j * order * angle).mean(axis=1) for order in orders]
+    columns = [part for wave in waves for part in (wave.real, wave.imag)]
+    return Turning(
+        torque=observed.torque[index].mean(axis=1),
+        speed=observed.speed[starts + size // 2],
+        acceleration=(ends - observed.speed[starts]) / BLOCK,
+        lines=_orthonormal(np.array(columns).T.reshape(starts.size, len(columns))),
+    )
+
+
+def _orthonormal(columns: Floats) -> Floats:
+    if columns.shape[1] == 0:
+        return columns
+    left, sizes, _ = np.linalg.svd(columns, full_matrices=False)
+    return np.asarray(left[:, sizes > _WIDE * sizes[0]])
+
+
