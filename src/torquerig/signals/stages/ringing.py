@@ -90,6 +90,16 @@ class Ringing:
         ring = lfilter([1.0], [1.0, -np.exp(pole / recording.sample_rate)], kicks).imag
         return recording.with_values(name, channel.values + ring / channel.si_per_unit)
 
+    def density(self, frequencies: NDArray[np.float64], impacts: float) -> NDArray[np.float64]:
+        """Return the one-sided density [(N m)^2/Hz] that ``impacts`` per second leave, averaged over their comb.
+
+        ``2 impacts |R(f)|^2`` with R the transform of one ring, ``A w0 / ((i w + zeta w0)^2 + w0^2)``. True for bands
+        wider than the rate of the impacts; slip smears the comb and leaves the average.
+        """
+        own, w = 2 * np.pi * self.frequency, 2 * np.pi * frequencies
+        ring = self.amplitude * own / ((1j * w + self.damping * own) ** 2 + own**2)
+        return np.asarray(2 * impacts * (1 + 0.5 * self.load_zone**2) * np.abs(ring) ** 2)
+
     def _impacts(self, recording: Recording) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
         """Return of each impact the first sample after it, the time since it [samples], and its strength [N m]."""
         rng = recording.random(f"impacts {self.source}")
