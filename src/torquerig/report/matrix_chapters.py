@@ -200,7 +200,23 @@ def _sure(worked: WorkedOut) -> Chapter:
         head=("alternative", *(f"best, by {name}" for name in found), "mean rank", *ranks), rows=rows,
     )  # fmt: skip
     flips = _lines(tell_flips(worked.weight_flips, worked.score_flips, worked.common))
-    return Chapter(anchor="sure", title="How sure that is", lines=flips, tables=(table,))
+    tables = (table, _score_table(worked)) if worked.score_flips else (table,)
+    return Chapter(anchor="sure", title="How sure that is", lines=flips, tables=tables)
+
+
+def _score_table(worked: WorkedOut) -> Table:
+    changes = {(one.alternative, one.criterion): one.change for one in worked.score_flips}
+    result = worked.overall
+    rows = tuple(
+        (*words(name), *(number("" if change is None else f"{change:+.2f}") for change in (
+            changes[name, criterion] for criterion in result.criteria)))
+        for name in result.alternatives
+    )  # fmt: skip
+    return Table(
+        caption="By how many points one cell must change, all else held, for another one to win; empty where the scale "
+        "does not reach so far",
+        head=("alternative", *result.criteria), rows=rows,
+    )  # fmt: skip
 
 
 def _ask(worked: WorkedOut) -> Chapter:
