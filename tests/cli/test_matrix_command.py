@@ -78,7 +78,7 @@ BAD = {
     "unknown criterion": (("    price: 400", "    prise: 400"), "motor B.prise: unknown criterion; did you mean"),
     "unknown motor": (("seed: 1 ", "motors: {servo A: HDS6A-0104B} "), "servo A: there is no motor 'HDS6A-0104B'"),
     "duplicate name": (("  servo A:", "  present drive:"), "the key 'present drive' stands already in line"),
-    "datum not there": (("datum: present drive", "datum: servo B"), "bad.yaml:17: datum: the datum 'servo B' is not"),
+    "datum not there": (("datum: present drive", "datum: servo B"), "bad.yaml:18: datum: the datum 'servo B' is not"),
     "not monotone": (("[0.02, 4]", "[0.02, 0.5]"), "the value function is not monotone: from 0.02 to 0.1"),
     "override without reason": (("    price: 400", "    price: {value: 4, by_hand: {points: 3}}"), "needs its reason"),
 }  # fmt: skip
