@@ -90,6 +90,7 @@ UNITS: dict[str, dict[str, float]] = {
     "thermal resistance": {"K/W": 1},
     "temperature difference": {"K": 1},
     "sensitivity": {"V/(N*m)": 1, "V/Nm": 1, "mV/(N*m)": 1e-3, "mV/Nm": 1e-3},
+    "force sensitivity": {"V/N": 1, "mV/N": 1e-3},
     "price": {"EUR": 1},
     "data": {"bit": 1},
     "share": {"1": 1, "%": 1e-2, "ppm": 1e-6},

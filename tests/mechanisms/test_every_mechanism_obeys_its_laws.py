@@ -33,9 +33,11 @@ from torquerig.mechanisms import (
     EncoderError,
     FieldOrientedControl,
     GearMesh,
+    GranularDrag,
     HallMisplacement,
     Imbalance,
     JawCoupling,
+    LugreFriction,
     MainsInterference,
     Misalignment,
     ParallelOffset,
@@ -203,6 +205,16 @@ ROWS: tuple[Row, ...] = (
         effect=BladePass(name="it", order_output=15, amplitude=0.4),
         nothing=BladePass(name="it", order_output=15, amplitude=0.0),
         orders=(3, 6),
+    ),
+    Row(
+        effect=GranularDrag(name="it", mean_by_occupancy_percent={0.0: 0.5}),
+        nothing=GranularDrag(name="it", mean_by_occupancy_percent={0.0: 0.0}),
+        why_no_lines="broadband over the angle",
+    ),
+    Row(
+        effect=LugreFriction(name="it", coulomb=0.2, static=0.3, stribeck_speed=5.0, stiffness=100.0, damping=0.05),
+        nothing=LugreFriction(name="it", coulomb=0.0, static=0.0, stribeck_speed=1.0, stiffness=100.0, damping=0.05),
+        why_no_lines="a mean, while the speed keeps its sign",
     ),
     Row(
         effect=ParticleLoad(name="it", mean_by_occupancy_percent={0.0: 0.05, 21.0: 3.8}),

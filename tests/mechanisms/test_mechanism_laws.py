@@ -19,6 +19,8 @@ from torquerig.mechanisms import (
     Cogging,
     CommutationRipple,
     GearMesh,
+    GranularDrag,
+    LugreFriction,
     ParallelOffset,
     ParticleLoad,
     QuadraticDrag,
@@ -58,6 +60,14 @@ WRITTEN: dict[str, tuple[str, Part]] = {
     "ParallelOffset": (
         "{kind: parallel_offset, offset: 0.1 mm, radius: 10 mm, jaws: 3, unequal_share: 10 %}",
         ParallelOffset(name="it", offset=1e-4, radius=0.01, jaws=3, unequal_share=0.1),
+    ),
+    "GranularDrag": (
+        "{kind: granular_drag, mean_by_occupancy_percent: {0: 0.05 N*m, 21: 3.8 N*m}, correlation_angle: 4 deg}",
+        GranularDrag(name="it", mean_by_occupancy_percent={0.0: 0.05, 21.0: 3.8}, correlation_angle=4 * (pi / 180)),
+    ),
+    "LugreFriction": (
+        "{kind: lugre_friction, coulomb: 0.2 Nm, static: 0.3 Nm, stribeck_speed: 1 rpm, stiffness: 9 Nm/rad, damping: 1 Nms}",
+        LugreFriction(name="it", coulomb=0.2, static=0.3, stribeck_speed=2 * pi / 60, stiffness=9.0, damping=1.0),
     ),
     "ParticleLoad": (
         "{kind: particle_load, mean_by_occupancy_percent: {0: 0.05 N*m, 21: 3.8 N*m}, hit_decay: 2 ms}",

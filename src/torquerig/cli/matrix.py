@@ -37,9 +37,7 @@ def command(
     document = _read(file)
     if isinstance(document.data, dict) and "tables" in document.data:
         if outs or traced or before:
-            raise InputError(
-                f"{file}: holds published tables; --out, --trace and --before want a matrix of one's own"
-            )
+            raise InputError(f"{file}: holds published tables; --out, --trace and --before want a matrix of one's own")
         from torquerig.decide.matrix_report import tell_book
         from torquerig.decide.seed_tables import tables_from
 

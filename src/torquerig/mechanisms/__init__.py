@@ -17,6 +17,7 @@ Shafts and gears
 Load
     particle_load        hits and slow variation          blade_pass           a load pulse per blade
     stribeck_friction    dry friction by direction        quadratic_drag       windage
+    lugre_friction       dry friction that sticks      granular_drag        by the angle, at any speed
 Sensor, cable and file
     sensor_bandwidth     a lower low-pass                 sensor_drift         a zero that moves
     sensor_nonlinearity  bent, or of wrong gain           sensor_hysteresis    lags when torque turns back
@@ -41,9 +42,11 @@ from torquerig.mechanisms.eccentricity import Eccentricity
 from torquerig.mechanisms.encoder_error import EncoderError
 from torquerig.mechanisms.field_oriented_control import FieldOrientedControl
 from torquerig.mechanisms.gear_mesh import GearMesh
+from torquerig.mechanisms.granular_drag import GranularDrag
 from torquerig.mechanisms.hall_misplacement import HallMisplacement
 from torquerig.mechanisms.imbalance import Imbalance
 from torquerig.mechanisms.jaw_coupling import JawCoupling
+from torquerig.mechanisms.lugre_friction import LugreFriction
 from torquerig.mechanisms.mains_interference import MainsInterference
 from torquerig.mechanisms.misalignment import Misalignment
 from torquerig.mechanisms.parallel_offset import ParallelOffset
@@ -81,9 +84,11 @@ __all__ = [
     "EncoderError",
     "FieldOrientedControl",
     "GearMesh",
+    "GranularDrag",
     "HallMisplacement",
     "Imbalance",
     "JawCoupling",
+    "LugreFriction",
     "MainsInterference",
     "Misalignment",
     "ParallelOffset",

@@ -63,6 +63,9 @@ class Part:
     opens_node: ClassVar[bool] = False
     """True for what has a spring inside (gear, sensor, coupling): its output shaft is a node of its own."""
 
+    in_a_line: ClassVar[bool] = False
+    """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
+
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the physics that this part adds to the shafts."""
         return ()

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, model_validator
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.rig.parts import InductionDrive, Motor, SpeedController
+from torquerig.rig.parts import ImposedMotion, InductionDrive, Motor, SpeedController, TorqueController
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.percent import Percent
@@ -65,23 +65,21 @@ class OperatingPoint(BaseModel):
 def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
     """Return the test sheet of the operating point on this rig; a profile's table is looked for from ``folder``."""
     motor = next(iter(rig.parts_of(Motor)), None)
-    drives: tuple[SpeedController | InductionDrive, ...]
-    drives = (*rig.parts_of(SpeedController), *rig.parts_of(InductionDrive))
-    drive = next(iter(drives), None)
-    if motor is None or drive is None:
+    leader = _leader(rig)
+    if leader is None:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
-                   particle_size=point.load.particle_size)  # fmt: skip
-    ratios = rig.speed_ratios(rig.node(drive.motor))
+                   particle_size=point.load.particle_size, speed=point.motor_speed)  # fmt: skip
+    ratios = rig.speed_ratios(rig.node(leader))
     if rig.node(rig.measured) not in ratios:
         raise InputError(
-            f"no shaft leads from {drive.motor!r} to {rig.measured!r}, which is measured; link them with after:"
+            f"no shaft leads from {leader!r} to {rig.measured!r}, which is measured; link them with after:"
         )
     turned = abs(ratios[rig.node(rig.measured)])
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
     ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
-    winding = {"pole_pairs": motor.pole_pairs, "slots": motor.slots}  # drawn ones are known to nobody else
-    run = Run(motor=motor.model or motor.name, gear_ratio=float(ratio), speed=speed,
+    winding = {"pole_pairs": motor.pole_pairs, "slots": motor.slots} if motor else {}  # drawn ones nobody else knows
+    run = Run(motor=(motor.model or motor.name) if motor else None, gear_ratio=float(ratio), speed=speed,
               occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size,
               others={key: count for key, count in winding.items() if count is not None})  # fmt: skip
     points = point.duty_cycle if point.profile == "duty_cycle" else point.csv if point.profile == "csv" else None
@@ -89,3 +87,13 @@ def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
         return replace(run, profile=point.profile)
     course = planned(points, rig.at(run), motor_turns=1 / turned, folder=folder)
     return replace(run, profile=point.profile, set_points=course, speed=course.rows.top)
+
+
+def _leader(rig: Rig) -> str | None:
+    """Return the part that the set-point of the speed belongs to: driven, else imposed, else the motor."""
+    driven: tuple[SpeedController | InductionDrive | TorqueController, ...] = (
+        *rig.parts_of(SpeedController), *rig.parts_of(InductionDrive), *rig.parts_of(TorqueController),
+    )  # fmt: skip
+    names = [part.motor for part in driven] + [part.at for part in rig.parts_of(ImposedMotion)]
+    names += [part.name for part in rig.parts_of(Motor)]
+    return names[0] if names else None

@@ -141,6 +141,8 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
             f"{did_you_mean(str(written['kind']), KINDS)}"
         )
     own, uncertainties = _uncertain(document, name, written)
+    if isinstance(own.get("recording"), str):  # from the folder of the scenario, wherever it is read from
+        own["recording"] = str(document.path.parent / own["recording"])
     entry = own.pop("catalog", None)
     by_phases = own["kind"] == "motor" and "ripple" in own and asks_for_phase_level(
         own.pop("ripple"), document.place(("rig", name, "ripple")))  # fmt: skip

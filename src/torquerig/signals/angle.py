@@ -51,8 +51,8 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
     Counts are unwrapped where the counter runs over, and smoothed over about 16 counts, at most 2 ms.
     """
     readers = (
-        ("motor_angle", 1.0, _angle_of),
-        ("angle", ratio, _angle_of),
+        ("motor_angle", 1.0, angle_of),
+        ("angle", ratio, angle_of),
         ("motor_speed", 1.0, _integral_of),
         ("speed", ratio, _integral_of),
     )
@@ -79,7 +79,8 @@ def _integral_of(channel: Channel, rate: float) -> NDArray[np.float64]:
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
-def _angle_of(channel: Channel, rate: float) -> NDArray[np.float64]:
+def angle_of(channel: Channel, rate: float) -> NDArray[np.float64]:
+    """Return an angle channel in radians, shape (samples,); counts are unwrapped and smoothed first."""
     values = channel.values
     if values.size < 3:
         return channel.in_si()

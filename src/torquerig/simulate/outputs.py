@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.rig.parts import Probe, TorqueSensor
+from torquerig.rig.parts import ForceSensor, Probe, TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
 from torquerig.signals.recording import Channel
@@ -28,37 +28,66 @@ class Output:
     truth: bool = True
 
 
-_PROBED = {
-    "torque": (kernel.SPRING_TORQUE, "_Nm", "N*m"),
-    "speed": (kernel.SPEED, "_rad_s", "rad/s"),
-    "angle": (kernel.ANGLE, "_rad", "rad"),
-}
+@dataclass(frozen=True)
+class Words:
+    """What is said of a shaft or of something in a line: (quantity, ending of a name, unit) of each thing kept."""
+
+    effort: tuple[str, str, str]
+    rate: tuple[str, str, str]
+    place: tuple[str, str, str]
+    motor: tuple[str, str, str]  # quantities of the driven side: effort, rate, place
+
+
+TURNING = Words(
+    ("torque", "Nm", "N*m"), ("speed", "rad_s", "rad/s"), ("angle", "rad", "rad"),
+    ("motor_torque", "motor_speed", "motor_angle"),
+)  # fmt: skip
+IN_A_LINE = Words(
+    ("force", "N", "N"), ("velocity", "m_s", "m/s"), ("position", "m", "m"), ("force", "velocity", "position")
+)
+_KINDS = {"torque": kernel.SPRING_TORQUE, "speed": kernel.SPEED, "angle": kernel.ANGLE}
 
 
 def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     """Return what the kernel is to keep: first the torque in the measured spring, then truth, then probes."""
-    motor = lowered.node(lowered.leader())
-    part = _worn(rig, lowered)
+    motor, part = lowered.node(lowered.leader()), _worn(rig, lowered)
+    here, driven = words(rig, rig.measured), words(rig, lowered.leader())
+    effort, rate = here.effort, here.rate
     listed = [
         Output(
-            "true_sensor_torque_Nm", kernel.SPRING_TORQUE, lowered.spring_names.index(rig.measured), "torque", "N*m"
+            f"true_sensor_{effort[0]}_{effort[1]}", kernel.SPRING_TORQUE, lowered.spring_names.index(rig.measured),
+            effort[0], effort[2],
         ),
-        Output("true_load_Nm", kernel.OPPOSING_TORQUE, part, "torque", "N*m"),
-        Output("true_motor_angle_rad", kernel.ANGLE, motor, "motor_angle", "rad"),
-        Output("true_motor_speed_rad_s", kernel.SPEED, motor, "motor_speed", "rad/s"),
-        Output("true_output_speed_rad_s", kernel.SPEED, part, "speed", "rad/s"),
-    ]
+        Output(f"true_load_{effort[1]}", kernel.OPPOSING_TORQUE, part, effort[0], effort[2]),
+        Output(_named("motor", driven.place), kernel.ANGLE, motor, driven.motor[2], driven.place[2]),
+        Output(_named("motor", driven.rate), kernel.SPEED, motor, driven.motor[1], driven.rate[2]),
+        Output(_named("output", rate), kernel.SPEED, part, rate[0], rate[2]),
+    ]  # fmt: skip
     if lowered.drive_terms:
-        listed.append(Output("true_motor_torque_Nm", kernel.DRIVE_TORQUE, 0, "motor_torque", "N*m"))
+        name = _named("motor", driven.effort)
+        listed.append(Output(name, kernel.DRIVE_TORQUE, 0, driven.motor[0], driven.effort[2]))
     for row, term in enumerate(lowered.imposed_terms):
+        taken = words(rig, term.on)
         if not term.released:
-            listed.append(Output(f"true_{term.name}_torque_Nm", kernel.IMPOSING_TORQUE, row, "motor_torque", "N*m"))
-    for probe in rig.parts_of(Probe):
-        kind, suffix, unit = _PROBED[probe.quantity]
-        spring = probe.quantity == "torque"
-        row = lowered.spring_names.index(probe.at) if spring else lowered.node(rig.node(probe.at))
-        listed.append(Output(probe.name + suffix, kind, row, probe.quantity, unit, truth=False))
-    return tuple(listed)
+            name = _named(term.name, taken.effort)
+            listed.append(Output(name, kernel.IMPOSING_TORQUE, row, taken.motor[0], taken.effort[2]))
+    return (*listed, *(_probed(rig, lowered, probe) for probe in rig.parts_of(Probe)))
+
+
+def words(rig: Rig, part: str) -> Words:
+    """Return what is said of the place of a part."""
+    return IN_A_LINE if any(one.in_a_line for one in rig.parts if one.name == part) else TURNING
+
+
+def _named(what: str, told: tuple[str, str, str]) -> str:
+    return f"true_{what}_{told[0]}_{told[1]}"
+
+
+def _probed(rig: Rig, lowered: Lowered, probe: Probe) -> Output:
+    here, spring = words(rig, probe.at), probe.quantity == "torque"
+    quantity, ending, unit = {"torque": here.effort, "speed": here.rate, "angle": here.place}[probe.quantity]
+    row = lowered.spring_names.index(probe.at) if spring else lowered.node(rig.node(probe.at))
+    return Output(f"{probe.name}_{ending}", _KINDS[probe.quantity], row, quantity, unit, truth=False)
 
 
 def as_arrays(outputs: tuple[Output, ...]) -> Outputs:
@@ -76,9 +105,10 @@ def channels_of(rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64]
         In SI units.
     """
     sensor = rig.part(rig.measured)
-    sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor) else 1.0
-    volts = Channel(values=kept[0] * sensitivity, quantity="torque", unit="V", si_per_unit=1 / sensitivity)
-    return {"torque_V": volts} | {
+    sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor | ForceSensor) else 1.0
+    quantity = words(rig, rig.measured).effort[0]
+    volts = Channel(values=kept[0] * sensitivity, quantity=quantity, unit="V", si_per_unit=1 / sensitivity)
+    return {f"{quantity}_V": volts} | {
         output.name: Channel(values=values, quantity=output.quantity, unit=output.unit, truth=output.truth)
         for output, values in zip(outputs, kept, strict=True)
     }

@@ -5,6 +5,9 @@ gear              planetary or fixed-axis stage        belt              pulleys
 gear_stage        what counts as a gear                coupling          spring between two shafts
 torque_sensor     spring, amplifier, noise, converter  body              inertia with friction (wear part, flywheel)
 encoder           counts of the motor angle            probe             torque, speed or angle anywhere
+torque_controller torque mode, fed forward, replayed   replayed_torque   a measured torque on a shaft
+imposed_motion    a shaft that turns as measured       slide             a mass in a line (kg, N, m)
+link              spring in a line                     force_sensor      torque_sensor's sibling
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 """
 
@@ -12,24 +15,36 @@ from torquerig.rig.parts.belt import BeltStage
 from torquerig.rig.parts.body import Body
 from torquerig.rig.parts.coupling import Coupling
 from torquerig.rig.parts.encoder import MotorEncoder
+from torquerig.rig.parts.force_sensor import ForceSensor
 from torquerig.rig.parts.gear import Gear
+from torquerig.rig.parts.imposed_motion import ImposedMotion
 from torquerig.rig.parts.induction_drive import InductionDrive
+from torquerig.rig.parts.link import Link
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.motor_phases import MotorPhases
 from torquerig.rig.parts.probe import Probe
+from torquerig.rig.parts.replayed_torque import ReplayedTorque
+from torquerig.rig.parts.slide import Slide
 from torquerig.rig.parts.speed_controller import SpeedController
+from torquerig.rig.parts.torque_controller import TorqueController
 from torquerig.rig.parts.torque_sensor import TorqueSensor
 
 __all__ = [
     "BeltStage",
     "Body",
     "Coupling",
+    "ForceSensor",
     "Gear",
+    "ImposedMotion",
     "InductionDrive",
+    "Link",
     "Motor",
     "MotorEncoder",
     "MotorPhases",
     "Probe",
+    "ReplayedTorque",
+    "Slide",
     "SpeedController",
+    "TorqueController",
     "TorqueSensor",
 ]

@@ -1,22 +1,51 @@
-"""An encoder on the motor shaft."""
+"""An encoder on the motor shaft: what it writes beside the torque, and what the speed loop sees of the speed."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated, Literal
 
+from torquerig.parameter import Parameter
 from torquerig.rig.part import Part, PlacedStage
 from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Sensing, Wave
 from torquerig.signals.stages.encoder import Encoder
+
+Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, by order of the motor", low=0)]
 
 
 @dataclass(frozen=True, kw_only=True)
 class MotorEncoder(Part):
-    """Counts of the motor angle, written beside the torque."""
+    """Counts of ``theta + sum of a_k cos(k theta + phi_k)``, written beside the torque.
+
+    With ``controller`` that speed controller sees the speed by it: the difference of two samples of the counted angle,
+    times the rate, through a first-order filter. Limit cycles at low speed and the torque at order k (in proportion to
+    speed and gain) then come of themselves. A period counter is not in here.
+
+    Source: the definition of an incremental encoder; signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial
+    Electronics 37).
+    """
 
     kind: Literal["motor_encoder"] = "motor_encoder"
     counts_per_rev: int = 16384
+    controller: str = ""
+    speed_filter: Annotated[float, Parameter("s", "time constant of the speed filter", low=0)] = 0.0
+    angle_error: Mapping[float, Angle] = field(default_factory=dict)
+    phases: Mapping[float, float] = field(default_factory=dict)
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return the counting of the angle."""
-        return (PlacedStage(position=PlacedStage.FILE, stage=Encoder(counts_per_rev=self.counts_per_rev)),)
+        error = tuple((wave.order, wave.amplitude, wave.phase or 0.0) for wave in self._error())
+        stage = Encoder(counts_per_rev=self.counts_per_rev, error=error)
+        return (PlacedStage(position=PlacedStage.FILE, stage=stage),)
+
+    def sensing(self) -> Sensing:
+        """Return how a speed loop sees its speed by this encoder."""
+        return Sensing(counts=self.counts_per_rev, error=self._error(), filter_time=self.speed_filter)
+
+    def _error(self) -> tuple[Wave, ...]:
+        return tuple(
+            Wave(order=order, amplitude=amplitude, phase=self.phases.get(order, 0.0))
+            for order, amplitude in self.angle_error.items()
+        )

@@ -1,0 +1,54 @@
+"""The drive of a motor as its controllers, encoder and effects make it."""
+
+from __future__ import annotations
+
+from math import pi
+
+from torquerig.errors import InputError
+from torquerig.rig.parts.encoder import MotorEncoder
+from torquerig.rig.parts.motor import Motor
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Drive, Sensing, Signal
+
+
+def motor_drive(
+    rig: Rig, name: str, *, motor: str, kp: float = 0.0, ki: float = 0.0, torque: float = 0.0,
+    demand: Signal | None = None,
+) -> Drive:  # fmt: skip
+    """Return the drive that the controller ``name`` is to the motor ``motor``: limit and lag of the motor's own stage.
+
+    Ripple comes from the effects of the rig, the sensing of the speed from the encoder that names the controller.
+
+    Raises
+    ------
+    InputError
+        Where ``motor`` is no motor, the demand is above its limit, or two encoders feed the controller.
+    """
+    part = rig.part(motor)
+    if not isinstance(part, Motor):
+        raise InputError(f"{name}: motor: {motor!r} is no motor; name one")
+    if abs(torque) > part.torque_limit:
+        raise InputError(
+            f"{name}: {torque:g} N*m are demanded, and the drive of {motor!r} gives at most {part.torque_limit:g} N*m; "
+            "demand less, or raise its torque_limit"
+        )
+    return Drive(
+        name=name,
+        on=rig.node(motor),
+        kp=kp,
+        ki=ki,
+        torque_limit=part.torque_limit,
+        lag=1 / (2 * pi * part.current_loop_bandwidth),
+        ripple=tuple(wave for one in rig.parts for wave in one.drive_ripple(motor, rig)),
+        torque=torque,
+        demand=demand,
+        sensing=_sensing(rig, name),
+    )
+
+
+def _sensing(rig: Rig, controller: str) -> Sensing:
+    encoders = [part for part in rig.parts_of(MotorEncoder) if part.controller == controller]
+    if len(encoders) > 1:
+        names = " and ".join(part.name for part in encoders)
+        raise InputError(f"{controller}: {names} both feed it; leave controller: out of one")
+    return encoders[0].sensing() if encoders else Sensing()

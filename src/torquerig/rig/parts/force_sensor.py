@@ -1,0 +1,50 @@
+"""A force sensor: a spring in the line, an amplifier, noise and a converter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.rig import Rig
+from torquerig.rig.stage_spring import stage_spring
+from torquerig.rig.terms import Inertia, Term
+from torquerig.signals.stages.amplifier import AmplifierLowPass
+from torquerig.signals.stages.converter import Converter
+from torquerig.signals.stages.noise import WhiteNoise
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForceSensor(Part):
+    """The torque sensor's sibling for what moves in a line: force of spring and damper, low-pass, noise, codes."""
+
+    on_shaft: ClassVar[bool] = True
+    opens_node: ClassVar[bool] = True
+    in_a_line: ClassVar[bool] = True
+
+    kind: Literal["force_sensor"] = "force_sensor"
+    stiffness: Annotated[float, Parameter("N/m", "stiffness", above=0)]
+    damping: Annotated[float, Parameter("N*s/m", "damping", low=0)]
+    mass: Annotated[float, Parameter("kg", "mass of the far side", low=0)]
+    sensitivity: Annotated[float, Parameter("V/N", "output per force", above=0)] = 1.0
+    bandwidth: Annotated[float, Parameter("Hz", "amplifier bandwidth at -3 dB", above=0)]
+    noise_rms: Annotated[float, Parameter("V", "rms of the noise", low=0)] = 0.0
+    converter_range: Annotated[float, Parameter("V", "converter range, plus and minus", above=0)] = 10.0
+    converter_bits: int = 16
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the spring and the mass of its far side."""
+        spring = stage_spring(rig, self.name, stiffness=self.stiffness, damping=self.damping)
+        return Inertia(node=rig.node(self.name), inertia=self.mass), spring
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return amplifier, noise and converter."""
+        lowered = (part.amplifier_cutoff(self.name) for part in rig.parts)
+        cutoff = min((self.bandwidth, *(stated for stated in lowered if stated is not None)))
+        converter = Converter(range_V=self.converter_range, bits=self.converter_bits)
+        return (
+            PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=cutoff)),
+            PlacedStage(position=PlacedStage.NOISE, stage=WhiteNoise(rms=self.noise_rms)),
+            PlacedStage(position=PlacedStage.CONVERTER, stage=converter),
+        )

@@ -1,0 +1,42 @@
+"""A shaft that turns as it was measured, or by the profile of the run, whatever that takes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig import terms
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.signals.replay import recording_at, replayed_motion
+
+
+@dataclass(frozen=True, kw_only=True)
+class ImposedMotion(Part):
+    """Angle and speed of the shaft of ``at`` are ``factor channel(t)``; what that takes is ``true_NAME_torque_Nm``.
+
+    Between samples the angle is a cubic; before the recording its first speed is held. A rig with one needs no drive.
+    Not true for an angle in coarse counts: they are smoothed over 16 counts, and what is faster is lost.
+
+    Parameters
+    ----------
+    recording : path, optional
+        As the scenario writes it, from its own folder; without one the run's set-point of speed is imposed.
+    channel : str
+        By name or by quantity: an angle, position, speed or velocity.
+    """
+
+    kind: Literal["imposed_motion"] = "imposed_motion"
+    at: str = "motor"
+    recording: Path | None = None
+    channel: str = "motor_speed"
+    factor: Annotated[float, Parameter("1", "multiplies the channel, or the set-point; -1 turns it round")] = 1.0
+
+    def terms(self, rig: Rig) -> tuple[terms.Term, ...]:
+        """Return the motion."""
+        motion = None
+        if self.recording is not None:
+            motion = replayed_motion(recording_at(self.recording), self.channel, factor=self.factor)
+        return (terms.ImposedMotion(name=self.name, on=rig.node(self.at), motion=motion, factor=self.factor),)
