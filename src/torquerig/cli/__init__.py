@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  modes  simulate  duty  synth  info  filter  matrix  compare
+init  catalog  orders  modes  simulate  duty  synth  info  filter  matrix  diagnose  compare
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ COMMANDS = {
     "info": "show what is in a recording",
     "filter": "put a recording through filter chains and say what they changed",
     "matrix": "work out elimination, Pugh and Kesselring matrices and what is wrong with them",
+    "diagnose": "say where recordings and model differ, and which physics was left out",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 

@@ -33,5 +33,18 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
         yield lambda done, total, name: bar.update(task, completed=done, total=total, name=name)
 
 
+@contextmanager
+def stages(title: str) -> Iterator[Callable[[str], None]]:
+    """Give a function that names the stage a command is at, on a terminal only: elsewhere standard error stays empty."""
+    from rich.console import Console
+
+    console = Console(file=sys.stderr)
+    if not console.is_terminal:
+        yield lambda stage: None
+        return
+    with console.status(title) as status:
+        yield lambda stage: status.update(f"{title}: {stage}")
+
+
 def _worth(done: int, total: int) -> bool:
     return done == total or done % 10 == 0

@@ -1,4 +1,4 @@
-"""What the electronics add to a reading, whatever the shafts do: tones, a moving zero, rings of a bearing."""
+"""What the electronics add to a reading, whatever the shafts do: tones, a moving zero, rings, coarse codes."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from torquerig.diagnose.twin import Twin
 from torquerig.signals.recording import Recording
 from torquerig.signals.stages.drift import Drift
 from torquerig.signals.stages.ringing import Ringing
+from torquerig.signals.stages.rounding import Rounding
 from torquerig.signals.stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
@@ -42,6 +43,8 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             ]
         elif isinstance(stage, Drift):
             level += _level(stage, seen)
+        elif isinstance(stage, Rounding):
+            power += (stage.step * unit) ** 2 / 12 * 2 / observed.rate
         elif isinstance(stage, Ringing):
             impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
             power += stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from torquerig.diagnose.added_signals import added_signals
 from torquerig.diagnose.features import POINTS, Features
 from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place, frequency, order
-from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.quasi_static import quasi_static
+from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.turning import Turning
 from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.rig.parts import TorqueSensor

@@ -58,9 +58,7 @@ def fitted_gap(case: Case, base: Rig) -> tuple[Candidate, Calibrated]:
     return _with_gap(case, gap), model
 
 
-def _best(
-    case: Case, base: Rig, model: Calibrated, gaps: NDArray[np.float64]
-) -> tuple[float, Calibrated]:
+def _best(case: Case, base: Rig, model: Calibrated, gaps: NDArray[np.float64]) -> tuple[float, Calibrated]:
     closed = expected_by_simulation(model.rig, case.seen, seeds=_SEEDS)
     tried = []
     for gap in gaps:
@@ -80,5 +78,3 @@ def _with_gap(case: Case, gap: float) -> Candidate:
 def simulated_model(candidate: Candidate, model: Calibrated) -> Calibrated:
     """Return the model with the candidate's parts in its rig: what is simulated, and written."""
     return replace(model, rig=candidate.added_to(model.rig))
-
-

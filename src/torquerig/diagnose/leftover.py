@@ -9,8 +9,8 @@ from math import erfc, log10, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Case
 from torquerig.diagnose.bands import BANDS_PER_OCTAVE
+from torquerig.diagnose.case import Case
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.misfit import Misfit, robust
 
@@ -140,5 +140,3 @@ def _share(residual: NDArray[np.float64], total: float) -> float:
 def _chance(residual: float, places: int) -> float:
     """Two-sided probability of a normal residual so large somewhere among ``places`` (Bonferroni)."""
     return min(1.0, places * erfc(residual / sqrt(2)))
-
-

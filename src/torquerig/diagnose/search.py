@@ -95,13 +95,17 @@ def _joint(case: Case, trial: Trial) -> Trial:
     """
     names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
     base = _nominal_with_accepted(case)
-    afresh = calibrated(trial.candidate.added_to(base), case.seen, trial.candidate.knobs, evaluations=8, corrections=held)
+    afresh = calibrated(
+        trial.candidate.added_to(base), case.seen, trial.candidate.knobs, evaluations=8, corrections=held
+    )
     fitted = []
     for own, nuisance in ((trial.model.rig, case.model.positions), (afresh.rig, np.zeros(len(case.model.knobs)))):
         placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
         knobs = (*case.model.knobs, *placed.knobs)
         start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
-        model = calibrated(placed.added_to(base), case.seen, knobs, start=start, evaluations=_JOINT_EVALUATIONS, corrections=held)
+        model = calibrated(
+            placed.added_to(base), case.seen, knobs, start=start, evaluations=_JOINT_EVALUATIONS, corrections=held
+        )
         fitted.append(Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs)))
     return max(fitted, key=lambda one: one.gain)
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.expectation import Expectation, amplitude_variance, expected
 from torquerig.diagnose.features import Features, features
 from torquerig.diagnose.observed import Observed, speed_of
+from torquerig.diagnose.sample_faults import bridged
 from torquerig.rig.rig import Rig
 from torquerig.simulate.simulate import simulate
 
@@ -21,7 +22,7 @@ _WORKERS = 2
 
 
 def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
-    """Return what the rig records in the run of ``observed``, cut into the same stretches."""
+    """Return what the rig records in the run of ``observed``, cut into the same stretches, dropouts bridged."""
     recording = simulate(
         rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
     )
@@ -29,7 +30,7 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
     return replace(
         observed,
         recording=recording,
-        torque=recording.torque(),
+        torque=bridged(recording).torque(),
         angle=angle,
         speed=speed_of(angle, observed.rate),
         origin="simulated",
@@ -37,23 +38,31 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
     )
 
 
-def expected_by_simulation(
-    rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]
-) -> tuple[Expectation, ...]:
-    """Return the expected features of every run, from one simulation per run and seed, two at a time."""
-    jobs = [(features, seed) for features in seen for seed in seeds]
+def simulated_runs(rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
+    """Return one simulation per seed of every run, two at a time."""
+    jobs = [(features.observed, seed) for features in seen for seed in seeds]
     with ThreadPoolExecutor(_WORKERS) as pool:
-        copies = list(pool.map(lambda job: _copy(rig, *job), jobs))
+        copies = list(pool.map(lambda job: simulated(rig, job[0], seed=job[1]), jobs))
     each = len(seeds)
-    return tuple(_mean(rig, one, copies[row * each : (row + 1) * each]) for row, one in enumerate(seen))
+    return [copies[row * each : (row + 1) * each] for row in range(len(seen))]
 
 
-def _copy(rig: Rig, seen: Features, seed: int) -> Features:
-    copy = simulated(rig, seen.observed, seed=seed)
-    if seen.turning is not None:
-        return features(copy, seen.places, held=seen.held)
+def expected_by_simulation(rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> tuple[Expectation, ...]:
+    """Return the expected features of every run, measured on simulations."""
+    return expected_from(rig, seen, simulated_runs(rig, seen, seeds=seeds))
+
+
+def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[Observed]]) -> tuple[Expectation, ...]:
+    """Return the expected features of every run from its simulated copies."""
+    return tuple(
+        _mean(rig, one, [_features(copy, one) for copy in each]) for one, each in zip(seen, copies, strict=True)
+    )
+
+
+def _features(copy: Observed, seen: Features) -> Features:
     # a steady run is the same all along, so all of it counts
-    return features(copy, seen.places, held=None if seen.observed.steady else seen.held)
+    whole = seen.observed.steady and seen.turning is None
+    return features(copy, seen.places, held=None if whole else seen.held)
 
 
 def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:

@@ -1,0 +1,58 @@
+"""``torquerig diagnose``: where recordings and model differ, and which physics was left out."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.errors import InputError
+from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.writing import scenario_text, write_scenario
+from torquerig.signals.files import read_recording
+
+
+@click.command("diagnose")
+@click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--scenario", required=True, type=click.Path(path_type=Path), help="The rig's nominal scenario.")
+@click.option("--json", "out", required=True, help="Diagnosis to write; - is standard output.")
+@click.option("--report", type=click.Path(path_type=Path), default=None, help="HTML page to write.")
+@click.option("--model", type=click.Path(path_type=Path), default=None,
+              help="Completed scenario to write; beside the JSON when not given.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Fixes every random number.")
+@set_option
+@catalog_option
+def command(
+    *, recordings: tuple[Path, ...], scenario: Path, out: str, report: Path | None, model: Path | None, seed: int,
+    settings: tuple[str, ...], catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Say where RECORDINGS (runs of one rig) and the SCENARIO differ, which effect was left out, and how sure that is.
+
+    Exit code 0 means that a diagnosis was reached, whatever it says.
+    """
+    from torquerig.cli.progress import stages
+    from torquerig.diagnose.diagnose import diagnose
+    from torquerig.diagnose.diagnosis import as_json
+
+    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    read = [read_recording(path) for path in recordings]
+    if len({recording.name for recording in read}) < len(read):
+        raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
+    with stages("diagnose") as progress:
+        outcome = diagnose(made, read, seed=seed, progress=progress)
+    data = as_json(outcome.diagnosis)
+    if outcome.diagnosis.findings:
+        target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
+        text = scenario_text(
+            outcome.completed, title=made.title, operating_point=made.document.data.get("operating_point", {}),
+            head="Written by torquerig diagnose: the nominal rig, fitted, with what was found missing.",
+        )  # fmt: skip
+        write_scenario(target, text, overwrite=True)
+        data["model"] = str(target)
+    text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    if out == "-":
+        click.echo(text, nl=False)
+    else:
+        Path(out).write_text(text, encoding="utf-8")

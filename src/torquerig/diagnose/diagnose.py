@@ -1,0 +1,203 @@
+"""From recordings of one rig and its nominal scenario to a diagnosis: the stations in their order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from torquerig.diagnose.calibration import calibrated
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.confidence import confidence
+from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, UsedRecording, Verdict
+from torquerig.diagnose.explained import LEAST_SHARE, explained_share
+from torquerig.diagnose.features import Features, features
+from torquerig.diagnose.held_out import held_out
+from torquerig.diagnose.identifying import identifying
+from torquerig.diagnose.knobs import nuisance_knobs
+from torquerig.diagnose.leftover import Mismatch, mismatches
+from torquerig.diagnose.lines_left import lines_left
+from torquerig.diagnose.observed import Observed, observed
+from torquerig.diagnose.places import order
+from torquerig.diagnose.rig_under_test import check_recordings
+from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
+from torquerig.diagnose.search import LEAST_GAIN, MOST_EFFECTS, Trial, extended, rivals, trials
+from torquerig.diagnose.sentences import explanation
+from torquerig.diagnose.shaft_angle import shaft_angles
+from torquerig.diagnose.twin import Twin
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Outcome:
+    """A diagnosis with what a report shows of it: the model before and after, and what was held out.
+
+    Parameters
+    ----------
+    diagnosis : Diagnosis
+    before, after : Case
+        With the nominal model calibrated, and with the findings in it.
+    completed : Rig
+        The rig that a scenario file is written of: fitted, findings and faults of the samples included.
+    held : tuple of Features
+        Of the stretches that no fit has seen.
+    """
+
+    diagnosis: Diagnosis
+    before: Case
+    after: Case
+    completed: Rig
+    held: tuple[Features, ...]
+
+
+def diagnose(
+    scenario: Scenario, recordings: Sequence[Recording], *, seed: int = 0, progress: Progress = lambda _: None
+) -> Outcome:
+    """Return where model and recordings differ, which physics was left out, and how much better the model gets.
+
+    Raises
+    ------
+    InputError, RecordingError
+        Where the recordings are of different rigs, contradict the scenario, or are too short to tell anything.
+    """
+    nominal = scenario.rig.at(recordings[0].run)
+    check_recordings(recordings, nominal)
+    progress("looking at the samples")
+    faults = sample_findings(recordings, nominal)
+    progress("following the shaft")
+    runs = _runs(faults.recordings, nominal)
+    progress("fitting the nominal model's own numbers")
+    before, held = _opened(scenario, runs, nominal, faults)
+    after, findings = _searched(before, progress)
+    progress("predicting what no fit has seen")
+    completed = _completed(after, faults)
+    fit = held_out(_with(before.nominal, ()), before.model.rig, completed, held, seed=seed)
+    found = [*_fault_findings(faults, after, fit), *findings]
+    left = mismatches(after)
+    diagnosis = Diagnosis(
+        verdict=_verdict(found, left, faults),
+        mismatch=mismatches(before) if found else left,
+        findings=tuple(found),
+        fit=fit,
+        recordings=tuple(_used(run) for run in runs),
+    )
+    return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=held)
+
+
+def _runs(recordings: Sequence[Recording], rig: Rig) -> tuple[Observed, ...]:
+    angles, factor = shaft_angles(recordings, rig)
+    ratio = kinematics_of(rig).ratio
+    pairs = zip(recordings, angles, strict=True)
+    return tuple(observed(recording, angle, ratio=ratio, factor=factor) for recording, angle in pairs)
+
+
+def _opened(
+    scenario: Scenario, runs: tuple[Observed, ...], nominal: Rig, faults: SampleFindings
+) -> tuple[Case, tuple[Features, ...]]:
+    """Return the case with the nominal model calibrated, and the held-out features."""
+    fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
+    known = sorted({order(line.order) for run in fitted for line in Twin(nominal.at(run.run)).lines()})
+    left = lines_left(fitted, known, ratio=kinematics_of(nominal).ratio)
+    places = [*known, *(peak.place for peak in left)]
+    seen = tuple(features(run, places) for run in fitted)
+    held = tuple(features(run, places, held=True) for run in runs)
+    occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
+    knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
+    rig = _with(nominal, [c for c in faults.candidates if c.mechanism == "quantization"])
+    return Case(nominal=rig, runs=fitted, seen=seen, model=calibrated(rig, seen, knobs), left=left), held
+
+
+def _searched(case: Case, progress: Progress) -> tuple[Case, list[Finding]]:
+    """Add effects as long as one is clearly missing and explains its places."""
+    findings: list[Finding] = []
+    for _ in range(MOST_EFFECTS):
+        progress("trying the library's effects" if not findings else f"trying what {findings[-1].mechanism} leaves")
+        tried = trials(case)
+        good = [trial for trial in tried if _convincing(case, trial, findings)]
+        if not good:
+            break
+        findings.append(_finding(case, good[0], tried))
+        case = extended(case, good[0])
+    return case, findings
+
+
+def _convincing(case: Case, trial: Trial, earlier: Sequence[Finding]) -> bool:
+    share = explained_share(case.model.misfits, trial.model.misfits)
+    # an effect beyond the twin leaves small lines of its own, which are no effects
+    least = max([LEAST_GAIN, *(0.25 * each.gain for each in earlier if case.model.corrections)])
+    return trial.gain > least and share > LEAST_SHARE
+
+
+def _finding(case: Case, best: Trial, tried: Sequence[Trial]) -> Finding:
+    candidate = best.candidate
+    parameters = identifying(candidate, best.model, case)
+    share = explained_share(case.model.misfits, best.model.misfits)
+    others: dict[str, float] = {}
+    for trial in tried:
+        if trial.candidate.mechanism != candidate.mechanism:
+            others.setdefault(trial.candidate.mechanism, trial.gain)
+    listed = tuple(others.items())
+    alike = rivals(best, [t for t in tried if explained_share(case.model.misfits, t.model.misfits) > LEAST_SHARE])
+    equivalent = tuple(dict.fromkeys(trial.candidate.mechanism for trial in alike))
+    return Finding(
+        mechanism=candidate.mechanism,
+        variant=candidate.variant,
+        explanation=explanation(candidate.mechanism, parameters, share=share, rivals=listed, gain=best.gain),
+        confidence=confidence(gain=best.gain, share=share, rival=max(others.values(), default=0.0)),
+        parameters=parameters,
+        gain=best.gain,
+        rivals=listed,
+        equivalent_to=equivalent,
+        next_experiment=None,
+    )
+
+
+def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Finding]:
+    answer = []
+    for candidate in faults.candidates:
+        model = replace(case.model, rig=candidate.added_to(_without(case.model.rig, candidate)))
+        parameters = identifying(candidate, model, case)
+        said = explanation(candidate.mechanism, parameters, share=1.0, rivals=(), gain=0.0)
+        answer.append(
+            Finding(
+                mechanism=candidate.mechanism,
+                variant="",
+                explanation=said,
+                confidence=0.98,
+                parameters=parameters,
+                gain=fit.before - fit.after,
+            )  # fmt: skip
+        )
+    return answer
+
+
+def _verdict(findings: Sequence[Finding], left: Sequence[Mismatch], faults: SampleFindings) -> Verdict:
+    if left or faults.unnamed:
+        return "unexplained"
+    return "missing_physics" if findings else "adequate"
+
+
+def _completed(case: Case, faults: SampleFindings) -> Rig:
+    return _with(case.model.rig, [c for c in faults.candidates if c.mechanism != "quantization"])
+
+
+def _with(rig: Rig, candidates: Sequence[Candidate]) -> Rig:
+    for candidate in candidates:
+        rig = candidate.added_to(rig)
+    return rig
+
+
+def _without(rig: Rig, candidate: Candidate) -> Rig:
+    present = {part.name for part in rig.parts}
+    for part in candidate.parts:
+        rig = rig.without(part.name) if part.name in present else rig
+    return rig
+
+
+def _used(run: Observed) -> UsedRecording:
+    speed = run.run.speed_rpm if not run.steady else run.mean_speed * 30 / 3.141592653589793
+    return UsedRecording(file=run.name, speed_rpm=speed or 0.0, used_for="split")

@@ -1,0 +1,131 @@
+"""The outcome of a diagnosis, as values; its JSON is fixed by the contract."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from torquerig.diagnose.leftover import Mismatch
+
+SCHEMA = "torquerig.diagnosis/1"
+Verdict = Literal["adequate", "missing_physics", "unexplained"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stated:
+    """One identifying parameter: value with its 95 % interval, in the contract's unit."""
+
+    value: float
+    low: float
+    high: float
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """One effect that was left out of the model.
+
+    ``rivals`` holds (mechanism, gain of the misfit) of the other hypotheses that were fitted, best first.
+    """
+
+    mechanism: str
+    variant: str
+    explanation: str
+    confidence: float
+    parameters: Mapping[str, Stated]
+    gain: float
+    rivals: tuple[tuple[str, float], ...] = ()
+    equivalent_to: tuple[str, ...] = ()
+    next_experiment: str | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeldOut:
+    """Misfit on data that no fit has seen: of the nominal model, the calibrated one, and the completed one."""
+
+    nominal: float
+    before: float
+    after: float
+    improvement: tuple[float, float, float]  # value, low, high
+
+
+@dataclass(frozen=True, kw_only=True)
+class UsedRecording:
+    """A recording and what it served for."""
+
+    file: str
+    speed_rpm: float
+    used_for: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Diagnosis:
+    """What a diagnosis says."""
+
+    verdict: Verdict
+    mismatch: tuple[Mismatch, ...]
+    findings: tuple[Finding, ...]
+    fit: HeldOut
+    recordings: tuple[UsedRecording, ...]
+    model: str | None = None
+    remarks: tuple[str, ...] = ()
+    set_aside: Mapping[str, str] = field(default_factory=dict)
+
+
+METRIC = (
+    "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque), each "
+    "in units of its own spread and robust (pseudo-Huber beyond 4), against simulations of the model; about 1 for a "
+    "true model, 0 at best"
+)
+
+
+def as_json(diagnosis: Diagnosis) -> dict[str, Any]:
+    """Return the diagnosis in the contract's form, with ``rivals``, ``set_aside`` and ``remarks`` beside it."""
+    fit, improvement = diagnosis.fit, diagnosis.fit.improvement
+    return {
+        "schema": SCHEMA,
+        "verdict": diagnosis.verdict,
+        "mismatch": [
+            {
+                "domain": each.domain, "axis": each.axis, "at": _digits(each.at), "width": _digits(each.width),
+                "recordings": list(each.recordings), "excess_dB": _digits(each.excess_dB),
+                "share_of_misfit": _digits(each.share_of_misfit), "p_value": _digits(each.p_value),
+            }
+            for each in diagnosis.mismatch
+        ],
+        "findings": [_finding(finding) for finding in diagnosis.findings],
+        "fit": {
+            "metric": METRIC,
+            "before": {"heldout_misfit": _digits(fit.before), "nominal": _digits(fit.nominal)},
+            "after": {"heldout_misfit": _digits(fit.after)},
+            "improvement": {"value": _digits(improvement[0]), "ci95": [_digits(end) for end in improvement[1:]]},
+        },
+        "model": diagnosis.model,
+        "recordings": [
+            {"file": used.file, "speed_rpm": _digits(used.speed_rpm), "used_for": used.used_for}
+            for used in diagnosis.recordings
+        ],
+        "set_aside": dict(diagnosis.set_aside),
+        "remarks": list(diagnosis.remarks),
+    }  # fmt: skip
+
+
+def _finding(finding: Finding) -> dict[str, Any]:
+    return {
+        "mechanism": finding.mechanism,
+        **({"variant": finding.variant} if finding.variant else {}),
+        "explanation": finding.explanation,
+        "confidence": round(finding.confidence, 3),
+        "parameters": {
+            name: {"value": _digits(each.value), "ci95": [_digits(each.low), _digits(each.high)], "unit": each.unit}
+            for name, each in finding.parameters.items()
+        },
+        "equivalent_to": list(finding.equivalent_to),
+        "next_experiment": finding.next_experiment,
+        "rivals": [{"mechanism": name, "gain": _digits(gain)} for name, gain in finding.rivals],
+    }
+
+
+def _digits(value: float) -> float:
+    return float(f"{value:.6g}")

@@ -1,0 +1,45 @@
+"""How well models predict what no fit has seen, by simulating them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.diagnosis import HeldOut
+from torquerig.diagnose.features import Features
+from torquerig.diagnose.misfit import misfit, robust
+from torquerig.diagnose.simulated import expected_from, simulated_runs
+from torquerig.diagnose.value_features import value_features, value_misfit
+from torquerig.rig.rig import Rig
+
+SEEDS = (101, 102)
+_DRAWS = 400
+
+
+def held_out_squares(rig: Rig, held: Sequence[Features]) -> NDArray[np.float64]:
+    """Return the robust square of every held-out residual of ``rig``'s simulations, runs one after the other."""
+    copies = simulated_runs(rig, held, seeds=SEEDS)
+    models = expected_from(rig, held, copies)
+    squares = []
+    for features, model, each in zip(held, models, copies, strict=True):
+        values = np.mean([value_features(copy, held=True) for copy in each], axis=0)
+        residuals = value_misfit(value_features(features.observed, held=True), values)
+        squares.append(robust(np.concatenate([misfit(features, model).all(), residuals])) ** 2)
+    return np.concatenate(squares)
+
+
+def held_out(nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *, seed: int) -> HeldOut:
+    """Return the mean of the squares of the three models, and the improvement with its 95 % bootstrap interval."""
+    one, two = held_out_squares(nominal, held), held_out_squares(before, held)
+    three = two if after is before else held_out_squares(after, held)
+    rng = np.random.default_rng(seed)
+    drawn = rng.integers(0, two.size, (_DRAWS, two.size))
+    gains = 1 - three[drawn].mean(axis=1) / np.maximum(two[drawn].mean(axis=1), 1e-12)
+    low, high = np.quantile(gains, [0.025, 0.975])
+    value = 1 - float(three.mean()) / max(float(two.mean()), 1e-12)
+    return HeldOut(
+        nominal=float(one.mean()), before=float(two.mean()), after=float(three.mean()),
+        improvement=(value, float(low), float(high)),
+    )  # fmt: skip

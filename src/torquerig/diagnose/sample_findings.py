@@ -1,0 +1,56 @@
+"""Faults of the samples as candidates: they are seen before any model, and mended before any fit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.sample_faults import bridged, coarse_codes, dropouts, flat_tops
+from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.rig import Rig
+from torquerig.signals.recording import Recording
+
+
+@dataclass(frozen=True)
+class SampleFindings:
+    """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that."""
+
+    candidates: tuple[Candidate, ...]
+    recordings: tuple[Recording, ...]
+    clipped: tuple[str, ...]
+    unnamed: tuple[str, ...]
+
+
+def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
+    """Return coarse codes, flat tops and dropouts that ``rig`` does not have; ``unnamed`` are those without a class."""
+    sensor = rig.part(rig.measured)
+    step, full = 0.0, float("inf")
+    if isinstance(sensor, TorqueSensor):
+        full = sensor.converter_range
+        step = 2 * full / 2**sensor.converter_bits
+    candidates: list[Candidate] = []
+    unnamed: list[str] = []
+    present = {part.kind for part in rig.parts}
+
+    def add(kind: str, class_name: str, **values: float) -> None:
+        if kind in present:
+            return
+        made = getattr(mechanisms, class_name, None)
+        if made is None:
+            unnamed.append(kind)
+        else:
+            candidates.append(Candidate(mechanism=kind, parts=(made(name=kind, **values),), knobs=()))
+
+    codes = coarse_codes(recordings, converter_step=step) if step else None
+    if codes is not None:
+        add("quantization", "Quantization", step=codes.step)
+    lost = dropouts(recordings)
+    if lost is not None:
+        add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
+    mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
+    flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
+    if flat is not None:
+        add("clipping", "Clipping", limit=flat.limit)
+    return SampleFindings(tuple(candidates), mended, () if flat is None else flat.runs, tuple(unnamed))

@@ -1,0 +1,81 @@
+"""A rig back into a scenario file: every part with its values and units, as ``read_scenario`` takes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import MISSING, asdict, fields, is_dataclass
+from pathlib import Path
+from types import UnionType
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
+
+from torquerig.errors import InputError
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.units import written_quantity
+
+_NOT_WRITTEN = ("name", "group")
+
+
+def written_part(part: Part, spreads: Mapping[str, float] | None = None) -> dict[str, Any]:
+    """Return the YAML mapping of a part: kind first, then every field that differs from its default.
+
+    Parameters
+    ----------
+    spreads : mapping of str to float, optional
+        One-sigma relative spread by field, written as ``{value: ..., rel_sd: ...}``.
+    """
+    hints = get_type_hints(type(part), include_extras=True)
+    answer: dict[str, Any] = {"kind": part.kind}
+    for field in fields(part):
+        value = getattr(part, field.name)
+        default = field.default_factory() if field.default_factory is not MISSING else field.default
+        if field.name in (*_NOT_WRITTEN, "kind") or value is None or (value == default and default is not MISSING):
+            continue
+        written = _written(value, hints[field.name])
+        spread = (spreads or {}).get(field.name, 0.0)
+        answer[field.name] = {"value": written, "rel_sd": float(f"{spread:.4g}")} if spread else written
+    if "group" in hints and get_origin(hints["group"]) is not None and len(get_args(hints["group"])) > 1:
+        answer["group"] = part.group
+    return answer
+
+
+def scenario_text(
+    rig: Rig, *, title: str, operating_point: Mapping[str, Any], spreads: Mapping[str, Mapping[str, float]] | None = None,
+    head: str = "",
+) -> str:  # fmt: skip
+    """Return a scenario file for ``rig``; ``head`` goes before it as a comment, line by line."""
+    import yaml
+
+    parts = {part.name: written_part(part, (spreads or {}).get(part.name)) for part in rig.parts}
+    data = {"scenario": title, "operating_point": dict(operating_point), "measured": rig.measured, "rig": parts}
+    comment = "".join(f"# {line}\n" for line in head.splitlines())
+    return comment + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120)
+
+
+def write_scenario(path: Path, text: str, *, overwrite: bool) -> None:
+    """Write a scenario file whole or not at all; InputError where one stands there and may not be replaced."""
+    if path.exists() and not overwrite:
+        raise InputError(f"{path} exists already; choose another name, or add --force to replace it")
+    temporary = path.with_name(f".{path.name}.part")
+    temporary.write_text(text, encoding="utf-8")
+    temporary.replace(path)
+
+
+def _written(value: Any, hint: Any) -> Any:
+    """Return a value as YAML states it: numbers with units where the annotation has one."""
+    if get_origin(hint) in (Union, UnionType):
+        hint = next(option for option in get_args(hint) if option is not type(None))
+    parameter = next((note for note in getattr(hint, "__metadata__", ()) if isinstance(note, Parameter)), None)
+    if parameter is not None and isinstance(value, int | float):
+        return float(value) if parameter.unit == "1" else written_quantity(float(value), parameter.unit)
+    if get_origin(hint) is Annotated:
+        hint = get_args(hint)[0]
+    inner = get_args(hint)
+    if isinstance(value, Mapping):
+        return {_written(key, inner[0]): _written(item, inner[1]) for key, item in value.items()}
+    if isinstance(value, tuple | list):
+        return [_written(item, inner[0] if inner else type(item)) for item in value]
+    if is_dataclass(value) and not isinstance(value, type):
+        return {key: item for key, item in asdict(value).items() if item is not None}
+    return value
