@@ -50,7 +50,8 @@ def test_the_default_line_chain_is_as_good_as_perfect_line_removal(occupancy, en
     rig, run, clean = runs(occupancy)
     error = truth_error(chain(rig, "order_lines").apply(reading(run, encoder=encoder)), run)
     assert error < 1.1 * truth_error(clean, clean)
-    assert error < truth_error(run, run)
+    # the speed is not to be found in every torque; then nothing is subtracted
+    assert error <= truth_error(run, run)
 
 
 @pytest.mark.parametrize("occupancy", [5, 21])

@@ -11,6 +11,8 @@ import numpy as np
 from torquerig.errors import RecordingError
 from torquerig.signals.angle import MotorAngle
 from torquerig.signals.set_point import set_point_profile
+from torquerig.signals.smooth_course import second_difference_bands, times_bands
+from torquerig.signals.speed_course import speed_course
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,6 +24,12 @@ _SET_POINT_ERROR = 0.015  # share by which the real speed may differ from the se
 _TURNS_PER_HOP = 2.0  # motor turns between the blocks that follow the wander; each block is twice as long
 _ACCELERATION = 1e-3  # 1/s, one sigma of the relative acceleration that a steady run may have
 _STANDS_OUT = 5.0  # robust standard deviations by which the comb's best score must exceed its median
+_PLAINER = 3.0  # by which a free course must be the more coherent
+_COURSE_ROUNDS = 2  # of following the lines' phases after a course: the first straightens its steps
+_PARTS = 8  # of a hop
+_OF_NOISE = 0.6  # mean of log(1 + x) of an exponential x of mean 1 (exactly 0.596)
+_COHERENT = 20.0  # by which a course's lines must stand out: noise alone, followed, has been seen at half of it
+_NONE_STANDS_OUT = "from the set-point alone: no comb of lines stands out"
 _ORDER_CAPS = (8.0, 16.0, 32.0, 90.0, np.inf)  # slow lines first: they bear the largest error of angle
 
 
@@ -62,16 +70,51 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
     torque = recording.torque()
     orders = np.array(sorted({float(f"{line.motor_order:.9g}") for line in lines}))
     comb = _comb(torque, nominal, orders)
-    angle = nominal * comb.factor
-    if not comb.stands_out:
-        return MotorAngle(angle, "from the set-point alone: no comb of lines stands out", comb.sd)
     if recording.run.profile != "steady":
-        return MotorAngle(angle, f"from the set-point profile times {comb.factor:.5f}, by the comb of lines", comb.sd)
-    wander, ends = _wander(torque, angle, orders, comb.floor, recording.sample_rate)
-    sd = max(comb.sd, ends / abs(float(angle[-1] - angle[0])))
-    return MotorAngle(
-        angle + wander, f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines", sd
-    )
+        if not comb.stands_out:
+            return MotorAngle(nominal, _NONE_STANDS_OUT, comb.sd)
+        told = f"from the set-point profile times {comb.factor:.5f}, by the comb of lines"
+        return MotorAngle(nominal * comb.factor, told, comb.sd)
+    return _steady_angle(torque, nominal, orders, comb, recording.sample_rate)
+
+
+def _steady_angle(
+    torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64], comb: _Comb, rate: float
+) -> MotorAngle:
+    """Return the better of two: one factor and a slow wander, or a course that leaves the factor by per cents."""
+    found = []
+    if comb.stands_out:
+        wander, ends = _wander(torque, nominal * comb.factor, orders, comb.floor, rate)
+        told = f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines"
+        found.append((nominal * comb.factor + wander, told, ends))
+    course = speed_course(torque, nominal, orders, rate=rate)
+    if course is not None:
+        angle = np.cumsum(np.gradient(nominal) * course)
+        bend = max(_ACCELERATION, float(np.abs(np.diff(course)).max()) * rate)
+        for _ in range(_COURSE_ROUNDS):
+            wander, ends = _wander(torque, angle, orders, comb.floor, rate, acceleration=bend)
+            angle = angle + wander
+        found.append((angle, "from the course of the comb of lines around the set-point", ends))
+    heights = [_coherence(torque, angle, orders, comb.floor) for angle, _, _ in found]
+    if not found or max(heights) < _COHERENT:
+        return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))
+    # the plainer one, which comes first, unless the other is clearly better
+    angle, told, ends = found[int(np.argmax([height - _PLAINER * row for row, height in enumerate(heights)]))]
+    known = comb.sd if comb.stands_out else 0.0
+    return MotorAngle(angle, told, max(known, ends / abs(float(angle[-1] - angle[0]))))
+
+
+def _coherence(
+    torque: NDArray[np.float64], angle: NDArray[np.float64], orders: NDArray[np.float64], floor: NDArray[np.float64]
+) -> float:
+    """Sum of the logs by which the lines stand over the noise if the angle is right, less what noise itself has."""
+    from torquerig.signals.filters.kernel import order_sums
+
+    known = np.isfinite(floor)
+    edges = np.array([0, torque.size])
+    in_phase, quadrature = order_sums(torque - torque.mean(), angle / (2 * np.pi), orders[known], edges)[:, :, 0]
+    heights = np.log1p((in_phase**2 + quadrature**2) / torque.size / floor[known])
+    return float(np.sum(heights - _OF_NOISE))
 
 
 @dataclass(frozen=True)
@@ -125,6 +168,8 @@ def _wander(
     orders: NDArray[np.float64],
     floor: NDArray[np.float64],
     rate: float,
+    *,
+    acceleration: float = _ACCELERATION,
 ) -> tuple[NDArray[np.float64], float]:
     """Follow the slow deviation of the angle [rad], shape (samples,), by the common phase of lines that stand alone.
 
@@ -134,14 +179,14 @@ def _wander(
     alone = np.minimum(lone[:-1], lone[1:]) >= 0.9
     speed = (angle[-1] - angle[0]) / angle.size * rate
     usable = alone & (orders * abs(speed) / (2 * np.pi) < 0.4 * rate) & np.isfinite(floor)
-    hop = round(_TURNS_PER_HOP * 2 * np.pi / abs(speed) * rate)
+    hop = _PARTS * max(round(_TURNS_PER_HOP * 2 * np.pi / abs(speed) * rate / _PARTS), 1)
     blocks = torque.size // hop - 1
     if blocks < 8 or not usable.any():
         return np.zeros_like(angle), 0.0
     seen = orders[usable]
-    phasors = np.stack([_phasors(torque, angle * order, hop, blocks) for order in seen])
+    phasors = _phasors(torque, angle, seen, hop, blocks)
     noise = floor[usable]
-    bend = _ACCELERATION * abs(speed) * (hop / rate) ** 2
+    bend = acceleration * abs(speed) * (hop / rate) ** 2
     course, ends = np.zeros(blocks), 0.0
     for cap in _ORDER_CAPS:
         low = seen <= cap
@@ -153,13 +198,22 @@ def _wander(
     return np.asarray(np.interp(at, centres, course - course.mean()) + outer), ends
 
 
-def _phasors(torque: NDArray[np.float64], phase: NDArray[np.float64], hop: int, blocks: int) -> NDArray[np.complex128]:
-    """Complex amplitude of one line in each block, scaled so that white noise has the power of a spectrum bin."""
-    window = np.hanning(2 * hop + 2)[1:-1]
-    turned = (torque - torque.mean()) * np.exp(-1j * phase)
-    pieces = turned[: (blocks + 1) * hop].reshape(blocks + 1, hop)
-    sums = pieces[:-1] @ window[:hop] + pieces[1:] @ window[hop:]
-    return np.asarray(sums / np.sqrt((window**2).sum()))
+def _phasors(
+    torque: NDArray[np.float64], angle: NDArray[np.float64], orders: NDArray[np.float64], hop: int, blocks: int
+) -> NDArray[np.complex128]:
+    """Complex amplitude of each line in each block, scaled so that white noise has the power of a spectrum bin.
+
+    A block is two hops under a Hann window, which is taken as constant over an eighth of a hop.
+    """
+    from torquerig.signals.filters.kernel import order_sums
+
+    part = hop // _PARTS
+    edges = part * np.arange((blocks + 1) * _PARTS + 1)
+    in_phase, quadrature = order_sums(torque - torque.mean(), angle / (2 * np.pi), orders, edges)
+    pieces = (in_phase - 1j * quadrature).reshape(orders.size, blocks + 1, _PARTS)
+    window = np.sin(np.pi * (np.arange(2 * _PARTS) + 0.5) / (2 * _PARTS)) ** 2
+    sums = pieces[:, :-1] @ window[:_PARTS] + pieces[:, 1:] @ window[_PARTS:]
+    return np.asarray(sums / np.sqrt((window**2).sum() * part))
 
 
 def _followed(
@@ -174,8 +228,9 @@ def _followed(
 
     The second value is the standard uncertainty of the angle between the first and the last block.
     """
-    second = np.diff(np.eye(course.size), n=2, axis=0) / bend
-    stiffness = second.T @ second
+    from scipy.linalg import solveh_banded
+
+    stiffness = second_difference_bands(course.size) / bend**2
     order, level = orders[:, None], noise[:, None]
     across = np.zeros(course.size)
     across[[0, -1]] = -1.0, 1.0
@@ -189,9 +244,9 @@ def _followed(
         if information <= 0:
             break
         pull = (2 * order * (np.conj(mean) * turned).imag * (strength > 0) / level).sum(axis=0)
-        curvature = stiffness + information * np.eye(course.size)
-        course = course + np.linalg.solve(curvature, pull - stiffness @ course)
+        curvature = stiffness + information * np.array([[0.0], [0.0], [1.0]])
+        course = course + solveh_banded(curvature, pull - times_bands(stiffness, course))
         # beyond the outer blocks, and over as many as are averaged, the speed may bend: once at each end
         bent = bend * max(1.0, 1 / (bend * np.sqrt(information)))
-        ends = float(np.sqrt(across @ np.linalg.solve(curvature, across) + 2 * bent**2))
+        ends = float(np.sqrt(np.vdot(across, solveh_banded(curvature, across)) + 2 * bent**2))
     return course, ends

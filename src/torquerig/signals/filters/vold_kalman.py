@@ -12,6 +12,7 @@ from torquerig.errors import InputError, RecordingError
 from torquerig.signals.best_angle import best_motor_angle
 from torquerig.signals.filters.order_envelope import HOPS_PER_TURN, hop_sums, hops_of, less_lines, seen_orders
 from torquerig.signals.set_point import set_point_speed
+from torquerig.signals.smooth_course import second_difference_bands
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -94,12 +95,7 @@ def smoothest(sums: Floats, samples: Floats, *, half_width: float) -> Floats:
 
     hops = samples.size
     weight = float(samples.mean()) * (sqrt(2) - 1) / (2 * sin(pi * half_width)) ** 4
-    # D'D of second differences: its diagonals, shortened at both ends
-    second = np.ones((hops - 2, 3)) * [1.0, -2.0, 1.0]
-    bands = np.zeros((3, hops))
-    for i in range(3):
-        for j in range(i, 3):
-            bands[2 - (j - i), j : hops - 2 + j] += second[:, i] * second[:, j] * weight
+    bands = second_difference_bands(hops) * weight
     bands[2] += samples
     solved = solveh_banded(bands, 2 * sums.reshape(-1, hops).T).T.reshape(sums.shape)
     inner = 0.5 * (solved[..., 1:] + solved[..., :-1])
