@@ -66,8 +66,8 @@ WRITTEN: dict[str, tuple[str, Part]] = {
         GranularDrag(name="it", mean_by_occupancy_percent={0.0: 0.05, 21.0: 3.8}, correlation_angle=4 * (pi / 180)),
     ),
     "LugreFriction": (
-        "{kind: lugre_friction, coulomb: 0.2 Nm, static: 0.3 Nm, stribeck_speed: 1 rpm, stiffness: 9 Nm/rad, damping: 1 Nms}",
-        LugreFriction(name="it", coulomb=0.2, static=0.3, stribeck_speed=2 * pi / 60, stiffness=9.0, damping=1.0),
+        "{kind: lugre_friction, coulomb: 1Nm, static: 2Nm, stribeck_speed: 1 rpm, stiffness: 9 Nm/rad, damping: 0 Nms}",
+        LugreFriction(name="it", coulomb=1.0, static=2.0, stribeck_speed=2 * pi / 60, stiffness=9.0, damping=0.0),
     ),
     "ParticleLoad": (
         "{kind: particle_load, mean_by_occupancy_percent: {0: 0.05 N*m, 21: 3.8 N*m}, hit_decay: 2 ms}",

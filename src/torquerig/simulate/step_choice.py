@@ -109,6 +109,12 @@ def _events(lowered: Lowered, terms: Terms) -> list[Rate]:
         if isinstance(term, Load) and slowest[on] * smooth < CREEPS:
             rate = float(np.abs(terms.loads.samples[row]).max()) * smooth * light[on]
             found.append(Rate(float(rate), f"the load {term.name!r} as it changes direction", EVENT_ANGLE))
+    for row, bed in enumerate(lowered.angle_load_terms):
+        on, smooth = int(lowered.angle_loads.on[row]), float(lowered.angle_loads.inverse_smoothing[row])
+        if slowest[on] * smooth < CREEPS:
+            grid = lowered.angle_loads.values[lowered.angle_loads.first[row] : lowered.angle_loads.first[row + 1]]
+            rate = float(np.abs(grid).max()) * smooth * light[on]
+            found.append(Rate(float(rate), f"the load {bed.name!r} as it changes direction", EVENT_ANGLE))
     return found
 
 
