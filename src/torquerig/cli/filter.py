@@ -9,6 +9,7 @@ import click
 
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.cli.filter_judge import judge_chains, judged_pictures
 from torquerig.cli.filter_long import blocks_for, described, filter_long
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
 from torquerig.errors import InputError, UnitError, did_you_mean
@@ -39,6 +40,7 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
 @click.option("--ratio", type=float, default=None, help="Motor turns per output turn, where the sidecar does not say.")
 @click.option("--out", type=click.Path(path_type=Path), default=None, help="Write the filtered recording (one chain).")
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the spectrum before and after.")
+@click.option("--judge", is_flag=True, help="Say what the chains are worth, and draw four panels of each (--picture).")
 @click.option(
     "--block",
     default=None,
@@ -49,22 +51,26 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
 @catalog_option
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
-    out: Path | None, picture: Path | None, block: str | None, force: bool, catalogs: tuple[Path, ...],
+    out: Path | None, picture: Path | None, judge: bool, block: str | None, force: bool, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Put RECORDING through filter chains and say what they changed: spread, mean, energy, and each family of lines.
 
     A smaller spread is no proof of less noise: any twenty notches lower it. Only a simulated recording with its truth
-    tells how far the result is from the true load.
+    tells how far the result is from the true load. --judge says that by band, energy, hits and delay, and sets the same
+    chain at empty orders beside it.
 
-    A long recording is filtered block by block, so that memory stays flat whatever its length.
+    A long recording is filtered block by block, so that memory stays flat whatever its length; what is drawn and judged
+    of it is a stretch from its middle.
     """
-    _check_targets(names, out, picture, force=force)
+    _check_targets(names, out, None if judge else picture, force=force)
+    names = names or ("seed_code", "seed_text")
+    panels = judged_pictures(recording, names, picture, force=force) if judge else {}
     stream = open_stream(recording)
     sheet = described(stream)
     kinematics, assumed = _kinematics(sheet, catalog_beside(None, catalogs), motor=motor, ratio=ratio)
     known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
-    chains = [_chain(name, known) for name in names or ("seed_code", "seed_text")]
-    if picture is not None:
+    chains = [_chain(name, known) for name in names]
+    if picture is not None and not judge:
         _refuse_picture_without_speed(sheet)
     blocking = blocks_for(stream, chains, block=None if block is None else _seconds(block))
     if blocking is None:
@@ -73,7 +79,9 @@ def command(
         told = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
     if assumed:
         click.echo(f"assumed of {assumed}")
-    if picture is not None:
+    if judge:
+        judge_chains(told[0], chains, kinematics, panels, force=force)
+    elif picture is not None:
         _draw(*told, chains[0], kinematics, picture, force=force)
 
 

@@ -20,6 +20,7 @@ rating_figure    technical against economic rating           notch_figure     be
 modes_figure     Campbell diagram and Bode curves          campbell_figure  order lines against modes
 bode_figure      transfers to the sensor, loop gain
 duty_figure      a duty cycle: torque, speed, temperatures
+judged_figure    original, filtered, both, rolling means
 info_figure      a recording at a glance: course, spectrum, levels, what is suspicious
 families         colour and name of each family of lines
 replaced_folder  a folder that is replaced whole or not at all

@@ -12,6 +12,7 @@ chain              stages by one name, and the seed's two chains; chain_file rea
 streaming          chains on recordings too long to be held, block by block; reach: how far their stages look
 inspection         what stands in a recording: levels, runs, spikes, dropouts, spectrum, in one pass
 effect             what a chain did: spread, mean, energy, line levels; effect_joined: from its blocks
+judging            what a chain is worth: placebo at empty orders, steps put in, hits, delay, bands
 teeth              what tooth counts fix
 kinematics         the order lines of a motor and gearbox
 coincidences       lines that stand on the mains or on each other, and a better speed

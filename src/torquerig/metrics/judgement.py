@@ -1,0 +1,86 @@
+"""What a filter chain is worth on one recording: against the true load where it is known, against a placebo always."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from torquerig.errors import RecordingError
+from torquerig.metrics.load_error import LoadError, load_error
+from torquerig.metrics.truth_error import TRUE_LOAD
+from torquerig.signals.effect import FilterEffect, chain_effect
+from torquerig.signals.judging.delay import Delay, delay_behind
+from torquerig.signals.judging.inserted import StepShown, inserted
+from torquerig.signals.judging.placebo import Placebo, placebo
+
+if TYPE_CHECKING:
+    from torquerig.signals.chain import Chain
+    from torquerig.signals.kinematics import KinematicLine
+    from torquerig.signals.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class Judgement:
+    """What a chain did to one recording, and what of it is good.
+
+    Parameters
+    ----------
+    chain : str
+        Its name.
+    before, after : Recording
+    effect : FilterEffect
+        Spread, mean and energy before and after.
+    placebo : Placebo or None
+        None for a chain without lines that could be moved.
+    step : StepShown or None
+        None where the torque is constant or too short.
+    delay : Delay or None
+        Of the filtered reading behind the raw one; None where one of them does not change.
+    error_before, error_after : LoadError or None
+        To the true load; None where it is not known.
+    """
+
+    chain: str
+    before: Recording
+    after: Recording
+    effect: FilterEffect
+    placebo: Placebo | None
+    step: StepShown | None
+    delay: Delay | None
+    error_before: LoadError | None
+    error_after: LoadError | None
+
+
+def judged(chain: Chain, recording: Recording, *, ratio: float, known: Sequence[KinematicLine] = ()) -> Judgement:
+    """Return what ``chain`` is worth on ``recording``.
+
+    Parameters
+    ----------
+    ratio : float
+        Motor turns per output turn [1].
+    known : sequence of KinematicLine
+        All lines of the drive; the placebo's places are empty of them.
+    """
+    after = chain.apply(recording)
+    has_truth = TRUE_LOAD in recording.channels
+    return Judgement(
+        chain=chain.name,
+        before=recording,
+        after=after,
+        effect=chain_effect(recording, after, ratio=ratio, lines=chain.lines),
+        placebo=placebo(chain, recording, known=known),
+        step=_step(chain, recording),
+        delay=delay_behind(after.torque(), recording.torque(), rate=recording.sample_rate)
+        if recording.samples >= 8
+        else None,
+        error_before=load_error(recording, recording) if has_truth else None,
+        error_after=load_error(after, recording) if has_truth else None,
+    )
+
+
+def _step(chain: Chain, recording: Recording) -> StepShown | None:
+    try:
+        return inserted(chain, recording)
+    except RecordingError:
+        return None

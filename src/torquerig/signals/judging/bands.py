@@ -1,0 +1,54 @@
+"""What of a signal's mean square lies in which band of frequencies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import RecordingError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+EDGES = (0.0, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 2000.0)
+"""Where the bands of a judgement end [Hz]; the last one goes up to half the sample rate."""
+
+
+def bands_below(rate: float, edges: Sequence[float] = EDGES) -> tuple[tuple[float, float], ...]:
+    """Return the bands (low, high) [Hz] between ``edges`` that a sample rate [Hz] can hold, the last one up to half."""
+    ends = [edge for edge in edges if edge < rate / 2]
+    return tuple(pairwise([*ends, rate / 2]))
+
+
+def band_rms(values: NDArray[np.float64], rate: float, bands: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
+    """Return the rms of the part of ``values`` in each band, shape (bands,), in the unit of ``values``.
+
+    A band holds the bins from its low end up to, and without, its high end; the band that reaches half the sample rate
+    holds that too. The mean counts to the band that starts at 0. Over bands that join, the squares add up to the mean
+    square of the signal (Parseval).
+
+    Parameters
+    ----------
+    values : ndarray, shape (samples,)
+    rate : float
+        [Hz].
+    bands : sequence of (low, high)
+        [Hz].
+
+    Raises
+    ------
+    RecordingError
+        For no samples.
+    """
+    if values.size == 0:
+        raise RecordingError("no samples have no bands; take a longer recording")
+    power = np.abs(np.fft.rfft(values) / values.size) ** 2
+    power[1:] *= 2
+    if values.size % 2 == 0 and values.size > 1:
+        power[-1] /= 2  # half the sample rate has no mirror image
+    frequencies = np.arange(power.size) * (rate / values.size)
+    inside = [(frequencies >= low) & ((frequencies < high) | (high >= rate / 2)) for low, high in bands]
+    return np.sqrt([float(power[one].sum()) for one in inside])

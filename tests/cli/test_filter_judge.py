@@ -1,0 +1,72 @@
+"""``torquerig filter --judge``: what it prints, the panels it draws, and what it refuses."""
+
+import pytest
+
+from torquerig.cli import main
+from torquerig.signals.files import write_recording
+
+
+@pytest.fixture
+def reading(tmp_path, monkeypatch):
+    from pathlib import Path
+
+    from torquerig.cli.inputs import catalog_beside
+    from torquerig.document import read_document
+    from torquerig.scenario.reading import read_scenario
+    from torquerig.simulate.simulate import simulate
+
+    monkeypatch.chdir(tmp_path)
+    scenario = Path(__file__).resolve().parents[2] / "scenarios" / "wear_rig.yaml"
+    made = read_scenario(read_document(scenario), catalog_beside(scenario, ()), seed=1)
+    recording = simulate(made.rig, duration=3.0, seed=1, settling=0.5)
+    write_recording(recording, tmp_path / "known.parquet")
+    write_recording(recording.without_truth(), tmp_path / "measured.parquet")
+    return tmp_path
+
+
+def run(capsys, *arguments):
+    main(arguments)
+    return capsys.readouterr().out
+
+
+def test_it_judges_by_truth_and_placebo_and_draws_four_panels(reading, capsys):
+    told = run(capsys, "filter", "known.parquet", "--chain", "seed_code", "--judge")
+    assert "empty places" in told
+    assert "error to the true load" in told
+    assert "100-200 Hz N*m" in told
+    assert "energy %" in told
+    assert "largest hits" in told
+    assert "A step put in" in told
+    drawn = (reading / "known.seed_code.judged.svg").read_bytes()
+    assert drawn.startswith(b"<?xml")
+    run(capsys, "filter", "known.parquet", "--chain", "seed_code", "--judge", "--force")
+    assert (reading / "known.seed_code.judged.svg").read_bytes() == drawn
+
+
+def test_without_truth_it_says_so_and_still_sets_the_placebo_beside(reading, capsys):
+    told = run(capsys, "filter", "measured.parquet", "--chain", "seed_code", "--judge", "--picture", "mine.png")
+    assert "true load is not known" in told
+    assert "empty places" in told
+    assert (reading / "mine.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_chain_without_lines_has_no_placebo(reading, capsys):
+    told = run(capsys, "filter", "known.parquet", "--chain", "low_pass_20Hz", "--judge")
+    assert "No placebo" in told
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--judge", "--picture", "one.svg"), "--picture takes one chain"),
+        (("--chain", "seed_code", "--judge", "--picture", "one.pdf"), "written as .svg or .png"),
+        (("--chain", "seed_code", "--judge", "--picture", "there.svg"), "overwrite it with --force"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused_before_the_work(reading, capsys, arguments, said):
+    (reading / "there.svg").write_text("mine")
+    with pytest.raises(SystemExit) as left:
+        main(("filter", "known.parquet", *arguments))
+    assert left.value.code == 2
+    assert said in capsys.readouterr().err
+    assert (reading / "there.svg").read_text() == "mine"
