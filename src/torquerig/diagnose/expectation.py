@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.added_signals import added_signals
 from torquerig.diagnose.features import POINTS, Features
-from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place, frequency, order
+from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.turning import Turning
@@ -99,20 +99,11 @@ def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: F
     """Add a line to the place that shows it in each stretch; where none does in a steady run, to its band."""
     if not amplitude.size:
         return
-    at = np.array([place.frequency(float(speed)) for speed in np.abs(seen.speed).mean(axis=1)])
-    middle = seen.line_frequency.mean(axis=2)
-    apart = np.abs(middle - at[:, None]) * seen.duration[:, None]
-    apart[~np.isfinite(seen.amplitude)] = np.inf
-    same = [other.domain == place.domain and abs(other.at - place.at) < SAME_ORDER for other in seen.places]
-    apart[:, same] = np.where(np.isfinite(apart[:, same]), 0.0, np.inf)
-    rows = np.arange(len(at))
-    column = np.argmin(apart, axis=1)
-    shown = apart[rows, column] < (RESOLVED_STEADY if seen.observed.steady else RESOLVED)
-    amplitude[rows[shown], column[shown]] = np.hypot(amplitude[rows[shown], column[shown]], size[shown])
-    mean = float(at.mean())
-    if seen.power.size and not shown.any() and seen.band[0] < mean < seen.band[-1]:
-        row = int(np.argmin(np.abs(np.log(seen.band / mean))))
-        power[row] += 0.5 * float((size**2).mean()) / seen.width[row]
+    route = seen.route(place)
+    rows, column = route.rows, route.column
+    amplitude[rows, column] = np.hypot(amplitude[rows, column], size[rows])
+    if not rows.size and route.band is not None:
+        power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
 
 
 def _noise(rig: Rig, rate: float) -> float:

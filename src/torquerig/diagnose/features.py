@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import pi
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.bands import bands, no_bands, spectrum
 from torquerig.diagnose.observed import Observed, Stretch
-from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, Place
+from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place
 from torquerig.diagnose.regression import regressed
 from torquerig.diagnose.turning import Turning, turning, turns_back
 
@@ -20,6 +20,15 @@ Floats = NDArray[np.float64]
 
 _FEWEST_TURNS = 0.9  # periods of a line within a stretch
 POINTS = 9  # speeds kept of each stretch
+
+
+@dataclass(frozen=True)
+class Route:
+    """Stretches (``rows``) that show a line and at which place; a band for where none does."""
+
+    rows: NDArray[np.int64]
+    column: NDArray[np.int64]
+    band: int | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,6 +78,7 @@ class Features:
     count: Floats
     width: Floats
     turning: Turning | None = None
+    _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
     def line_frequency(self) -> Floats:
@@ -77,6 +87,27 @@ class Features:
         at = np.array([place.at for place in self.places])
         revolutions = np.abs(self.speed)[:, None, :] / (2 * pi)
         return np.asarray(np.where(turning[None, :, None], at[None, :, None] * revolutions, at[None, :, None]))
+
+
+    def route(self, place: Place) -> Route:
+        """Return where a line shows: in which place of each stretch, else in which band."""
+        if place not in self._routes:
+            self._routes[place] = self._routed(place)
+        return self._routes[place]
+
+    def _routed(self, place: Place) -> Route:
+        at = np.array([place.frequency(float(speed)) for speed in np.abs(self.speed).mean(axis=1)])
+        apart = np.abs(self.line_frequency.mean(axis=2) - at[:, None]) * self.duration[:, None]
+        same = [other.domain == place.domain and abs(other.at - place.at) < SAME_ORDER for other in self.places]
+        apart[:, same] = 0.0
+        apart[~np.isfinite(self.amplitude)] = np.inf
+        column = np.argmin(apart, axis=1)
+        resolved = RESOLVED_STEADY if self.observed.steady else RESOLVED
+        rows = np.flatnonzero(apart[np.arange(at.size), column] < resolved)
+        mean, band = float(at.mean()), None
+        if self.power.size and self.band[0] < mean < self.band[-1]:
+            band = int(np.argmin(np.abs(np.log(self.band / mean))))
+        return Route(rows, column[rows], band)
 
 
 def features(observed: Observed, places: Sequence[Place], *, held: bool | None = False) -> Features:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.calibration import Calibrated, calibrated
 from torquerig.diagnose.case import Candidate, Case
@@ -18,7 +19,9 @@ MOST_EFFECTS = 3
 PER_KNOB = 5.0  # what a further number must gain, beside the square of its own position
 LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
+_WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _JOINT_EVALUATIONS = 20
+_WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
 _ALIKE = 0.12  # a rival within this share of the winner's gain cannot be told from it
@@ -41,9 +44,10 @@ def trials(case: Case) -> list[Trial]:
     """
     screened = [_screened(case, candidate) for candidate in proposals(case)]
     screened.sort(key=lambda trial: -trial.gain)
+    top = screened[0].gain if screened else 0.0
     finalists: list[Trial] = []
     for trial in screened:
-        if trial.gain > 0 and len(finalists) < _FINALISTS and not _repeated(trial, finalists):
+        if trial.gain > _WORTHWHILE * top and trial.gain > 0 and len(finalists) < _FINALISTS and not _repeated(trial, finalists):
             finalists.append(trial)
     fitted = [_joint(case, trial) for trial in finalists]
     if gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
@@ -95,19 +99,24 @@ def _joint(case: Case, trial: Trial) -> Trial:
     """
     names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
     base = _nominal_with_accepted(case)
+
+    def fitted(own: Rig, nuisance: NDArray[np.float64]) -> Trial:
+        placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
+        start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
+        model = calibrated(
+            placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
+            evaluations=_JOINT_EVALUATIONS, corrections=held,
+        )  # fmt: skip
+        return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs))
+
+    first = fitted(trial.model.rig, case.model.positions)
+    if first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits):
+        return first
     afresh = calibrated(
         trial.candidate.added_to(base), case.seen, trial.candidate.knobs, evaluations=8, corrections=held
     )
-    fitted = []
-    for own, nuisance in ((trial.model.rig, case.model.positions), (afresh.rig, np.zeros(len(case.model.knobs)))):
-        placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
-        knobs = (*case.model.knobs, *placed.knobs)
-        start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
-        model = calibrated(
-            placed.added_to(base), case.seen, knobs, start=start, evaluations=_JOINT_EVALUATIONS, corrections=held
-        )
-        fitted.append(Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs)))
-    return max(fitted, key=lambda one: one.gain)
+    second = fitted(afresh.rig, np.zeros(len(case.model.knobs)))
+    return max(first, second, key=lambda one: one.gain)
 
 
 def _nominal_with_accepted(case: Case) -> Rig:
