@@ -162,16 +162,11 @@ def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Fi
         model = replace(case.model, rig=candidate.added_to(_without(case.model.rig, candidate)))
         parameters = identifying(candidate, model, case)
         said = explanation(candidate.mechanism, parameters, share=1.0, rivals=(), gain=0.0)
-        answer.append(
-            Finding(
-                mechanism=candidate.mechanism,
-                variant="",
-                explanation=said,
-                confidence=0.98,
-                parameters=parameters,
-                gain=fit.before - fit.after,
-            )  # fmt: skip
-        )
+        finding = Finding(
+            mechanism=candidate.mechanism, variant="", explanation=said, confidence=0.98, parameters=parameters,
+            gain=fit.before - fit.after,
+        )  # fmt: skip
+        answer.append(finding)
     return answer
 
 

@@ -74,8 +74,8 @@ class Diagnosis:
 
 
 METRIC = (
-    "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque), each "
-    "in units of its own spread and robust (pseudo-Huber beyond 4), against simulations of the model; about 1 for a "
+    "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque), each"
+    " in units of its own spread and robust (pseudo-Huber beyond 4), against simulations of the model; about 1 for a "
     "true model, 0 at best"
 )
 

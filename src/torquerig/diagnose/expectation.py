@@ -83,7 +83,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
 
 
 def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
-    """The quasi-static torque of each block: the shafts' own ringing dies out within one."""
+    """Return the quasi-static torque of each block: the shafts' own ringing dies out within one."""
     torque = quasi_static(twin, speed=blocks.speed, acceleration=blocks.acceleration).sensor
     none = np.zeros((0, len(seen.places)))
     return Expectation(np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque)

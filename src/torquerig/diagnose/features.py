@@ -88,7 +88,6 @@ class Features:
         revolutions = np.abs(self.speed)[:, None, :] / (2 * pi)
         return np.asarray(np.where(turning[None, :, None], at[None, :, None] * revolutions, at[None, :, None]))
 
-
     def route(self, place: Place) -> Route:
         """Return where a line shows: in which place of each stretch, else in which band."""
         if place not in self._routes:
@@ -136,9 +135,10 @@ def features(observed: Observed, places: Sequence[Place], *, held: bool | None =
 def _turning_features(observed: Observed, places: Sequence[Place], *, held: bool | None) -> Features:
     floor = no_bands(observed.rate)
     return Features(
-        observed=observed, held=held, stretches=(), places=tuple(places), amplitude=np.zeros((0, len(places)), dtype=complex),
-        level=np.zeros(0), speed=np.zeros((0, POINTS)), duration=np.zeros(0), acceleration=np.zeros(0),
-        band=floor.middle, power=floor.power, count=floor.count, width=floor.width, turning=turning(observed, places, held=held),
+        observed=observed, held=held, stretches=(), places=tuple(places),
+        amplitude=np.zeros((0, len(places)), dtype=complex), level=np.zeros(0), speed=np.zeros((0, POINTS)),
+        duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, count=floor.count,
+        width=floor.width, turning=turning(observed, places, held=held),
     )  # fmt: skip
 
 

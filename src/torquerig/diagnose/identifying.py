@@ -50,7 +50,10 @@ _FIELDS: Mapping[str, Mapping[str, _Field]] = {
         "order_output": _Field("order_output", "1/rev", whole_order=True),
         "ring_frequency_Hz": _Field("ring_frequency", "Hz"),
     },
-    "mains_interference": {"frequency_Hz": _Field("frequency", "Hz", spread=2e-4), "amplitude_V": _Field("amplitudes", "V", key=0)},
+    "mains_interference": {
+        "frequency_Hz": _Field("frequency", "Hz", spread=2e-4),
+        "amplitude_V": _Field("amplitudes", "V", key=0),
+    },
     "sensor_bandwidth": {"cutoff_Hz": _Field("cutoff", "Hz")},
     "sensor_drift": {"span_V": _Field("span", "V"), "time_constant_s": _Field("time_constant", "s")},
     "clipping": {"limit_V": _Field("limit", "V", spread=2e-4)},

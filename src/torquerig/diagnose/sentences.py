@@ -7,12 +7,16 @@ from collections.abc import Mapping, Sequence
 from torquerig.diagnose.diagnosis import Stated
 
 _WHAT = {
-    "gear_mesh": "the teeth of the gearbox: a mesh of {order_output:.0f} teeth per output turn with a transmission error of {transmission_error_rad:.2g} rad",
-    "commutation_ripple": "torque ripple of the motor in proportion to its torque, {depth:.1%} at motor order {order_motor:.0f}",
-    "torsional_mode": "a further inertia of {inertia_kgm2:.2g} kg m^2 that rings at {frequency_Hz:.1f} Hz behind the sensor",
+    "gear_mesh": "the teeth of the gearbox: a mesh of {order_output:.0f} teeth per output turn with a transmission "
+                 "error of {transmission_error_rad:.2g} rad",
+    "commutation_ripple": "torque ripple of the motor in proportion to its torque, {depth:.1%} at motor order "
+                          "{order_motor:.0f}",
+    "torsional_mode": "a further inertia of {inertia_kgm2:.2g} kg m^2 that rings at {frequency_Hz:.1f} Hz behind the "
+                      "sensor",
     "backlash": "a gap of about {gap_arcmin:.1f} arcmin in the gearbox",
     "stribeck_friction": "dry friction at the loaded part",
-    "bearing_defect": "impacts of a bearing, {order_output:.2f} per output turn, that ring at {ring_frequency_Hz:.0f} Hz",
+    "bearing_defect": "impacts of a bearing, {order_output:.2f} per output turn, that ring at "
+                      "{ring_frequency_Hz:.0f} Hz",
     "mains_interference": "hum of the mains at {frequency_Hz:.3f} Hz",
     "sensor_bandwidth": "an amplifier that cuts off at {cutoff_Hz:.0f} Hz",
     "sensor_drift": "a zero of the sensor that moves by {span_V:.3g} V",

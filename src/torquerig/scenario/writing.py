@@ -41,8 +41,8 @@ def written_part(part: Part, spreads: Mapping[str, float] | None = None) -> dict
 
 
 def scenario_text(
-    rig: Rig, *, title: str, operating_point: Mapping[str, Any], spreads: Mapping[str, Mapping[str, float]] | None = None,
-    head: str = "",
+    rig: Rig, *, title: str, operating_point: Mapping[str, Any],
+    spreads: Mapping[str, Mapping[str, float]] | None = None, head: str = "",
 ) -> str:  # fmt: skip
     """Return a scenario file for ``rig``; ``head`` goes before it as a comment, line by line."""
     import yaml
