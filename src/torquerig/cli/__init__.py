@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  modes  simulate  duty  synth  info  filter  matrix  diagnose  compare
+init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose  compare
 """
 
 from __future__ import annotations
@@ -18,9 +18,11 @@ COMMANDS = {
     "init": "copy the shipped catalogs and scenarios into a folder of your own",
     "catalog": "show what can be bought, with what is known and what is not",
     "orders": "show where the lines of a motor and gearbox stand, and which coincide",
+    "ordermap": "show a recording's lines over the order of its shaft, told from fixed frequencies",
     "modes": "show at what frequencies a rig rings, its speed loop's margins, and which line meets which mode",
     "simulate": "simulate one rig and write what its sensor records",
     "duty": "tell what a duty cycle asks of a motor and how hot it becomes",
+    "size": "tell whether motor, gearbox and sensor are large enough for a duty cycle",
     "synth": "make test signals whose every part is known",
     "info": "show what is in a recording",
     "filter": "put a recording through filter chains and say what they changed",

@@ -6,4 +6,5 @@ candidates  a motor on a gearbox, loop tuned      drive_run   one drive: simulat
 run_study   all drives on all cores               results     what was found
 criteria    demands and criteria of the study     scoring     figures -> three matrices
 verdict     which one, and how sure               what_if     what an edit changes
+sized_candidates  a drive sized over the duty cycle  ratio_sweep  its motor on every gearbox of the catalog
 """

@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
 from torquerig.decide.kesselring import TEACHING
 from torquerig.errors import InputError, TorquerigError
-from torquerig.study.settings import CriterionRow, DemandRow, Metric
+from torquerig.metrics.sizing.sizing import SIZING_UNITS
+from torquerig.study.settings import CriterionRow, DemandRow
 from torquerig.study.study import Study
 
-UNITS: Mapping[Metric, str] = {
+UNITS: Mapping[str, str] = {
     "truth_error": "N*m",
     "disturbance": "N*m",
     "speed_reserve": "1",
@@ -21,6 +22,8 @@ UNITS: Mapping[Metric, str] = {
     "servo": "1",
     "new_parts": "1",
     "price": "EUR",
+    "left_disturbance": "N*m",
+    **SIZING_UNITS,
 }
 """The unit in which each metric is counted; limits, bands and points of a study are in it."""
 

@@ -9,6 +9,7 @@ from math import prod
 from torquerig.errors import InputError
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
+from torquerig.metrics.left_disturbance import with_and_without
 from torquerig.metrics.omitted_ripple import omitted_six_pulse
 from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
@@ -22,6 +23,8 @@ from torquerig.simulate.simulate import simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import ChainResult, DriveResult
+from torquerig.study.settings import metrics_of
+from torquerig.study.sized_candidates import sizing_figures
 from torquerig.study.study import Study
 
 SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that tell the shares apart
@@ -72,13 +75,14 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
         efficiency=prod(gear.efficiency for gear in gears),
         torque_limit=torque_limit,
     )
-    return drive_margins(
+    margins = drive_margins(
         entry,
         gearbox,
         duty,
         new_motor=(entry.stands_for or entry.name) != present.motor,
         new_gearbox=gearbox.name != present.gearbox or gearbox.ratio != candidate.ratio,
     )
+    return {**margins, **sizing_figures(candidate, study, metrics_of(study.settings))}
 
 
 def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveResult:
@@ -88,7 +92,7 @@ def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveRes
     reading = simulate(rig, duration=study.settings.duration, seed=seed, wander=wander, scenario=scenario.title)
     shares = reading_shares(rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
     errors, disturbances = _drawn_copies(still.candidate, study)
-    chains = {}
+    chains, left = {}, _left_disturbances(still.candidate, scenario, study)
     for name, chain in study.chains(scenario).items():
         after = chain.apply(reading)
         chains[name] = ChainResult(
@@ -96,6 +100,7 @@ def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveRes
             effect=chain_effect(reading, after, ratio=ratio, lines=chain.lines),
             truth_error=_spread(truth_error(after, reading), errors.get(name, []), scenario.assumed),
             left_out=chain.left_out,
+            **({"left_disturbance": left[name]} if name in left else {}),
         )
     disturbance = _spread(shares.disturbance, disturbances, scenario.assumed)
     return replace(still, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
@@ -114,6 +119,21 @@ def _drawn_copies(candidate: Candidate, study: Study) -> tuple[dict[str, list[fl
             errors.setdefault(name, []).append(truth_error(chain.apply(reading), reading))
         disturbances.append(disturbance_rms(scenario.rig, reading, seed=seed, wander=wander, settling=SHORT_SETTLING))
     return errors, disturbances
+
+
+def _left_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -> dict[str, Figure]:
+    """Return what each chain leaves of the disturbance, over this and the drawn copies; empty unless it is asked."""
+    if "left_disturbance" not in metrics_of(study.settings):
+        return {}
+    found: dict[str, list[float]] = {}
+    for number in range(1 + study.settings.draws):
+        seed = study.settings.seed + number
+        made = scenario if number == 0 else scenario_of(candidate, study, seed=seed)
+        wander = made.operating_point.slow_speed_wander
+        both = with_and_without(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
+        for name, chain in study.chains(made).items():
+            found.setdefault(name, []).append(both.left_by(chain))
+    return {name: _spread(values[0], values[1:], scenario.assumed) for name, values in found.items()}
 
 
 def _spread(value: float, others: list[float], assumed: Mapping[str, str]) -> Figure:

@@ -16,12 +16,13 @@ from torquerig.study.study import Study
 
 @dataclass(frozen=True, kw_only=True)
 class ChainResult:
-    """One filter on one drive."""
+    """One filter on one drive; ``left_disturbance`` [N m] is unknown unless a criterion asks for it."""
 
     chain: str
     effect: FilterEffect
     truth_error: Figure
     left_out: tuple[str, ...]
+    left_disturbance: Figure = field(default_factory=lambda: Figure(unit="N*m", missing="a criterion that asks for it"))
 
 
 @dataclass(frozen=True, kw_only=True)

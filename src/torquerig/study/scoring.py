@@ -126,9 +126,11 @@ def _present(runs: StudyRuns) -> DriveResult:
 def _figure(drive: DriveResult, chain: str | None, metric: str) -> Figure:
     if metric == "truth_error":
         return Figure(unit="N*m") if chain is None else drive.chains[chain].truth_error
+    if metric == "left_disturbance":
+        return Figure(unit="N*m") if chain is None else drive.chains[chain].left_disturbance
     if metric == "disturbance":
         return drive.disturbance
-    return drive.margins[metric]
+    return drive.margins.get(metric) or Figure(missing=f"{metric.replace('_', ' ')} of {drive.candidate.name}")
 
 
 def _cell(figure: Figure) -> Cell:

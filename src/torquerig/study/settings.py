@@ -13,9 +13,16 @@ from torquerig.scenario.percent import Percent
 
 Metric = Literal[
     "truth_error", "disturbance", "speed_reserve", "speed_use", "continuous_output_torque", "torque_reserve",
-    "sensor_peak", "servo", "new_parts", "price",
+    "sensor_peak", "servo", "new_parts", "price", "left_disturbance",
+    # of metrics/sizing, over the duty cycle where the scenario states one
+    "rms_torque", "peak_torque", "peak_power", "top_speed", "mean_speed", "rms_torque_use", "peak_torque_use",
+    "continuous_use", "intermittent_use", "speed_limit_use", "inertia_ratio", "thermal_use", "thermal_margin",
+    "gearbox_life_use", "gearbox_peak_use", "gearbox_jam_use", "gearbox_speed_use", "gearbox_no_load_use",
+    "rms_current", "peak_current", "limit_current", "rms_current_use", "peak_current_use", "braking_energy",
+    "regenerated_energy", "ideal_ratio", "speed_ratio", "best_ratio", "best_ratio_use", "sensor_cycle_use",
+    "sensor_range_use", "sensor_overload", "sensor_overload_unlimited", "load_fidelity", "loop_fidelity", "flat_to",
 ]  # fmt: skip
-SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance")
+SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance", "left_disturbance")
 
 
 class _Section(BaseModel):
@@ -103,6 +110,11 @@ class Settings(_Section):
     all_points: AllPoints | None = None
     demands: dict[str, DemandRow]
     criteria: dict[str, CriterionRow] = Field(min_length=1)
+
+
+def metrics_of(settings: Settings) -> frozenset[Metric]:
+    """Return every metric that a demand or criterion of the study asks for."""
+    return frozenset(row.metric for rows in (settings.demands, settings.criteria) for row in rows.values())
 
 
 def read_settings(document: Document) -> Settings:

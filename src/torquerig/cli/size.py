@@ -1,0 +1,135 @@
+"""``torquerig size``: whether motor, gearbox and sensor are large enough for the duty cycle."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from torquerig.catalog.reading import Catalog
+from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.one_drive import scenario_or_candidate
+from torquerig.document import Document
+from torquerig.errors import InputError
+from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
+from torquerig.plain_table import grid, wrapped
+from torquerig.scenario.demand_check import check_demand
+from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
+from torquerig.study.sized_candidates import with_cycle
+from torquerig.study.study import Study, open_study
+
+
+@click.command("size")
+@click.argument("scenario", type=click.Path(path_type=Path))
+@click.option("--motor", default=None, help="Another motor of the catalog (or alias), as the study would run it.")
+@click.option("--gearbox", default=None, help="Another gearbox of the catalog, as the study would run it.")
+@click.option("--all", "every", is_flag=True, help="Every motor x gearbox of the study, one row each.")
+@click.option("--ambient", type=click.FloatRange(-60, 150), default=40.0, show_default=True,
+              help="Temperature of the surroundings in degrees Celsius.")  # fmt: skip
+@click.option(
+    "--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes what the catalog leaves open."
+)
+@click.option("--picture", type=click.Path(path_type=Path), default=None,
+              help="Draw regions, cycle and ratios: .png or .svg.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
+@profile_option
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path, motor: str | None, gearbox: str | None, every: bool, ambient: float, seed: int,
+    picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Size the drive of SCENARIO over its duty cycle, or over its profile where it states no cycle.
+
+    Torque, speed, heat, gearbox, current and braking energy as sizing programs have them; and what they leave out: the
+    sensor's overload, the disturbance before and after each filter, how much of the load the reading holds. What the
+    catalog leaves open stays an interval, and the datum that decides stands beside it.
+    """
+    if every and (motor or gearbox or picture):
+        raise InputError("--all sizes every motor x gearbox of the study; leave --motor, --gearbox and --picture out")
+    if picture is not None:
+        from torquerig.report.picture import check_picture
+
+        check_picture(picture, overwrite=force)
+    catalog = catalog_beside(scenario, catalogs)
+    document = edited(scenario, (*settings, *profile_settings(profile)))
+    document = document if profile else with_cycle(document)
+    if every:
+        _tell_all(open_study(document, catalog), ambient=ambient)
+        return
+    made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
+    drive = sized_drive(made, catalog)
+    flags = check_demand(made, catalog, duration=float(drive.demand().duration.sum()))
+    study = open_study(document, catalog) if "study" in document.data else None
+    sweep = ratio_sweep(drive, study) if study is not None and not _pinned(document) else None
+    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.demand().duration.sum():g} s"
+    _tell(drive, sweep, title=title, ambient=ambient, flags=flags)
+    if study is not None:
+        _tell_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
+    if picture is not None:
+        _draw(drive, sweep, picture, title=title, force=force)
+
+
+def _tell(drive: SizedDrive, sweep: RatioSweep | None, *, title: str, ambient: float, flags: tuple[str, ...]) -> None:
+    from torquerig.metrics.sizing.sizing import sizing
+    from torquerig.report.sizing_text import sizing_rows, verdict_text
+
+    sized = sizing(drive, ambient=ambient)
+    click.echo(f"{title}, again and again, surroundings {ambient:g} C\n")
+    click.echo(grid(sizing_rows(sized)) + "\n")
+    click.echo(wrapped(verdict_text(sized)))
+    for text in (*flags, *(f"cannot follow {one}" for one in sized.late)):
+        click.echo(wrapped(f"flagged: {text}"))
+    if sweep is not None:
+        click.echo(wrapped(sweep.sentence(sized.figures["best_ratio"])))
+
+
+def _tell_disturbance(
+    study: Study, catalog: Catalog, document: Document, *, motor: str | None, gearbox: str | None, seed: int
+) -> None:
+    """Say what of the disturbance each chain leaves, at the steady set-point of the same drive."""
+    from torquerig.metrics.left_disturbance import with_and_without
+    from torquerig.report.sizing_text import disturbance_rows
+    from torquerig.scenario.overrides import overridden
+
+    steady = overridden(document, ("operating_point.profile=steady",))
+    made = scenario_or_candidate(steady, catalog, motor=motor, gearbox=gearbox, seed=seed)
+    if made.rig.run.speed is None:
+        return
+    both = with_and_without(
+        made.rig, duration=6.0, seed=seed, wander=made.operating_point.slow_speed_wander, settling=0.8
+    )
+    left = {name: both.left_by(chain) for name, chain in study.chains(made).items()}
+    click.echo(f"\nDisturbance at the sensor, steady, one copy: {both.before:.4f} N*m rms before a filter.")
+    click.echo(grid(disturbance_rows(both.before, left)))
+
+
+def _tell_all(study: Study, *, ambient: float) -> None:
+    from torquerig.metrics.sizing.sizing import Sizing, sizing
+    from torquerig.report.sizing_text import IN_TABLE, told_all
+    from torquerig.study.candidates import Candidate, candidates
+    from torquerig.study.sized_candidates import sized_candidate
+
+    found: dict[Candidate, Sizing | str] = {}
+    for one in candidates(study):
+        drive = sized_candidate(one, study)
+        if drive.demand().top_speed > drive.motor.max_speed.bounds[1]:
+            found[one] = (f"needs {drive.demand().top_speed * 9.5493:.0f} rpm, reaches at most "
+                          f"{drive.motor.max_speed.bounds[1] * 9.5493:.0f} rpm")  # fmt: skip
+            continue
+        found[one] = sizing(drive, ambient=ambient, names=IN_TABLE)
+    click.echo(told_all(found))
+
+
+def _draw(drive: SizedDrive, sweep: RatioSweep | None, path: Path, *, title: str, force: bool) -> None:
+    from torquerig.report.picture import write_picture
+    from torquerig.report.speed_torque_figure import sizing_figure
+
+    write_picture(sizing_figure(drive, sweep, title=title), path, overwrite=force)
+    click.echo(f"wrote {path}")
+
+
+def _pinned(document: Document) -> bool:
+    """Whether the scenario states a ratio of its own, which goes before every gearbox's."""
+    gears = [part for part in document.data["rig"].values() if isinstance(part, dict) and part.get("kind") == "gear"]
+    return len(gears) != 1 or "ratio" in gears[0]

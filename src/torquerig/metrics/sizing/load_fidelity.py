@@ -1,0 +1,99 @@
+"""How much of the load at the wear part reaches the reading: outside and inside the speed loop, and how far up."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from torquerig.metrics.figure import Figure
+from torquerig.metrics.sizing.open_data import Values, over
+from torquerig.metrics.sizing.sized_drive import SizedDrive
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Inertia, Load, Spring
+from torquerig.simulate.twin.plant import load_input
+from torquerig.simulate.twin.twin import twin_of
+
+FLAT = 0.10  # [1] by how much the reading may be off the load
+FREQUENCIES = np.geomspace(0.05, 2000.0, 800)  # [Hz] 1.3 % from one to the next
+INSIDE = 0.5  # [Hz] far below the crossover of every speed loop of a rig
+
+
+def load_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
+    """Return ``load_fidelity``: the share of the load that reaches the sensor outside the speed loop [1].
+
+    Above the loop's crossover and below the first mode the motor side holds against the load with its inertia alone,
+    and ``J1 / (J1 + J2)`` of the load is in the sensor, J1 before and J2 behind it.
+    """
+    return {"load_fidelity": over(drive.data, lambda v: rigid_fidelity(drive.with_values(v)), source="J1 / (J1 + J2)")}
+
+
+def loop_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
+    """Return ``loop_fidelity`` [1], the share at 0.5 Hz, and ``flat_to`` [Hz]: up to where the reading is the load.
+
+    Where the loop holds the speed the share is 1 (for an integrating controller); flat is within 10 % of the load. Both
+    from the linear twin with its loop closed, amplifier left out; gaps and saturation are not in it.
+    """
+    rotor = {name: known for name, known in drive.data.items() if "inertia" in name}
+    found: dict[tuple[float, ...], tuple[float, float]] = {}
+
+    def of_twin(values: Values, place: int) -> float:
+        key = tuple(values[name] for name in rotor)
+        if key not in found:
+            found[key] = twin_fidelity(drive.with_values(values))
+        return found[key][place]
+
+    if not any(isinstance(term, Load) for term in drive.rig.terms()):
+        absent = Figure(missing="a load at the wear part")
+        return {"loop_fidelity": absent, "flat_to": absent}
+    source = "linear twin, speed loop closed"
+    return {
+        "loop_fidelity": over(rotor, lambda v: of_twin(v, 0), source=source),
+        "flat_to": over(rotor, lambda v: of_twin(v, 1), unit="Hz", source=source),
+    }
+
+
+def rigid_fidelity(rig: Rig) -> float:
+    """Return ``J1 / (J1 + J2)``: inertia before the sensor over all, referred to the sensor's shaft [1]."""
+    terms = rig.terms()
+    springs = [term for term in terms if isinstance(term, Spring)]
+    sensed = next(spring for spring in springs if spring.name == rig.measured)
+    before = _joined(sensed.a, [spring for spring in springs if spring is not sensed])
+    ratios = rig.speed_ratios(sensed.b)
+    shares = [0.0, 0.0]
+    for term in terms:
+        if isinstance(term, Inertia):
+            shares[term.node in before] += term.inertia * ratios.get(term.node, 0.0) ** 2
+    return shares[True] / sum(shares)
+
+
+def twin_fidelity(rig: Rig) -> tuple[float, float]:
+    """Return the share of the load in the reading at 0.5 Hz, and up to where it is within 10 % [Hz]."""
+    gain = np.abs(reading_per_load(rig, np.append(FREQUENCIES, INSIDE), closed=True))
+    off = np.flatnonzero(np.abs(gain[:-1] - 1) > FLAT)
+    return float(gain[-1]), float(FREQUENCIES[off[0]] if off.size else FREQUENCIES[-1])
+
+
+def reading_per_load(rig: Rig, frequencies: np.ndarray, *, closed: bool) -> np.ndarray:
+    """Return the torque in the sensor per torque that opposes the wear part, complex, shape (frequencies,)."""
+    twin = twin_of(rig)
+    row = next(row for row, term in enumerate(twin.lowered.load_terms) if isinstance(term, Load))
+    worn = twin.lowered.nodes[int(twin.lowered.loads.on[row])]
+    system = twin.closed_loop if closed else twin.open_loop
+    outputs = [twin.sensor, f"opposing torque on {worn}"]
+    read, opposing = (
+        system.only(inputs=[load_input(twin.lowered, row)], outputs=outputs).response(frequencies)[:, :, 0].T
+    )
+    return np.asarray(read / opposing)
+
+
+def _joined(start: str, springs: list[Spring]) -> set[str]:
+    found, waiting = {start}, [start]
+    while waiting:
+        here = waiting.pop()
+        for spring in springs:
+            for near, far in ((spring.a, spring.b), (spring.b, spring.a)):
+                if near == here and far not in found:
+                    found.add(far)
+                    waiting.append(far)
+    return found

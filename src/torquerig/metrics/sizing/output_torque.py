@@ -1,0 +1,87 @@
+"""What the gearbox hands on to its output shaft, piece by piece of a demand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.rig.parts import Gear, Motor
+from torquerig.rig.rig import Rig
+from torquerig.scenario.drive_demand import DriveDemand
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class OutputTorque:
+    """Torque [N m] and speed [rad/s] of the output shaft at both ends of each piece, shape (pieces, 2).
+
+    Parameters
+    ----------
+    duration : ndarray, shape (pieces,)
+        [s]
+    acceleration : ndarray, shape (pieces,)
+        Of the output [rad/s^2].
+    """
+
+    duration: Floats
+    speed: Floats
+    torque: Floats
+    acceleration: Floats
+
+    @property
+    def peak(self) -> float:
+        """The largest torque of either sign [N m]."""
+        return float(np.abs(self.torque).max())
+
+    @property
+    def alternates(self) -> bool:
+        """Whether the teeth are loaded on both flanks within the cycle, by more than a thousandth of the peak."""
+        least = 1e-3 * self.peak
+        return bool(self.torque.max() > least and self.torque.min() < -least)
+
+    @property
+    def reverses(self) -> bool:
+        """Whether the shaft turns in both directions."""
+        return bool(self.speed.max() > 0 and self.speed.min() < 0)
+
+    @property
+    def rms(self) -> float:
+        """Root of the mean square of the torque over the cycle [N m]."""
+        first, last = self.torque.T
+        return float(np.sqrt(np.sum(self.duration * (first**2 + first * last + last**2) / 3) / self.duration.sum()))
+
+    @property
+    def mean_of_life(self) -> float:
+        """The constant torque that wears bearings and teeth as much [N m].
+
+        ``(sum |n| t |T|^3 / sum |n| t)^(1/3)``, the cubic mean by turns of makers of planetary gearboxes; with the mean
+        of both ends of a piece. Zero where nothing turns.
+        """
+        turns = np.abs(self.speed).mean(axis=1) * self.duration
+        if not turns.sum() > 0:
+            return 0.0
+        return float((np.sum(turns * np.abs(self.torque).mean(axis=1) ** 3) / turns.sum()) ** (1 / 3))
+
+
+def output_torque(demand: DriveDemand, rig: Rig, *, motor: Motor, gears: tuple[Gear, ...]) -> OutputTorque:
+    """Return what stands behind the gears of a demand.
+
+    The motor's torque less what turns its own rotor and its friction, times ratio and efficiency where power flows
+    forwards, over the efficiency where it flows back; less what turns the gearbox's own J1.
+    """
+    ratio = float(np.prod([abs(gear.ratio) for gear in gears])) if gears else 1.0
+    efficiency = float(np.prod([gear.efficiency for gear in gears])) if gears else 1.0
+    slope = np.diff(demand.speed, axis=1)[:, 0] / demand.duration
+    way = np.sign(demand.speed.sum(axis=1))[:, None]
+    lost = way * motor.coulomb + motor.viscous * demand.speed
+    handed = demand.torque - motor.inertia * slope[:, None] - lost
+    forwards = handed * np.where(way == 0, np.sign(handed), way) >= 0
+    torque = handed * ratio * np.where(forwards, efficiency, 1 / efficiency)
+    geared = sum(gear.input_inertia for gear in gears) * ratio**2
+    return OutputTorque(
+        duration=demand.duration, speed=demand.speed / ratio, acceleration=slope / ratio,
+        torque=torque - geared * slope[:, None] / ratio,
+    )  # fmt: skip

@@ -1,0 +1,146 @@
+"""A rig with what is known of its motor, gearbox and sensor, and what it is asked for any values of what is open."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from torquerig.catalog.gearbox import Gearbox
+from torquerig.catalog.motor import Motor as MotorEntry
+from torquerig.catalog.reading import Catalog
+from torquerig.catalog.sensor import Sensor
+from torquerig.errors import InputError
+from torquerig.metrics.sizing.open_data import Values, exactly
+from torquerig.parameter import Estimate
+from torquerig.rig.parts import Gear, Motor
+from torquerig.rig.rig import Rig
+from torquerig.scenario.drive_demand import DriveDemand, drive_demand
+from torquerig.scenario.drive_train import driven_motor
+from torquerig.scenario.kinematics import gears_to_sensor, torque_gain
+from torquerig.scenario.reading import Scenario
+
+MOTOR_FIELDS = {"inertia": "rotor_inertia", "coulomb": "coulomb_friction", "viscous": "viscous_friction"}
+GEAR_FIELDS = {"efficiency": "efficiency", "input_inertia": "input_inertia"}
+STEADY_LENGTH = 10.0  # [s] of a run that states no length; a steady one is the same at any
+
+
+@dataclass(frozen=True, kw_only=True)
+class SizedDrive:
+    """What is sized.
+
+    Parameters
+    ----------
+    rig : Rig
+        At its operating point.
+    motor : Motor
+        The catalog's entry of the driven motor.
+    gearbox : Gearbox or None
+        The catalog's entry of the gear before the sensor; None where the rig has no gear, or several, or its own.
+    sensor : Sensor or None
+    data : mapping of str to Estimate
+        What of the rig's motor and gear the demand rests on, by the name to ask for.
+    places : mapping of str to (str, str)
+        Part and field of each of these.
+    duration : float
+        Of a run without a length of its own [s].
+    """
+
+    rig: Rig
+    motor: MotorEntry
+    gearbox: Gearbox | None
+    sensor: Sensor | None
+    data: Mapping[str, Estimate]
+    places: Mapping[str, tuple[str, str]]
+    duration: float
+    _demands: dict[tuple[float, ...], DriveDemand] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def motor_name(self) -> str:
+        """The name under which the maker knows the motor."""
+        return self.motor.stands_for or self.motor.name
+
+    @property
+    def part(self) -> Motor:
+        """The motor as a part of the rig."""
+        found = driven_motor(self.rig)
+        if found is None:  # a sized drive is not made without one
+            raise InputError("no motor of the rig follows a set-point")
+        return found
+
+    @property
+    def gears(self) -> tuple[Gear, ...]:
+        """The gears between motor and sensor that have an efficiency and a ratio."""
+        return tuple(gear for gear in gears_to_sensor(self.rig) if isinstance(gear, Gear))
+
+    @property
+    def ratio(self) -> float:
+        """Motor turns per turn of the sensor's shaft [1]."""
+        return abs(float(self.rig.run.gear_ratio or 1.0))
+
+    def with_values(self, values: Values) -> Rig:
+        """Return the rig with other values [SI] of its data, by the names of ``data``."""
+        rig = self.rig
+        for name, (part, target) in self.places.items():
+            if name in values:
+                changed: dict[str, Any] = {target: values[name]}
+                rig = rig.changed(replace(rig.part(part), **changed))
+        return rig
+
+    def demand(self, values: Values | None = None) -> DriveDemand:
+        """Return what the run asks of the motor with these values of its data, the rest in the middle."""
+        chosen = {name: known.nominal() for name, known in self.data.items()}
+        chosen |= {name: one for name, one in (values or {}).items() if name in chosen}
+        key = tuple(chosen.values())
+        if key not in self._demands:
+            self._demands[key] = drive_demand(self.with_values(chosen), duration=self.duration)
+        return self._demands[key]
+
+    def demands_made(self) -> tuple[DriveDemand, ...]:
+        """Return every demand that was asked for so far, one per set of values."""
+        return tuple(self._demands.values())
+
+    def gain(self, values: Values) -> float:
+        """Return the sensor's steady torque per torque of the motor [1]."""
+        return torque_gain(self.with_values(values))
+
+
+def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEADY_LENGTH) -> SizedDrive:
+    """Return the drive of a scenario with what the catalog knows of it.
+
+    Values that the scenario states itself are exact; those that were drawn from an interval of the catalog are open.
+
+    Raises
+    ------
+    InputError
+        When no motor of the catalog follows a set-point.
+    """
+    rig, path = scenario.rig, scenario.document.path
+    part = driven_motor(rig)
+    if part is None or rig.run.speed is None or not rig.run.speed > 0:
+        raise InputError(f"{path}: no motor follows a speed, so that nothing can be sized; add a speed_controller and "
+                         "an output_speed, such as 200 rpm")  # fmt: skip
+    if part.model not in catalog.motors and not part.model:
+        raise InputError(f"{path}: the driven motor is not in the catalog, so that nothing is known of its ratings; "
+                         "name one with catalog: or --motor")  # fmt: skip
+    entry = catalog.motor(part.model)
+    written = scenario.document.data["rig"]
+    gears = [gear for gear in gears_to_sensor(rig) if isinstance(gear, Gear)]
+    gearbox = catalog.gearboxes.get(_named(written, gears[0].name)) if len(gears) == 1 else None
+    data: dict[str, Estimate] = {}
+    places: dict[str, tuple[str, str]] = {}
+    owned = [(part, entry, MOTOR_FIELDS)] + ([(gears[0], gearbox, GEAR_FIELDS)] if gearbox else [])
+    for one, known, fields in owned:
+        for target, source in fields.items():
+            name = f"{source.replace('_', ' ')} of {getattr(known, 'stands_for', '') or known.name}"
+            drawn = f"{one.name}.{target}" in scenario.assumed
+            data[name] = getattr(known, source) if drawn else exactly(float(getattr(one, target)))
+            places[name] = one.name, target
+    return SizedDrive(
+        rig=rig, motor=entry, gearbox=gearbox, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,
+        places=places, duration=duration,
+    )  # fmt: skip
+
+
+def _named(written: Mapping[str, Mapping[str, object]], part: str) -> str:
+    return str(written.get(part, {}).get("catalog", ""))

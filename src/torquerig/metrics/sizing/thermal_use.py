@@ -1,0 +1,51 @@
+"""How hot the cycle makes the motor, over all copies that the catalog allows and all demands that are open."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from torquerig.metrics.figure import Figure
+from torquerig.metrics.sizing.open_data import over
+from torquerig.metrics.sizing.sized_drive import SizedDrive
+from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.thermal.copies import thermal_copies
+from torquerig.thermal.judged import JudgedDuty, judged_duty
+from torquerig.thermal.motor_duty import duty_of_demand
+
+MOST = 10.0  # [1] use that stands for more, and for a winding that never settles
+LEAST = -500.0  # [K] margin that stands for less
+
+
+def thermal_use(drive: SizedDrive, *, ambient: float = 40.0) -> Mapping[str, Figure]:
+    """Return ``thermal_use`` [1], the winding's rise over what its limit allows, and ``thermal_margin`` [K].
+
+    Two-node model of ``thermal/``; the lowest and highest demand are those of the least and the largest rms torque. A
+    use of 10 and a margin of -500 K stand for more and less, and for a thermal runaway.
+    """
+    copies = thermal_copies(drive.motor)
+    judged = [judged_duty(duty_of_demand(one), copies, ambient=ambient) for one in _extremes(drive)]
+    missing = ", ".join(f"{name} of {drive.motor_name}" for name in copies.assumed)
+    source = f"two-node model, surroundings {ambient:g} C"
+    return {
+        "thermal_use": _joined(judged, "use", unit="1", source=source, missing=missing),
+        "thermal_margin": _joined(judged, "margin", unit="K", source=source, missing=missing),
+    }
+
+
+def _extremes(drive: SizedDrive) -> tuple[DriveDemand, DriveDemand, DriveDemand]:
+    """Return the demand of the middle, and those of the least and the largest rms torque."""
+    rms = over(drive.data, lambda v: drive.demand(v).rms_torque)
+    middle = drive.demand()
+    if rms.low is None:
+        return middle, middle, middle
+    ordered = sorted(drive.demands_made(), key=lambda one: one.rms_torque)  # every corner that the figure asked for
+    return middle, ordered[0], ordered[-1]
+
+
+def _joined(judged: list[JudgedDuty], name: str, *, unit: str, source: str, missing: str) -> Figure:
+    spans = [getattr(one, name) for one in judged]
+    low, high = min(span.low for span in spans), max(span.high for span in spans)
+    kept = [min(MOST, max(LEAST, end)) if unit == "1" else max(LEAST, end) for end in (spans[0].value, low, high)]
+    if low == high:
+        return Figure(value=kept[0], unit=unit, source=source)
+    return Figure(value=kept[0], low=kept[1], high=kept[2], unit=unit, source=source, missing=missing)

@@ -1,0 +1,87 @@
+"""One motor on every gearbox of the catalog, beside the ratio that the alpha-beta method would choose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from torquerig.metrics.figure import Figure
+from torquerig.metrics.sizing.best_ratio import AlphaBeta, alpha_beta
+from torquerig.metrics.sizing.sized_drive import SizedDrive
+from torquerig.metrics.sizing.sizing import EXCEEDS, Sizing, sizing
+from torquerig.study.candidates import Candidate
+from torquerig.study.sized_candidates import sized_candidate
+from torquerig.study.study import Study
+
+ASKED = ("rms_torque", "rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use",
+         "sensor_overload", "inertia_ratio", "load_fidelity")  # fmt: skip
+BARRED = ("rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use")
+
+
+@dataclass(frozen=True, kw_only=True)
+class SweptGearbox:
+    """The motor on one gearbox, and which limits it surely exceeds."""
+
+    gearbox: str
+    ratio: float
+    sized: Sizing
+
+    @property
+    def rms_torque(self) -> Figure:
+        """The rms torque of the motor [N m], with this gearbox's own inertia and efficiency."""
+        return self.sized.figures["rms_torque"]
+
+    @property
+    def exceeded(self) -> tuple[str, ...]:
+        """The limits that it surely exceeds, by name."""
+        return tuple(name for name in BARRED if name in self.sized.figures and self.sized.word(name) == EXCEEDS)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RatioSweep:
+    """All gearboxes by rising ratio, and the closed form of the same task."""
+
+    motor: str
+    drive: SizedDrive
+    ideal: AlphaBeta
+    swept: tuple[SweptGearbox, ...]
+
+    @property
+    def best(self) -> SweptGearbox | None:
+        """The gearbox of the least rms torque that no limit bars; None where every one is barred."""
+        allowed = [one for one in self.swept if not one.exceeded]
+        return min(allowed, key=lambda one: middle(one.rms_torque), default=None)
+
+    def sentence(self, reached: Figure) -> str:
+        """Return both answers beside each other; ``reached`` is the ideal ratio no faster than the motor turns."""
+        if self.best is None:
+            return f"No gearbox of the catalog fits {self.motor}: each exceeds a limit."
+        least = middle(self.best.rms_torque)
+        known = middle(reached)
+        by_form = self.ideal.rms_torque(known)
+        why = "where speed bounds it" if known < self.ideal.best * 0.999 else "the least of all"
+        return (
+            f"Alpha-beta: {reached.shown()}:1, {why}, {by_form:.3g} N*m rms without gearbox inertia and motor "
+            f"friction. Of the catalog: {self.best.gearbox} with {self.best.ratio:g}:1, {least:.3g} N*m rms with both, "
+            f"{100 * (least / by_form - 1):+.0f} %."
+        )
+
+
+def ratio_sweep(drive: SizedDrive, study: Study) -> RatioSweep:
+    """Return a drive's motor on every gearbox of the study's catalog, over the same cycle."""
+    name = drive.motor.name
+    found = [
+        SweptGearbox(
+            gearbox=box.name,
+            ratio=box.ratio,
+            sized=sizing(sized_candidate(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study), names=ASKED),
+        )
+        for box in sorted(study.catalog.gearboxes.values(), key=lambda box: (box.ratio, box.name))
+    ]
+    return RatioSweep(motor=drive.motor_name, drive=drive, ideal=alpha_beta(drive), swept=tuple(found))
+
+
+def middle(figure: Figure) -> float:
+    """Return the value, or the middle of the interval; infinite where nothing is known."""
+    if figure.value is not None:
+        return figure.value
+    return float("inf") if figure.low is None or figure.high is None else 0.5 * (figure.low + figure.high)

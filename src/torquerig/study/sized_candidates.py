@@ -1,0 +1,41 @@
+"""A motor on a gearbox sized over the scenario's duty cycle."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from torquerig.document import Document
+from torquerig.metrics.figure import Figure
+from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
+from torquerig.metrics.sizing.sizing import SIZING_UNITS, sizing
+from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.study import Study
+
+
+def with_cycle(document: Document) -> Document:
+    """Return the document with its duty cycle as the profile; as it is where it states none or another profile."""
+    data = document.data
+    point = data.get("operating_point") if isinstance(data, dict) else None
+    if not isinstance(point, dict) or "duty_cycle" not in point or point.get("profile", "steady") != "steady":
+        return document
+    edited = copy.deepcopy(data)
+    edited["operating_point"]["profile"] = "duty_cycle"
+    return replace(document, data=edited)
+
+
+def sized_candidate(candidate: Candidate, study: Study) -> SizedDrive:
+    """Return a candidate as the study would run it, its drive limited for the sensor, over the duty cycle."""
+    cycled = replace(study, document=with_cycle(study.document))
+    return sized_drive(scenario_of(candidate, cycled, seed=study.settings.seed), study.catalog)
+
+
+def sizing_figures(candidate: Candidate, study: Study, wanted: Collection[str]) -> Mapping[str, Figure]:
+    """Return the figures of a sizing among ``wanted``; empty where none is, so that nothing is worked out in vain."""
+    names = [name for name in SIZING_UNITS if name in wanted]
+    if not names:
+        return {}
+    found = sizing(sized_candidate(candidate, study), names=names).figures
+    absent = {name: Figure(unit=SIZING_UNITS[name], missing=f"catalog entry of {candidate.gearbox}") for name in names}
+    return {**absent, **{name: figure for name, figure in found.items() if name in names}}
