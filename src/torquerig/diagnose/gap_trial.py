@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import pi
 
@@ -9,21 +10,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import mechanisms
-from torquerig.diagnose.calibration import Calibrated, calibrated, misfits_of
+from torquerig.diagnose.calibration import Calibrated, calibrated
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.correction import between
+from torquerig.diagnose.expectation import Expectation
 from torquerig.diagnose.features import Features
-from torquerig.diagnose.misfit import misfit_sum
-from torquerig.diagnose.simulated import expected_by_simulation
+from torquerig.diagnose.misfit import robust
+from torquerig.diagnose.near_zero import near_zero_misfit, near_zero_stays
+from torquerig.diagnose.phased import with_phases_of
+from torquerig.diagnose.simulated import expected_from, simulated_runs
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
 ARCMIN = pi / 180 / 60
-_GAPS = np.array([1.0, 3.0, 6.0, 12.0, 24.0, 48.0]) * ARCMIN  # [rad]
-_REFINED = (0.6, 0.8, 1.25, 1.6)
+_GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
 _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
-_SEEDS = (1,)
+_SEEDS = (1, 2)
 
 
 def gap_is_possible(case: Case) -> bool:
@@ -45,28 +48,59 @@ def flanks_may_part(seen: Features) -> bool:
 
 
 def fitted_gap(case: Case, base: Rig) -> tuple[Candidate, Calibrated]:
-    """Return the width that fits best and the model fitted around it.
+    """Return the width whose simulations stay near zero torque as the recordings do, and the model fitted around it.
 
-    The numbers of the model are first fitted to loaded runs alone, where a gap stays closed; then all runs, corrected
-    for what the gap changes, and the width once more around the best.
+    The numbers of the model are first fitted to what a gap leaves alone: loaded runs, and the slow torque of all. The
+    stays near zero then tell the width, and all features are fitted once more, corrected for what the gap changes.
     """
-    loaded = [features for features in case.seen if not flanks_may_part(features)]
-    start = np.zeros(len(case.model.knobs))
-    model = calibrated(base, loaded, case.model.knobs, start=start) if loaded else case.model
-    gap, model = _best(case, base, model, _GAPS)
-    gap, model = _best(case, base, model, np.array([gap, *(gap * factor for factor in _REFINED)]))
-    return _with_gap(case, gap), model
+    untouched = [_slow_part(features) if flanks_may_part(features) else features for features in case.seen]
+    model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
+    rigs = [with_phases_of(model.rig, features.observed) for features in case.seen]
+    gap = _width(case, rigs)
+    corrections = between(_expected(case, rigs, gap), _expected(case, rigs, 0.0))
+    fitted = calibrated(base, case.seen, case.model.knobs, start=model.positions, corrections=corrections)
+    return _with_gap(case, gap), fitted
 
 
-def _best(case: Case, base: Rig, model: Calibrated, gaps: NDArray[np.float64]) -> tuple[float, Calibrated]:
-    closed = expected_by_simulation(model.rig, case.seen, seeds=_SEEDS)
-    tried = []
-    for gap in gaps:
-        opened = expected_by_simulation(_with_gap(case, gap).added_to(model.rig), case.seen, seeds=_SEEDS)
-        correction = between(opened, closed)
-        tried.append((misfit_sum(misfits_of(model.rig, case.seen, correction)), float(gap), correction))
-    _, gap, correction = min(tried, key=lambda item: item[0])
-    return gap, calibrated(base, case.seen, case.model.knobs, start=model.positions, corrections=correction)
+def _slow_part(seen: Features) -> Features:
+    """Keep of a run only what no gap changes: its level, or the blocks of a run that turns back."""
+    if seen.turning is not None:
+        return seen
+    return replace(
+        seen, amplitude=np.full(seen.amplitude.shape, np.nan, dtype=complex), power=np.full(seen.power.shape, np.nan)
+    )
+
+
+def _expected(case: Case, rigs: Sequence[Rig], gap: float) -> tuple[Expectation, ...]:
+    opened = [_with_gap(case, gap).added_to(rig) for rig in rigs]
+    return expected_from(opened[0], case.seen, simulated_runs(opened, case.seen, seeds=_SEEDS[:1]))
+
+
+def _width(case: Case, rigs: Sequence[Rig]) -> float:
+    """Return the gap [rad] whose stays near zero torque come nearest to the recordings'."""
+    parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
+    seen = [case.seen[row] for row in parting]
+    stays = [near_zero_stays(features.observed) for features in seen]
+    costs = []
+    for gap in _GAPS:
+        opened = [_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]
+        cost = 0.0
+        for measured, copies in zip(stays, simulated_runs(opened, seen, seeds=_SEEDS), strict=True):
+            modelled = np.mean([near_zero_stays(copy) for copy in copies], axis=0)
+            cost += float((robust(near_zero_misfit(measured, modelled)) ** 2).sum())
+        costs.append(cost)
+    return _minimum(_GAPS, np.array(costs))
+
+
+def _minimum(gaps: NDArray[np.float64], costs: NDArray[np.float64]) -> float:
+    """Return the minimum of a parabola over the logarithm of the gap through the best and its neighbours."""
+    at = int(np.argmin(costs))
+    if not 0 < at < gaps.size - 1:
+        return float(gaps[at])
+    x = np.log(gaps[at - 1 : at + 2] / gaps[at])
+    bend, slope, _ = np.polyfit(x, costs[at - 1 : at + 2], 2)
+    shift = -slope / (2 * bend) if bend > 0 else 0.0
+    return float(gaps[at] * np.exp(np.clip(shift, x[0], x[2])))
 
 
 def _with_gap(case: Case, gap: float) -> Candidate:

@@ -24,7 +24,6 @@ _JOINT_EVALUATIONS = 20
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
-_ALIKE = 0.12  # a rival within this share of the winner's gain cannot be told from it
 
 
 @dataclass(frozen=True)
@@ -36,8 +35,16 @@ class Trial:
     gain: float
 
 
-def trials(case: Case) -> list[Trial]:
-    """Return the hypotheses fitted to what the model leaves, best first.
+@dataclass(frozen=True)
+class Tried:
+    """The hypotheses, best first: ``fitted`` with all numbers free, ``screened`` all of them, the model held fast."""
+
+    fitted: tuple[Trial, ...]
+    screened: tuple[Trial, ...]
+
+
+def trials(case: Case) -> Tried:
+    """Return the hypotheses fitted to what the model leaves.
 
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
     numbers free.
@@ -55,7 +62,7 @@ def trials(case: Case) -> list[Trial]:
         gain = case.model.cost - model.cost - PER_KNOB
         fitted.append(Trial(candidate, simulated_model(candidate, model), gain))
     fitted.sort(key=lambda trial: -trial.gain)
-    return fitted
+    return Tried(tuple(fitted), tuple(screened))
 
 
 def extended(case: Case, best: Trial) -> Case:
@@ -124,12 +131,3 @@ def _nominal_with_accepted(case: Case) -> Rig:
     for earlier in case.accepted:
         rig = earlier.added_to(rig)
     return rig
-
-
-def rivals(best: Trial, others: Sequence[Trial]) -> tuple[Trial, ...]:
-    """Return the trials of other mechanisms that these recordings cannot tell from ``best``."""
-    return tuple(
-        trial
-        for trial in others
-        if trial.candidate.mechanism != best.candidate.mechanism and trial.gain > (1 - _ALIKE) * best.gain
-    )

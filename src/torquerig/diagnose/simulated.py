@@ -1,4 +1,4 @@
-"""What a model says the features of a run should be, measured on its own simulation: true for any effect, and dearer."""
+"""What a model says the features of a run should be, measured on its simulations: true for any effect, and dearer."""
 
 from __future__ import annotations
 
@@ -38,11 +38,14 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
     )
 
 
-def simulated_runs(rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
-    """Return one simulation per seed of every run, two at a time."""
-    jobs = [(features.observed, seed) for features in seen for seed in seeds]
+def simulated_runs(
+    rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]
+) -> list[list[Observed]]:
+    """Return one simulation per seed of every run, two at a time; of one rig, or of one for each run."""
+    rigs = [rig] * len(seen) if isinstance(rig, Rig) else rig
+    jobs = [(each, features.observed, seed) for each, features in zip(rigs, seen, strict=True) for seed in seeds]
     with ThreadPoolExecutor(_WORKERS) as pool:
-        copies = list(pool.map(lambda job: simulated(rig, job[0], seed=job[1]), jobs))
+        copies = list(pool.map(lambda job: simulated(job[0], job[1], seed=job[2]), jobs))
     each = len(seeds)
     return [copies[row * each : (row + 1) * each] for row in range(len(seen))]
 

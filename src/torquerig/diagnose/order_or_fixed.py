@@ -1,0 +1,83 @@
+"""Whether a line seen at one speed turns with the shaft or stays at its frequency: what the speed's wander tells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.peaks import Peak
+from torquerig.diagnose.places import Place, frequency
+
+DECIDED = 20.0  # twice the log-likelihood; chance over two fits of a frequency reaches 9 in one of a hundred
+ONE_SPEED = 0.03  # speeds nearer than this are one, relative
+_REACH = 3  # bins either way in which a line may be found
+_FLOOR = 40  # bins either way that make the local floor
+
+
+def fixed_lines(case: Case) -> Iterator[Peak]:
+    """Yield the left lines of fixed frequency, and those of an order that at one speed may as well be fixed ones."""
+    for peak in case.left:
+        if peak.place.domain == "frequency":
+            yield peak
+        elif may_be_fixed(case.runs, peak):
+            speed = next(run.mean_speed for run in case.runs if run.name == peak.runs[0])
+            yield replace(peak, place=frequency(peak.place.frequency(speed)))
+
+
+def may_be_fixed(runs: Sequence[Observed], peak: Peak) -> bool:
+    """Whether steady runs know the line at one speed alone, and its wander does not show that it turns with the shaft."""
+    steady = [run for run in runs if run.steady]
+    if peak.speeds > 1 or len(speeds_of(steady)) > 1 or not peak.runs:
+        return False
+    return evidence([run for run in steady if run.name in peak.runs], peak.place) < DECIDED
+
+
+def rather_fixed(runs: Sequence[Observed], place: Place) -> bool:
+    """Whether wander shows that a line at ``place`` (an order) keeps its frequency; only a measured angle can."""
+    measured = [run for run in runs if run.steady and run.angle_measured]
+    return bool(measured) and evidence(measured, place) < -DECIDED
+
+
+def speeds_of(runs: Sequence[Observed]) -> list[float]:
+    """Return the different speeds [rad/s] of the runs."""
+    speeds: list[float] = []
+    for run in runs:
+        if not any(abs(run.mean_speed / other - 1) < ONE_SPEED for other in speeds):
+            speeds.append(run.mean_speed)
+    return speeds
+
+
+def evidence(runs: Sequence[Observed], place: Place) -> float:
+    """Return twice the logarithm of the likelihood that the line at an order turns, over that it keeps its frequency.
+
+    Under either assumption the line is a peak of one bin: of the torque taken back by the shaft's angle, or by the time
+    at the mean speed; both may lie some bins off. A line of amplitude A in noise of density S over T seconds has
+    2 log L = A^2 T / S beyond the noise alone. Near 0 where the speed does not wander.
+    """
+    total = 0.0
+    for run in runs:
+        turned, still = _powers(run, place)
+        total += 2 * (turned - still)
+    return total
+
+
+def _powers(run: Observed, place: Place) -> tuple[float, float]:
+    """Power over the floor of the line as one that turns, and as one that stays."""
+    seen = [stretch for stretch in run.stretches if not stretch.held]
+    part = slice(seen[0].start, seen[-1].stop)
+    torque, angle = run.torque[part] - run.torque[part].mean(), run.angle[part]
+    even = np.linspace(angle[0], angle[-1], angle.size)
+    return _peak(torque, place.at * angle), _peak(torque, place.at * even)
+
+
+def _peak(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
+    window = np.hanning(torque.size)
+    taken = np.fft.fft(torque * window * np.exp(-1j * phase))
+    around = np.abs(np.concatenate([taken[-_FLOOR:], taken[: _FLOOR + 1]])) ** 2
+    floor = float(np.median(around)) / np.log(2)
+    return float(around[_FLOOR - _REACH : _FLOOR + _REACH + 1].max()) / max(floor, 1e-30)

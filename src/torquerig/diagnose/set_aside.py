@@ -1,0 +1,72 @@
+"""Which mechanisms were set aside without a full fit, each with its one reason."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.gap_trial import flanks_may_part, gap_is_possible
+from torquerig.diagnose.hypotheses import CLASSES
+from torquerig.diagnose.hypotheses.reasons import why_none
+from torquerig.diagnose.search import Trial
+from torquerig.scenario.kinematics import gears_to_sensor
+
+SAMPLE_FAULTS = {
+    "clipping": ("Clipping", "no reading stays at a flat top"),
+    "quantization": ("Quantization", "codes stand as close as the converter's"),
+    "signal_dropout": ("SignalDropout", "no moments without signal"),
+}
+_NOT_THERE = "not in the library"
+
+
+def set_aside(case: Case, screened: Sequence[Trial], *, fitted: Sequence[str], found: Sequence[str]) -> dict[str, str]:
+    """Return a reason for every mechanism of the contract that is neither found nor was fitted with all numbers.
+
+    Parameters
+    ----------
+    case : Case
+        The calibrated nominal model.
+    screened : sequence of Trial
+        Fitted to it with the model held fast, best first.
+    fitted, found : sequence of str
+        Mechanisms fitted with all numbers free; those that the diagnosis names.
+    """
+    known = {*fitted, *found}
+    answer = {}
+    for name, class_name in CLASSES.items():
+        if name not in known:
+            answer[name] = _reason(name, class_name, case, screened)
+    for name, (class_name, reason) in SAMPLE_FAULTS.items():
+        if name not in known:
+            answer[name] = reason if hasattr(mechanisms, class_name) else _NOT_THERE
+    if "backlash" not in known:
+        answer["backlash"] = _no_gap(case)
+    return dict(sorted(answer.items()))
+
+
+def _reason(name: str, class_name: str, case: Case, screened: Sequence[Trial]) -> str:
+    if not hasattr(mechanisms, class_name):
+        return _NOT_THERE
+    own = next((trial for trial in screened if trial.candidate.mechanism == name), None)
+    if own is None:
+        return why_none(name, case)
+    best = screened[0]
+    if own.gain <= 0:
+        return "tried, and the misfit falls by less than its numbers cost"
+    return (
+        f"tried, and the misfit falls by {own.gain / best.gain:.1%} of what {best.candidate.mechanism.replace('_', ' ')} "
+        "takes away"
+    )
+
+
+def _no_gap(case: Case) -> str:
+    if not hasattr(mechanisms, "Backlash"):
+        return _NOT_THERE
+    if not gears_to_sensor(case.nominal):
+        return "the rig has no gear"
+    if not any(flanks_may_part(features) for features in case.seen):
+        return "the torque comes near zero in no run, so flanks never part"
+    if gap_is_possible(case):
+        return "what is left was explained without a gap"
+    return "runs whose torque comes near zero are fitted well without a gap"
