@@ -1,4 +1,4 @@
-"""Backlash: a gap in the spring of a gear."""
+"""Backlash: a gap in the spring of a gear, or of a link between two things that move in a line."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
+from torquerig.rig.parts import Link
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term
@@ -17,7 +18,8 @@ class Backlash(Part):
     """``T = k (twist - g/2)`` beyond the gap and zero inside, damping only in contact, never pulling.
 
     Source: Nordin & Gutman 2002, Automatica 38 (physical dead-zone model); contact law: terms.Spring.
-    Rattle and limit cycles follow, none is an input. Not true where the flanks' own deformation matters.
+    In a line ``gear`` names a link and the gap is in m. Rattle and limit cycles follow, none is an input.
+    Not true where the flanks' own deformation matters.
     """
 
     kind: Literal["backlash"] = "backlash"
@@ -25,8 +27,9 @@ class Backlash(Part):
     gap: Annotated[float, Parameter("rad", "full gap at the output", low=0)]
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return none, the gear carries the gap; InputError where ``gear`` is none."""
-        gear_stage(rig, self.gear, owner=self.name)
+        """Return none, the gear or link carries the gap; InputError where ``gear`` is neither."""
+        if not isinstance(rig.part(self.gear), Link):
+            gear_stage(rig, self.gear, owner=self.name)
         return ()
 
     def extra_gap(self, gear: str) -> float:

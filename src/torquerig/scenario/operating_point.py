@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, model_validator
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.parts import ImposedMotion, InductionDrive, Motor, SpeedController, TorqueController
+from torquerig.rig.reading_place import reading_place
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.percent import Percent
@@ -70,11 +71,12 @@ def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
                    particle_size=point.load.particle_size, speed=point.motor_speed)  # fmt: skip
     ratios = rig.speed_ratios(rig.node(leader))
-    if rig.node(rig.measured) not in ratios:
+    read = rig.node(reading_place(rig))
+    if read not in ratios:
         raise InputError(
             f"no shaft leads from {leader!r} to {rig.measured!r}, which is measured; link them with after:"
         )
-    turned = abs(ratios[rig.node(rig.measured)])
+    turned = abs(ratios[read])
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
     ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned

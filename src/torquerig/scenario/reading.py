@@ -109,8 +109,10 @@ def _sections(document: Document) -> dict[str, Any]:
 def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:
     """Return the rig at its operating point, every part asked once for its physics so that its faults have a place."""
     with _placed(document, "measured"):
-        if not rig.part(rig.measured).opens_node:
-            raise InputError(f"{rig.measured!r} has no spring whose torque could be read")
+        measured = rig.part(rig.measured)
+        if not (measured.opens_node or isinstance(measured, parts.ImposedMotion)):
+            raise InputError(f"{rig.measured!r} has no spring whose torque could be read; name a sensor, gear or "
+                             "coupling, or an imposed_motion for what it takes")  # fmt: skip
     with _placed(document, "rig"):
         rig = rig.at(run_at(point, rig, folder=document.path.parent))
     for part in rig.parts:

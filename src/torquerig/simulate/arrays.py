@@ -61,6 +61,7 @@ class Frictions(NamedTuple):
     excess: Floats  # (frictions, 2): static minus Coulomb
     inverse_stribeck: Floats
     viscous: Floats
+    backward_extra: Floats  # viscous friction backward less that forward
     quadratic: Floats
     inverse_smoothing: Floats
 

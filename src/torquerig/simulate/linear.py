@@ -14,7 +14,8 @@ from torquerig.simulate.lower import Lowered
 class Matrices:
     """``M theta'' + C theta' + K theta = torque``; shapes (nodes, nodes); SI units.
 
-    Gaps are taken as closed, losses of the gears as none, dry friction and loads as constant; viscous friction stays.
+    Gaps are taken as closed, losses of the gears as none, dry friction and loads as constant; viscous friction stays
+    (the forward one).
     """
 
     nodes: tuple[str, ...]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.rig.parts import ForceSensor, Probe, TorqueSensor
+from torquerig.rig.parts import ForceSensor, ImposedMotion, Probe, TorqueSensor
+from torquerig.rig.reading_place import reading_place
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
 from torquerig.signals.recording import Channel
@@ -49,15 +50,13 @@ _KINDS = {"torque": kernel.SPRING_TORQUE, "speed": kernel.SPEED, "angle": kernel
 
 
 def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
-    """Return what the kernel is to keep: first the torque in the measured spring, then truth, then probes."""
+    """Return what the kernel is to keep: first what is measured (a spring, an imposed motion), then truth, probes."""
     motor, part = lowered.node(lowered.leader()), _worn(rig, lowered)
-    here, driven = words(rig, rig.measured), words(rig, lowered.leader())
+    here, driven = words(rig, reading_place(rig)), words(rig, lowered.leader())
     effort, rate = here.effort, here.rate
+    kind, row = _measured(rig, lowered)
     listed = [
-        Output(
-            f"true_sensor_{effort[0]}_{effort[1]}", kernel.SPRING_TORQUE, lowered.spring_names.index(rig.measured),
-            effort[0], effort[2],
-        ),
+        Output(f"true_sensor_{effort[0]}_{effort[1]}", kind, row, effort[0], effort[2]),
         Output(f"true_load_{effort[1]}", kernel.OPPOSING_TORQUE, part, effort[0], effort[2]),
         Output(_named("motor", driven.place), kernel.ANGLE, motor, driven.motor[2], driven.place[2]),
         Output(_named("motor", driven.rate), kernel.SPEED, motor, driven.motor[1], driven.rate[2]),
@@ -72,6 +71,12 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
             name = _named(term.name, taken.effort)
             listed.append(Output(name, kernel.IMPOSING_TORQUE, row, taken.motor[0], taken.effort[2]))
     return (*listed, *(_probed(rig, lowered, probe) for probe in rig.parts_of(Probe)))
+
+
+def _measured(rig: Rig, lowered: Lowered) -> tuple[int, int]:
+    if isinstance(rig.part(rig.measured), ImposedMotion):
+        return kernel.IMPOSING_TORQUE, [term.name for term in lowered.imposed_terms].index(rig.measured)
+    return kernel.SPRING_TORQUE, lowered.spring_names.index(rig.measured)
 
 
 def words(rig: Rig, part: str) -> Words:
@@ -106,9 +111,13 @@ def channels_of(rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64]
     """
     sensor = rig.part(rig.measured)
     sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor | ForceSensor) else 1.0
-    quantity = words(rig, rig.measured).effort[0]
-    volts = Channel(values=kept[0] * sensitivity, quantity=quantity, unit="V", si_per_unit=1 / sensitivity)
-    return {f"{quantity}_V": volts} | {
+    quantity, ending, unit = words(rig, reading_place(rig)).effort
+    reading = Channel(values=kept[0] * sensitivity, quantity=quantity, unit="V", si_per_unit=1 / sensitivity)
+    if isinstance(sensor, ImposedMotion):
+        reading = replace(reading, unit=unit)
+    else:
+        ending = "V"
+    return {f"{quantity}_{ending}": reading} | {
         output.name: Channel(values=values, quantity=output.quantity, unit=output.unit, truth=output.truth)
         for output, values in zip(outputs, kept, strict=True)
     }
@@ -118,4 +127,4 @@ def _worn(rig: Rig, lowered: Lowered) -> int:
     """Return the node that carries the load; without one, the output side of the measured part."""
     carrying = [term.on for term in lowered.load_terms if isinstance(term, Load)]
     carrying += [term.on for term in lowered.angle_load_terms]
-    return lowered.node(carrying[0] if carrying else rig.node(rig.measured))
+    return lowered.node(carrying[0] if carrying else rig.node(reading_place(rig)))

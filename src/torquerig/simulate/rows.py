@@ -133,7 +133,7 @@ def merged(terms: Sequence[Friction]) -> list[Friction]:
     dry = [term for term in terms if _grips(term)]
     smooth: dict[tuple[str, str], Friction] = {}
     for term in terms:
-        if not _grips(term) and (term.viscous or term.quadratic):
+        if not _grips(term) and (term.viscous or term.viscous_backward or term.quadratic):
             key = (term.on, term.against)
             before = smooth.get(key)
             smooth[key] = term if before is None else _with_drag(before, term)
@@ -148,7 +148,16 @@ def _grips(term: Friction) -> bool:
 
 
 def _with_drag(term: Friction, drag: Friction) -> Friction:
-    return replace(term, viscous=term.viscous + drag.viscous, quadratic=term.quadratic + drag.quadratic)
+    return replace(
+        term,
+        viscous=term.viscous + drag.viscous,
+        viscous_backward=_viscous_backward(term) + _viscous_backward(drag),
+        quadratic=term.quadratic + drag.quadratic,
+    )
+
+
+def _viscous_backward(term: Friction) -> float:
+    return term.viscous if term.viscous_backward is None else term.viscous_backward
 
 
 def frictions_of(terms: Sequence[Friction], number: Numbers) -> Frictions:
@@ -162,6 +171,7 @@ def frictions_of(terms: Sequence[Friction], number: Numbers) -> Frictions:
         excess=np.array(excess, dtype=np.float64).reshape(-1, 2),
         inverse_stribeck=_floats(1 / t.stribeck for t in terms),
         viscous=_floats(t.viscous for t in terms),
+        backward_extra=_floats(_viscous_backward(t) - t.viscous for t in terms),
         quadratic=_floats(t.quadratic for t in terms),
         inverse_smoothing=_floats(1 / t.smoothing for t in terms),
     )

@@ -13,7 +13,8 @@ class Friction:
     """What opposes the relative motion of two nodes: Coulomb, Stribeck, viscous and quadratic, by direction.
 
     ``T = (Tc + (Ts - Tc) exp(-(w/ws)^2)) tanh(w / smoothing) + viscous w + quadratic w |w|``, w the relative speed
-    [rad/s]; Tc and Ts [N m] take the value of the direction of motion.
+    [rad/s]; Tc, Ts [N m] and viscous [N m s/rad] take the value of the direction of motion; ``viscous_backward``
+    is the forward one where None.
     """
 
     name: str
@@ -25,6 +26,7 @@ class Friction:
     static_backward: float = 0.0
     stribeck: float = 1.0
     viscous: float = 0.0
+    viscous_backward: float | None = None
     quadratic: float = 0.0
     smoothing: float = 0.02
 

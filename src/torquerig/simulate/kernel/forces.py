@@ -71,6 +71,8 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         speed = omega[frictions.on[i]] - omega[frictions.against[i]]
         value = frictions.viscous[i] * speed + frictions.quadratic[i] * speed * abs(speed)
         way = 1 if speed > 0.0 else 0
+        if way == 0:
+            value += frictions.backward_extra[i] * speed
         grip = frictions.coulomb[i, way]
         if frictions.excess[i, way] != 0.0:
             scaled = speed * frictions.inverse_stribeck[i]

@@ -20,6 +20,7 @@ class Sliding(NamedTuple):
     on: NDArray[np.uint64]
     against: NDArray[np.uint64]
     viscous: Floats
+    backward_extra: Floats
     quadratic: Floats
     coulomb: Floats  # (rows, 2): backward, forward
     excess: Floats
@@ -35,6 +36,7 @@ def sliding(lowered: Lowered) -> Sliding:
         on=np.concatenate([frictions.on, bristles.on]),
         against=np.concatenate([frictions.against, bristles.against]),
         viscous=np.concatenate([frictions.viscous, bristles.viscous]),
+        backward_extra=np.concatenate([frictions.backward_extra, none]),
         quadratic=np.concatenate([frictions.quadratic, none]),
         coulomb=np.concatenate([frictions.coulomb, bristles.coulomb]),
         excess=np.concatenate([frictions.excess, bristles.excess]),
@@ -50,6 +52,7 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
     for row, (on, against) in enumerate(zip(frictions.on, frictions.against, strict=True)):
         speed = float(speeds[on] - speeds[against])
         viscous, quadratic = frictions.viscous[row], frictions.quadratic[row]
+        viscous += frictions.backward_extra[row] if speed < 0 else 0.0
         torques[row] = viscous * speed + quadratic * speed * abs(speed)
         slopes[row] = viscous + 2 * quadratic * abs(speed)
         grip, excess = (values[row, 1 if speed > 0 else 0] for values in (frictions.coulomb, frictions.excess))
