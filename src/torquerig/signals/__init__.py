@@ -13,6 +13,7 @@ streaming          chains on recordings too long to be held, block by block; rea
 inspection         what stands in a recording: levels, runs, spikes, dropouts, spectrum, in one pass
 effect             what a chain did: spread, mean, energy, line levels; effect_joined: from its blocks
 judging            what a chain is worth: placebo at empty orders, steps put in, hits, delay, bands
+order_analysis     order spectrum and map; lines of the shaft told from fixed frequencies
 teeth              what tooth counts fix
 kinematics         the order lines of a motor and gearbox
 coincidences       lines that stand on the mains or on each other, and a better speed

@@ -1,0 +1,62 @@
+"""``torquerig ordermap``: the lines it tells, its picture, and what it refuses."""
+
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from torquerig.cli import main
+from torquerig.signals.files import write_recording
+from torquerig.signals.recording import Channel, Recording
+from torquerig.signals.run import Run
+
+RATE, SECONDS = 5000.0, 10.0
+SCENARIO = Path(__file__).resolve().parents[2] / "scenarios" / "wear_rig.yaml"
+
+
+@pytest.fixture
+def ramp(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    time = np.arange(int(RATE * SECONDS)) / RATE
+    top = 1000 * pi / 30
+    angle = np.cumsum(top * np.where(time < 0.9 * SECONDS, 0.1 + time / SECONDS, 1.0)) / RATE
+    torque = 1 + 0.05 * np.cos(7 * angle) + 0.05 * np.cos(2 * pi * 50 * time)
+    torque += 0.01 * np.random.default_rng(1).normal(size=time.size)
+    channels = {
+        "torque_V": Channel(values=torque, quantity="torque", unit="V"),
+        "angle_rad": Channel(values=angle, quantity="motor_angle", unit="rad"),
+    }
+    run = Run(motor="bldc-12n14p", gear_ratio=5.0, speed=top, profile="ramp")
+    write_recording(Recording(sample_rate=RATE, channels=channels, run=run), tmp_path / "ramp.parquet")
+    return tmp_path
+
+
+def test_it_tells_shaft_from_grid_and_draws(ramp, capsys):
+    main(("ordermap", "ramp.parquet", "--scenario", str(SCENARIO), "--picture", "orders.svg"))
+    told = capsys.readouterr().out
+    found = told[told.index("stands out") :]
+    shaft = next(row for row in found.splitlines() if row.startswith("shaft"))
+    fixed = next(row for row in found.splitlines() if row.startswith("fixed"))
+    assert "electrical x1" in shaft
+    assert "1 x mains" in fixed
+    drawn = (ramp / "orders.svg").read_bytes()
+    main(("ordermap", "ramp.parquet", "--scenario", str(SCENARIO), "--picture", "orders.svg", "--force"))
+    assert (ramp / "orders.svg").read_bytes() == drawn
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--mains", "0 Hz"), "write for example '50 Hz'"),
+        (("--mains", "50 N"), "--mains"),
+        (("--scenario", str(SCENARIO), "--ratio", "5"), "leave --motor, --ratio and --gearbox out"),
+        (("--picture", "orders.pdf"), "written as .svg or .png"),
+        (("--motor", "bldc"), "bldc-12n14p"),
+    ],
+)
+def test_what_cannot_be_used_is_refused(ramp, capsys, arguments, said):
+    with pytest.raises(SystemExit) as left:
+        main(("ordermap", "ramp.parquet", *arguments))
+    assert left.value.code == 2
+    assert said in capsys.readouterr().err
