@@ -54,11 +54,12 @@ def blocks(samples: int) -> Iterator[Recording]:
         )  # fmt: skip
 
 
-def measured(arguments: list[str]) -> tuple[float, float, str]:
-    """Return seconds, peak memory [MB] and what was printed, of one run of the command line in a child process."""
+def measured(arguments: list[str]) -> tuple[float, float, float, str]:
+    """Return seconds, processor seconds, peak memory [MB] and what was printed, of one run in a child process."""
     code = (
         "import resource, sys; from torquerig.cli import main; main(sys.argv[1:]); "
-        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, file=sys.stderr)"
+        "used = resource.getrusage(resource.RUSAGE_SELF); "
+        "print(used.ru_utime + used.ru_stime, used.ru_maxrss, file=sys.stderr)"
     )
     start = time.perf_counter()
     run = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=False)
@@ -66,7 +67,8 @@ def measured(arguments: list[str]) -> tuple[float, float, str]:
     if run.returncode:
         raise SystemExit(run.stderr)
     unit = 1 if sys.platform == "darwin" else 1024
-    return seconds, int(run.stderr.split()[-1]) * unit / 1e6, run.stdout
+    processor, peak = run.stderr.split()[-2:]
+    return seconds, float(processor), int(peak) * unit / 1e6, run.stdout
 
 
 def main() -> None:
@@ -90,9 +92,12 @@ def main() -> None:
             if options.info:
                 wanted = {"info": ["info", str(path)]}
             for name, arguments in wanted.items():
-                seconds, megabytes, told = measured(arguments)
+                seconds, processor, megabytes, told = measured(arguments)
                 times = samples / RATE / seconds
-                print(f"{name:>10}: {seconds:6.1f} s, {times:5.0f} x real time, peak {megabytes:.0f} MB")
+                print(
+                    f"{name:>10}: {seconds:6.1f} s ({processor:.1f} s of processor), {times:5.0f} x real time, "
+                    f"peak {megabytes:.0f} MB"
+                )
             print(told)
     print(f"(this process: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB)")
 

@@ -28,6 +28,7 @@ _WORKERS, _LARGE = 2, 2**20
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
+_Worked = tuple[int, Recording, tuple[Recording, ...]]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,7 +67,7 @@ def blocking_for(chains: Sequence[Chain], stream: RecordingStream, *, block: flo
     head = next(Blocking(samples=max(round(rate), 2)).cut(stream)).recording
     reach = ceil(max((reach_of(chain, head) for chain in chains), default=0.0) * rate)
     # whole multiples of a power of two, so that transforms of a block are fast
-    unit = 2 ** int(log2(max(reach, 4) / 4))
+    unit = 2 ** int(log2(max(reach, 16) / 16))
     overlap = -(-reach // unit) * unit
     samples = max(min(round(block * rate), _MOST_SAMPLES), overlap)
     return Blocking(samples=-(-samples // unit) * unit, overlap=overlap, unit=unit)
@@ -87,27 +88,26 @@ def filtered_blocks(
         Where samples are no numbers or time jumps, and what the stages raise.
     """
 
-    def work(block: Block) -> FilteredBlock:
-        before = block.answer()
-        after = tuple(block.answer(chain.apply(block.recording)) for chain in chains)
+    def work(block: Block) -> _Worked:
+        return block.first, block.answer(), tuple(block.answer(chain.apply(block.recording)) for chain in chains)
+
+    workers = _WORKERS if blocking.samples + 2 * blocking.overlap <= _LARGE else 1
+    for first, before, after in _side_by_side(work, sound_blocks(stream, blocking), workers=workers):
         effects = tuple(
             chain_effect(before, made, ratio=ratio, lines=chain.lines)
             for chain, made in zip(chains, after, strict=True)
         )
-        return FilteredBlock(first=block.first, before=before, after=after, effects=effects)
-
-    workers = _WORKERS if blocking.samples + 2 * blocking.overlap <= _LARGE else 1
-    yield from _side_by_side(work, sound_blocks(stream, blocking), workers=workers)
+        yield FilteredBlock(first=first, before=before, after=after, effects=effects)
 
 
 def _side_by_side(work: Callable[[Given], Made], given: Iterable[Given], *, workers: int) -> Iterator[Made]:
-    """Give ``work(each)`` in order; numpy lets go of the interpreter while it computes, so that threads help."""
+    """Give ``work(each)`` in order, one ahead; numpy and kernels let go of the interpreter, so that threads help."""
     waiting: deque[Future[Made]] = deque()
     # the threads of linear algebra would spin against the workers
     with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers) as pool:
         for each in given:
             waiting.append(pool.submit(work, each))
-            if len(waiting) >= workers:
+            if len(waiting) >= _WORKERS:
                 yield waiting.popleft().result()
         while waiting:
             yield waiting.popleft().result()

@@ -40,7 +40,8 @@ class Block:
         """Return the samples that the block answers for: of its own recording, or of what a stage made of it."""
         made = recording or self.recording
         for name, channel in made.channels.items():
-            made = made.with_values(name, channel.values[self.kept])
+            # a copy, so that the samples beside do not stay in memory with it
+            made = made.with_values(name, channel.values[self.kept].copy())
         return made
 
 
@@ -65,29 +66,23 @@ class Blocking:
 
     def cut(self, stream: RecordingStream) -> Iterator[Block]:
         """Go through the recording block by block, as it stands in the file: it may hold NaN and gaps."""
-        held: list[Mapping[str, NDArray[np.float64]]] = []
-        begin = start = have = 0
+        held = _Held(self.samples + self.samples // 2 + 2 * self.overlap + self.unit)
+        start = 0
         for piece in stream.columns():
             held.append(piece)
-            have += _size(piece)
-            while have - start >= self.samples + self.samples // 2 + self.overlap:
-                held = [_joined(held)]
-                yield self._block(stream, held[0], begin=begin, start=start, stop=start + self.samples)
+            while held.stop - start >= self.samples + self.samples // 2 + self.overlap:
+                yield self._block(stream, held, start=start, stop=start + self.samples)
                 start += self.samples
-                lost = max(start - self.overlap - self.unit + 1 - begin, 0)
-                held, begin = [{name: values[lost:] for name, values in held[0].items()}], begin + lost
-        check_counts({"the table": have}, str(stream.path))
-        yield self._block(stream, _joined(held), begin=begin, start=start, stop=have)
+                held.forget(start - self.overlap - self.unit + 1)
+        check_counts({"the table": held.stop}, str(stream.path))
+        yield self._block(stream, held, start=start, stop=held.stop)
 
-    def _block(
-        self, stream: RecordingStream, columns: Mapping[str, NDArray[np.float64]], *, begin: int, start: int, stop: int
-    ) -> Block:
-        size = _size(columns)
-        low, high = max(start - self.overlap - begin, 0), min(stop + self.overlap - begin, size)
+    def _block(self, stream: RecordingStream, held: _Held, *, start: int, stop: int) -> Block:
+        low, high = max(start - self.overlap, 0), min(stop + self.overlap, held.stop)
         back = -(high - low) % self.unit
-        low -= back if back <= low else 0
-        cut = {name: values[low:high] for name, values in columns.items()}
-        kept = slice(start - begin - low, stop - begin - low)
+        low -= back if low - back >= held.start else 0
+        cut = held.copied(low, high)
+        kept = slice(start - low, stop - low)
         time = stream.table.time_name()
         times = cut[time][kept] if time is not None else None
         return Block(recording=stream.of(cut), first=start, kept=kept, times=times)
@@ -111,11 +106,37 @@ def sound_blocks(stream: RecordingStream, blocking: Blocking) -> Iterator[Block]
         yield block
 
 
-def _size(columns: Mapping[str, NDArray[np.float64]]) -> int:
-    return next((values.size for values in columns.values()), 0)
+class _Held:
+    """The samples that blocks still need: appended behind, forgotten in front, in arrays that are used again."""
 
+    def __init__(self, expected: int) -> None:
+        self.start = self.stop = 0
+        self._expected = expected
+        self._arrays: dict[str, NDArray[np.float64]] = {}
 
-def _joined(pieces: list[Mapping[str, NDArray[np.float64]]]) -> Mapping[str, NDArray[np.float64]]:
-    if len(pieces) <= 1:
-        return pieces[0] if pieces else {}
-    return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+    def append(self, piece: Mapping[str, NDArray[np.float64]]) -> None:
+        """Put samples behind those that are there."""
+        size = next((values.size for values in piece.values()), 0)
+        used = self.stop - self.start
+        for name, values in piece.items():
+            array = self._arrays.get(name, values[:0])
+            if array.size < used + size:
+                # what is never written to takes no memory
+                larger = np.empty(max(self._expected + size, used + size))
+                larger[:used] = array[:used]
+                array = self._arrays[name] = larger
+            array[used : used + size] = values
+        self.stop += size
+
+    def forget(self, before: int) -> None:
+        """Drop the samples before the number ``before``."""
+        lost = max(before - self.start, 0)
+        used = self.stop - self.start
+        for array in self._arrays.values():
+            array[: used - lost] = array[lost:used]
+        self.start += lost
+
+    def copied(self, low: int, high: int) -> dict[str, NDArray[np.float64]]:
+        """Return the samples from number ``low`` up to ``high``, of every column."""
+        part = slice(low - self.start, high - self.start)
+        return {name: array[part].copy() for name, array in self._arrays.items()}

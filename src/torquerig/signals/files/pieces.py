@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.signals.files.table import Table, time_among
 
-PIECE = 2**20
+PIECE = 2**18
 """Samples of one piece [1]; a format may hand over fewer or somewhat more."""
 
 Columns = Mapping[str, NDArray[np.float64]]

@@ -16,7 +16,7 @@ from torquerig.signals.files.pieces import PIECE, Columns, TablePieces
 from torquerig.signals.files.tdms import channel_names, check_whole, not_whole, stated, told_by_nptdms
 
 # npTDMS reads a chunk in one go; above this many samples the values are fetched here
-_LARGEST_CHUNK = 4 * PIECE
+_LARGEST_CHUNK = PIECE
 _BROKEN = (ValueError, EOFError, OSError, KeyError, TypeError, struct.error)
 
 
