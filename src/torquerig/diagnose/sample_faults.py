@@ -59,7 +59,7 @@ def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> C
     wide = gaps[gaps > _COARSER * converter_step]
     if wide.size < 3 or wide.size < 0.2 * gaps.size:
         return None
-    start = float(np.median(wide[wide < 1.6 * np.min(wide)]))
+    start = float(np.mean(wide[wide < 1.6 * np.min(wide)]))  # gaps of 3 and 4 codes mean a step between
     trials = start * (1 + np.linspace(-0.08, 0.08, 641))
     score = np.array([_on_lattice(distinct, step) for step in trials])
     coarse = float(trials[int(np.argmax(score))])

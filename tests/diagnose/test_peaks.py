@@ -1,0 +1,100 @@
+"""Lines that no model asked for: orders told from fixed frequencies, strong from weak, and silence in noise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.lines_left import lines_left
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.peaks import peaks
+from torquerig.diagnose.places import Place, frequency, order
+
+RATE, SAMPLES = 2000.0, 16_000
+TIME = np.arange(SAMPLES) / RATE
+ByHand = Callable[..., Observed]
+
+
+def turned(rpm: float) -> np.ndarray:
+    return rpm / 60 * 2 * pi * TIME
+
+
+def noise(seed: int) -> np.ndarray:
+    return 0.05 * np.random.default_rng(seed).standard_normal(SAMPLES)
+
+
+def two_speeds(by_hand: ByHand, wave: Callable[[np.ndarray], np.ndarray]) -> list[Observed]:
+    return [
+        by_hand(noise(seed) + wave(turned(rpm)), turned(rpm), rate=RATE, name=f"{rpm:g}")
+        for seed, rpm in ((1, 1003.0), (2, 702.0))
+    ]
+
+
+@pytest.mark.parametrize("at", [3.4, 16.8, 21.0])
+def test_an_order_stands_at_its_order_at_two_speeds(at: float, by_hand: ByHand) -> None:
+    found = peaks(two_speeds(by_hand, lambda angle: 0.03 * np.cos(at * angle + 1)), [])
+    assert len(found) == 1
+    assert found[0].place.domain == "order"
+    # a bin is one turn over those seen, 89 at 1003 rpm; a peak is placed to a tenth of it
+    assert found[0].place.at == pytest.approx(at, abs=0.1 / 89)
+    assert found[0].speeds == 2
+    assert found[0].runs == ("1003", "702")
+
+
+@pytest.mark.parametrize("at", [50.0, 233.3])
+def test_a_fixed_line_stands_at_its_frequency_at_two_speeds(at: float, by_hand: ByHand) -> None:
+    found = peaks(two_speeds(by_hand, lambda _: 0.03 * np.cos(2 * pi * at * TIME)), [])
+    assert [peak.place.domain for peak in found] == ["frequency"]
+    assert found[0].place.at == pytest.approx(at, abs=0.1 * RATE / (SAMPLES * 2 / 3))
+
+
+def test_both_are_told_apart_where_they_stand_together(by_hand: ByHand) -> None:
+    found = peaks(
+        two_speeds(by_hand, lambda angle: 0.04 * np.cos(7 * angle) + 0.03 * np.cos(2 * pi * 150.2 * TIME)), []
+    )
+    assert sorted((peak.place.domain, round(peak.place.at, 1)) for peak in found) == [
+        ("frequency", 150.2), ("order", 7.0),
+    ]  # fmt: skip
+
+
+def test_a_known_line_is_no_peak(by_hand: ByHand) -> None:
+    runs = two_speeds(by_hand, lambda angle: 0.5 * np.cos(6 * angle))
+    assert peaks(runs, [order(6.0)]) == ()
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_noise_alone_has_no_lines(seed: int, by_hand: ByHand) -> None:
+    """White, and coloured as shafts colour it: no place among some ten thousand passes the threshold."""
+    from scipy.signal import lfilter
+
+    white = noise(100 + seed)
+    ringing = lfilter([1.0], [1.0, -2 * 0.97 * np.cos(2 * pi * 90 / RATE), 0.97**2], white)
+    runs = [
+        by_hand(white, turned(1000.0), rate=RATE, name="white"),
+        by_hand(ringing, turned(700.0), rate=RATE, name="ringing"),
+    ]
+    assert lines_left(runs, [], ratio=5.0) == ()
+
+
+def test_a_weak_line_beside_a_strong_one_is_found_in_a_later_pass(by_hand: ByHand) -> None:
+    runs = two_speeds(by_hand, lambda angle: 2.0 * np.cos(16.8 * angle) + 0.02 * np.cos(20.0 * angle))
+    found = lines_left(runs, [], ratio=5.0)
+    assert found[0].place == order(16.8)
+    assert order(20.0) in [peak.place for peak in found]
+
+
+def test_at_one_speed_a_whole_output_order_wins_over_its_frequency(by_hand: ByHand) -> None:
+    runs = two_speeds(by_hand, lambda angle: 0.03 * np.cos(16.8 * angle))[:1]
+    assert [peak.place for peak in lines_left(runs, [], ratio=5.0)] == [order(16.8)]
+
+
+def test_a_place_says_where_it_stands_and_how_its_phase_runs() -> None:
+    speed = 2 * pi * 10
+    assert order(3.0).frequency(speed) == order(3.0).frequency(-speed) == pytest.approx(30.0)
+    assert frequency(50.0).frequency(speed) == 50.0
+    time = np.array([0.0, 0.01])
+    assert order(3.0).phase(speed * time, time) == pytest.approx(frequency(30.0).phase(speed * time, time))
+    assert order(1 / 3) == Place("order", 0.333333333)

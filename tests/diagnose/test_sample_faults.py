@@ -1,0 +1,131 @@
+"""Coarse codes, flat tops and dropouts: found with the numbers that were put in, and never where none are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.sample_faults import bridged, coarse_codes, dropouts, flat_tops, gaps
+from torquerig.diagnose.sample_findings import sample_findings
+from torquerig.mechanisms import Clipping, Quantization, SignalDropout
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+FULL = 10.0  # [V] the converter's range
+CODE = 2 * FULL / 2**16  # [V] and its step
+
+
+@pytest.fixture(scope="module")
+def clean(wear_rig: Scenario, record: Callable[..., Recording]) -> Recording:
+    return record(wear_rig.rig, 3, duration=4.0)
+
+
+def with_volts(recording: Recording, volts: np.ndarray) -> Recording:
+    return recording.with_values("torque_V", CODE * np.round(volts / CODE))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_clean_run_shows_no_fault(seed: int, wear_rig: Scenario, record: Callable[..., Recording]) -> None:
+    made = [record(wear_rig.rig, seed, duration=3.0), record(wear_rig.rig, seed + 20, duration=3.0, occupancy=15.0)]
+    found = sample_findings(made, wear_rig.rig)
+    assert (found.candidates, found.clipped, found.unnamed) == ((), (), ())
+    assert found.recordings == tuple(made)
+
+
+@pytest.mark.parametrize("step", [0.0011, 0.0077, 0.05])
+def test_coarse_codes_are_found_with_their_step(step: float, clean: Recording) -> None:
+    volts = clean.channels["torque_V"].values
+    coarse = with_volts(clean, step * np.round(volts / step))
+    found = coarse_codes([coarse], converter_step=CODE)
+    assert found is not None
+    assert found.step == pytest.approx(step, rel=1e-3)  # fine trials are 5e-6 apart; a wrong lattice is 8 % off
+
+
+def test_the_converters_own_codes_are_not_coarse(clean: Recording) -> None:
+    assert coarse_codes([clean], converter_step=CODE) is None
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_flat_tops_are_found_with_their_limit(sign: float, clean: Recording) -> None:
+    volts = sign * clean.channels["torque_V"].values
+    limit = float(np.quantile(np.abs(volts), 0.995))
+    flat = with_volts(clean, np.clip(volts, -limit, limit))
+    found = flat_tops([flat], full_range=FULL, code=CODE)
+    assert found is not None
+    assert found.limit == pytest.approx(limit, abs=CODE)
+    assert found.share == pytest.approx(0.005, rel=0.1)
+    assert found.runs == (clean.name,)
+
+
+def test_a_reading_that_fills_the_converter_is_no_fault_of_the_amplifier(clean: Recording) -> None:
+    volts = clean.channels["torque_V"].values
+    limit = float(np.quantile(volts, 0.995))
+    full = with_volts(clean, np.minimum(volts, limit))
+    assert flat_tops([full], full_range=limit, code=CODE) is None
+
+
+def test_dropouts_are_found_with_length_rate_and_level(clean: Recording) -> None:
+    volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
+    starts, length, level = np.arange(1500, 19_000, 2500), round(0.006 * rate), -0.4
+    for start in starts:
+        volts[start : start + length] = level
+    lost = with_volts(clean, volts)
+    found = dropouts([clean, lost])
+    assert found is not None
+    assert found.count == starts.size
+    assert found.duration == pytest.approx(0.006, abs=1 / rate)
+    assert found.level == pytest.approx(level, abs=CODE)
+    assert found.rate == pytest.approx(starts.size / (2 * clean.duration))
+    assert found.runs == (lost.name,)
+
+
+def test_bridging_takes_the_moments_out_and_leaves_the_rest(clean: Recording) -> None:
+    volts = clean.channels["torque_V"].values.copy()
+    volts[4000:4030] = -0.4
+    lost = with_volts(clean, volts)
+    mended = bridged(lost).channels["torque_V"].values
+    assert gaps(mended, clean.sample_rate) == []
+    assert mended[4000:4030].min() > 0.3
+    kept = np.r_[0:3999, 4031 : volts.size]
+    assert np.array_equal(mended[kept], lost.channels["torque_V"].values[kept])
+
+
+def test_a_constant_signal_has_no_dropouts() -> None:
+    assert gaps(np.ones(5000), 1000.0) == []
+
+
+FAULTS = {
+    "quantization": (Quantization(name="coarse", step=0.0123), {"step": 0.0123}),
+    "clipping": (Clipping(name="flat", limit=1.3), {"limit": 1.3}),
+    "signal_dropout": (SignalDropout(name="lost", duration=4e-3, rate=2.0), {"duration": 4e-3, "level": 0.0}),
+}
+
+
+@pytest.mark.parametrize("kind", FAULTS)
+def test_each_fault_of_the_simulator_becomes_a_candidate(
+    kind: str, wear_rig: Scenario, record: Callable[..., Recording]
+) -> None:
+    effect, parameters = FAULTS[kind]
+    faulty: Rig = wear_rig.rig + effect
+    found = sample_findings([record(faulty, 5)], wear_rig.rig)
+    assert [candidate.mechanism for candidate in found.candidates] == [kind]
+    part = found.candidates[0].parts[0]
+    for name, value in parameters.items():
+        assert getattr(part, name) == pytest.approx(value, rel=0.02, abs=2 * CODE)
+
+
+def test_a_fault_that_the_scenario_has_is_not_found_again(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
+    coarse = wear_rig.rig + Quantization(name="coarse", step=0.0123)
+    assert sample_findings([record(coarse, 5, duration=3.0)], coarse).candidates == ()
+
+
+def test_without_its_class_a_fault_has_no_name(
+    wear_rig: Scenario, record: Callable[..., Recording], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = record(wear_rig.rig + Quantization(name="coarse", step=0.0123), 5, duration=3.0)
+    monkeypatch.delattr("torquerig.mechanisms.Quantization")
+    found = sample_findings([run], wear_rig.rig)
+    assert (found.candidates, found.unnamed) == ((), ("quantization",))

@@ -1,0 +1,71 @@
+"""A run that turns back: its friction is seen as it is, and lines of the shafts cannot pass for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.features import features
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.places import order
+from torquerig.diagnose.turning import turning, turns_back
+
+RATE, LENGTH = 5000.0, 6.0
+TIME = np.arange(int(RATE * LENGTH)) / RATE
+SPEED = 60.0 * np.sin(2 * pi * 2 / LENGTH * TIME)  # two full periods, as the contract's reversal
+ANGLE = np.cumsum(SPEED) / RATE
+ByHand = Callable[..., Observed]
+
+
+def friction(speed: np.ndarray) -> np.ndarray:
+    return np.sign(speed) * (0.3 + 0.4 * np.exp(-((speed / 5) ** 2))) + 0.002 * speed
+
+
+def test_blocks_show_the_friction_curve(by_hand: ByHand) -> None:
+    seen = turning(by_hand(friction(SPEED), ANGLE, rate=RATE, profile="reversal"), [], held=None)
+    moving = np.abs(seen.speed) > 4  # within a block of standstill the sign changes
+    # a block of 20 ms averages the curve over 2.5 rad/s at most
+    assert seen.torque[moving] == pytest.approx(friction(seen.speed[moving]), abs=0.06)
+    fast = np.abs(seen.speed) > 20
+    assert seen.torque[fast] == pytest.approx(friction(seen.speed[fast]), abs=0.004)
+    # v = V sin wt gives |a| = w sqrt(V^2 - v^2); the first and last blocks have no speed on one side
+    expected = 2 * pi * 2 / LENGTH * np.sqrt(np.maximum(60.0**2 - seen.speed**2, 0.0))
+    assert np.abs(seen.acceleration)[3:-3] == pytest.approx(expected[3:-3], abs=8.0)
+
+
+def test_lines_of_any_phase_are_projected_out(by_hand: ByHand) -> None:
+    lines = 0.2 * np.cos(0.2 * ANGLE + 0.3) + 0.1 * np.cos(ANGLE - 1) + 0.05 * np.cos(2 * ANGLE)
+    places = [order(0.2), order(1.0), order(2.0)]
+    bare, rippled = (
+        turning(by_hand(values, ANGLE, rate=RATE, profile="reversal"), places, held=None)
+        for values in (friction(SPEED), friction(SPEED) + lines)
+    )
+    added = rippled.torque - bare.torque
+    assert np.abs(added).max() > 0.1
+    assert np.abs(rippled.without_lines(added)).max() < 0.01
+    curve = bare.without_lines(friction(bare.speed))
+    assert np.linalg.norm(curve) > 0.7 * np.linalg.norm(friction(bare.speed)), "the curve must not go with the lines"
+
+
+def test_projecting_twice_is_projecting_once(by_hand: ByHand) -> None:
+    seen = turning(by_hand(friction(SPEED), ANGLE, rate=RATE, profile="reversal"), [order(1.0)], held=None)
+    once = seen.without_lines(seen.torque)
+    assert seen.without_lines(once) == pytest.approx(once, abs=1e-12)
+    assert seen.lines.T @ seen.lines == pytest.approx(np.eye(seen.lines.shape[1]), abs=1e-12)
+
+
+def test_only_a_run_that_turns_back_is_seen_by_blocks(by_hand: ByHand) -> None:
+    back = by_hand(friction(SPEED), ANGLE, rate=RATE, profile="reversal")
+    forth = by_hand(friction(SPEED), 60.0 * TIME, rate=RATE)
+    assert turns_back(back)
+    assert not turns_back(forth)
+    assert features(forth, []).turning is None
+    seen, held = features(back, []).turning, features(back, [], held=True).turning
+    assert seen is not None
+    assert held is not None
+    # every third stretch is held out, and no block is seen in both
+    assert held.speed.size == pytest.approx(seen.speed.size / 2, rel=0.2)
+    assert not set(seen.torque.tolist()) & set(held.torque.tolist())
