@@ -1,0 +1,10 @@
+"""The proof: recordings made blind by a program that is not the simulator, and the scores of what was said of them.
+
+- ``rig_program``   the independent rig: its own equations, integrator and effects; it imports nothing of torquerig
+- ``trials``        which cases a set of trials holds: clean, wrong parameters only, left out, in no library
+- ``riddle``        the seed's 280 Hz riddle: mesh, comb or resonance, with and without wander, at one speed and at two
+- ``sealed``        answers written apart, their hash printed before anything is diagnosed, verified when opened
+- ``scoring``       what a set of diagnoses is worth against the sealed answers
+- ``make``          ``python -m proof.make --seed N --cases K --out FOLDER``
+- ``score``         ``python -m proof.score FOLDER``
+"""

@@ -1,0 +1,34 @@
+"""Sensor bandwidth: the amplifier's low-pass sits lower than its data sheet says."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from proof.rig_program.effects.effect import Effect, Setting, between
+from proof.rig_program.machine import Machine
+from proof.rig_program.plan import Run
+
+
+@dataclass(frozen=True)
+class SensorBandwidth(Effect):
+    """A second-order low-pass with this corner [Hz] and damping ratio (0.707: Butterworth) in place of the sheet's."""
+
+    kind: ClassVar[str] = "sensor_bandwidth"
+    cutoff: float
+    damping: float
+
+    def parameters(self) -> dict[str, float | None]:
+        """Give the corner."""
+        return {"cutoff_Hz": self.cutoff}
+
+    def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:
+        """Set the amplifier lower."""
+        return machine._replace(amplifier=2.0 * np.pi * self.cutoff, amplifier_damping=self.damping)
+
+
+def draw_sensor_bandwidth(rng: np.random.Generator, setting: Setting, *, size: float) -> SensorBandwidth:
+    """Draw a corner between 450 Hz, just visible, and 40 Hz."""
+    return SensorBandwidth(cutoff=between(40.0, 450.0, size=1.0 - size), damping=float(rng.uniform(0.66, 0.75)))

@@ -1,0 +1,34 @@
+"""``python -m proof.score FOLDER``: open the sealed answers and score the diagnoses in ``FOLDER/diagnoses``."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+import click
+
+from proof.scoring.lines import lines_of, wrong_lines
+from proof.scoring.summary import summarise
+from proof.scoring.trial import read_trials
+from proof.sealed import unseal
+
+
+@click.command()
+@click.argument("folder", type=click.Path(path_type=Path))
+@click.option("--answers", type=click.Path(path_type=Path), help="file of the sealed answers, if not in the folder")
+@click.option("--json", "json_path", type=click.Path(path_type=Path), help="write the figures here as well")
+@click.option("--wrong", is_flag=True, help="list every case that was not right")
+def main(folder: Path, *, answers: Path | None, json_path: Path | None, wrong: bool) -> None:
+    """Score the diagnoses of a folder of blind trials, one JSON for each case in its folder diagnoses."""
+    trials = read_trials(unseal(folder, apart=answers), folder)
+    summary = summarise(trials)
+    click.echo("\n".join(lines_of(summary)))
+    if wrong:
+        click.echo("\n".join(["", "not right:", *wrong_lines(trials)]))
+    if json_path is not None:
+        json_path.write_text(json.dumps(asdict(summary), indent=1) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,39 @@
+"""How much of the misfit on unseen data goes away, beside what an oracle could take away."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from proof.scoring.claims import Claim
+
+
+@dataclass(frozen=True)
+class Improvement:
+    """Share of the held-out misfit that a claim removes; ``of_oracle`` compares it with the true mechanism, fitted."""
+
+    share: float
+    of_oracle: float | None
+    harmed: bool
+
+
+def improvement_of(claim: Claim, oracle: Claim | None) -> Improvement | None:
+    """Give the improvement of a claim that states both misfits; ``harmed`` means more than 1 % worse than before.
+
+    The oracle's share is taken with its own misfits, as its fit starts from the same recordings.
+    """
+    share = _share(claim)
+    if share is None or claim.before is None or claim.after is None:
+        return None
+    best = None if oracle is None else _share(oracle)
+    return Improvement(
+        share=share,
+        of_oracle=None if best is None or best <= 0.0 else share / best,
+        harmed=claim.after > 1.01 * claim.before,
+    )
+
+
+def _share(claim: Claim) -> float | None:
+    """Give one minus after over before."""
+    if claim.before is None or claim.after is None or claim.before <= 0.0:
+        return None
+    return 1.0 - claim.after / claim.before
