@@ -7,10 +7,9 @@ from dataclasses import dataclass, replace
 
 from torquerig.diagnose.calibration import calibrated
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.confidence import confidence
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, UsedRecording, Verdict
-from torquerig.diagnose.explained import LEAST_SHARE, explained_share
 from torquerig.diagnose.features import Features, features
+from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
 from torquerig.diagnose.held_out import held_out
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.knobs import nuisance_knobs
@@ -20,7 +19,6 @@ from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.places import order
 from torquerig.diagnose.rig_under_test import check_recordings
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
-from torquerig.diagnose.search import LEAST_GAIN, MOST_EFFECTS, Trial, extended, rivals, trials
 from torquerig.diagnose.sentences import explanation
 from torquerig.diagnose.shaft_angle import shaft_angles
 from torquerig.diagnose.twin import Twin
@@ -72,18 +70,23 @@ def diagnose(
     runs = _runs(faults.recordings, nominal)
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
-    after, findings = _searched(before, progress)
+    fitted = {run.name for run in before.runs}
+    found_by_search = searched(before, [each for each in held if each.observed.name in fitted], progress)
+    after, findings = found_by_search.case, found_by_search.findings
     progress("predicting what no fit has seen")
     completed = _completed(after, faults)
     fit = held_out(_with(before.nominal, ()), before.model.rig, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
     left = mismatches(after)
+    verdict = _verdict(found, left, faults)
     diagnosis = Diagnosis(
-        verdict=_verdict(found, left, faults),
+        verdict=verdict,
         mismatch=mismatches(before) if found else left,
         findings=tuple(found),
         fit=fit,
         recordings=tuple(_used(run) for run in runs),
+        set_aside=reasons(before, found_by_search, found),
+        next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,
     )
     return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=held)
 
@@ -109,51 +112,6 @@ def _opened(
     knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
     rig = _with(nominal, [c for c in faults.candidates if c.mechanism == "quantization"])
     return Case(nominal=rig, runs=fitted, seen=seen, model=calibrated(rig, seen, knobs), left=left), held
-
-
-def _searched(case: Case, progress: Progress) -> tuple[Case, list[Finding]]:
-    """Add effects as long as one is clearly missing and explains its places."""
-    findings: list[Finding] = []
-    for _ in range(MOST_EFFECTS):
-        progress("trying the library's effects" if not findings else f"trying what {findings[-1].mechanism} leaves")
-        tried = trials(case)
-        good = [trial for trial in tried if _convincing(case, trial, findings)]
-        if not good:
-            break
-        findings.append(_finding(case, good[0], tried))
-        case = extended(case, good[0])
-    return case, findings
-
-
-def _convincing(case: Case, trial: Trial, earlier: Sequence[Finding]) -> bool:
-    share = explained_share(case.model.misfits, trial.model.misfits)
-    # an effect beyond the twin leaves small lines of its own, which are no effects
-    least = max([LEAST_GAIN, *(0.25 * each.gain for each in earlier if case.model.corrections)])
-    return trial.gain > least and share > LEAST_SHARE
-
-
-def _finding(case: Case, best: Trial, tried: Sequence[Trial]) -> Finding:
-    candidate = best.candidate
-    parameters = identifying(candidate, best.model, case)
-    share = explained_share(case.model.misfits, best.model.misfits)
-    others: dict[str, float] = {}
-    for trial in tried:
-        if trial.candidate.mechanism != candidate.mechanism:
-            others.setdefault(trial.candidate.mechanism, trial.gain)
-    listed = tuple(others.items())
-    alike = rivals(best, [t for t in tried if explained_share(case.model.misfits, t.model.misfits) > LEAST_SHARE])
-    equivalent = tuple(dict.fromkeys(trial.candidate.mechanism for trial in alike))
-    return Finding(
-        mechanism=candidate.mechanism,
-        variant=candidate.variant,
-        explanation=explanation(candidate.mechanism, parameters, share=share, rivals=listed, gain=best.gain),
-        confidence=confidence(gain=best.gain, share=share, rival=max(others.values(), default=0.0)),
-        parameters=parameters,
-        gain=best.gain,
-        rivals=listed,
-        equivalent_to=equivalent,
-        next_experiment=None,
-    )
 
 
 def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Finding]:

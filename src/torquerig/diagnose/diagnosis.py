@@ -61,7 +61,11 @@ class UsedRecording:
 
 @dataclass(frozen=True, kw_only=True)
 class Diagnosis:
-    """What a diagnosis says."""
+    """What a diagnosis says.
+
+    ``set_aside`` holds a reason for each mechanism that was not fitted in full; ``next_experiment`` is the run that
+    would tell between the hypotheses that explain part of an ``unexplained`` rest, where there are two or more.
+    """
 
     verdict: Verdict
     mismatch: tuple[Mismatch, ...]
@@ -71,6 +75,7 @@ class Diagnosis:
     model: str | None = None
     remarks: tuple[str, ...] = ()
     set_aside: Mapping[str, str] = field(default_factory=dict)
+    next_experiment: str | None = None
 
 
 METRIC = (
@@ -107,6 +112,7 @@ def as_json(diagnosis: Diagnosis) -> dict[str, Any]:
             for used in diagnosis.recordings
         ],
         "set_aside": dict(diagnosis.set_aside),
+        "next_experiment": diagnosis.next_experiment,
         "remarks": list(diagnosis.remarks),
     }  # fmt: skip
 

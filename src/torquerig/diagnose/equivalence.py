@@ -40,7 +40,9 @@ class Difference:
     apart: float
 
 
-def difference(better: Sequence[Misfit], rival: Sequence[Misfit], *, also: tuple[Floats, Floats] | None = None) -> Difference:
+def difference(
+    better: Sequence[Misfit], rival: Sequence[Misfit], *, also: tuple[Floats, Floats] | None = None
+) -> Difference:
     """Return how much worse ``rival`` fits the runs than ``better``, with its sampling spread.
 
     Residuals a of the better model and b = a + d of the rival differ by d, which no chance moves; then
@@ -63,7 +65,9 @@ def difference(better: Sequence[Misfit], rival: Sequence[Misfit], *, also: tuple
         step = other - one
         excess += float((other**2 - one**2).sum())
         plain += float((step**2).sum())
-        strayed += sum(float((one[at : at + _BLOCK] @ step[at : at + _BLOCK]) ** 2) for at in range(0, one.size, _BLOCK))
+        strayed += sum(
+            float((one[at : at + _BLOCK] @ step[at : at + _BLOCK]) ** 2) for at in range(0, one.size, _BLOCK)
+        )
     return Difference(excess, 2 * sqrt(max(plain, strayed)), sqrt(plain))
 
 

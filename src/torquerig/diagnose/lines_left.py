@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.order_or_fixed import rather_fixed
 from torquerig.diagnose.peaks import Peak, peaks
 from torquerig.diagnose.places import Place, order
 
@@ -32,14 +33,17 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, ratio: float
 
 
 def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:
-    """Return the whole output order that a peak stands on, else its own place; at one speed a whole order wins."""
-    at = peak.place.at
+    """Return the whole output order that a peak stands on, else its own place.
+
+    At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency.
+    """
+    at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
     if peak.place.domain == "frequency":
         if peak.speeds > 1:
             return peak.place
-        speed = next(run.mean_speed for run in runs if run.name == peak.runs[0])
-        at = peak.place.at / Place("order", 1.0).frequency(speed)
+        at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
     whole = round(at * ratio) / ratio
-    if abs(at - whole) < _WHOLE and whole > 0:
-        return order(whole)
-    return peak.place
+    if abs(at - whole) >= _WHOLE or whole <= 0:
+        return peak.place
+    stays = peak.place.domain == "frequency" and rather_fixed(shown, order(whole))
+    return peak.place if stays else order(whole)

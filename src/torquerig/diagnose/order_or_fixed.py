@@ -19,18 +19,22 @@ _REACH = 3  # bins either way in which a line may be found
 _FLOOR = 40  # bins either way that make the local floor
 
 
-def fixed_lines(case: Case) -> Iterator[Peak]:
-    """Yield the left lines of fixed frequency, and those of an order that at one speed may as well be fixed ones."""
+def doubtful_lines(case: Case) -> Iterator[Peak]:
+    """Yield the left lines of an order that may as well be fixed ones, each at its frequency."""
     for peak in case.left:
-        if peak.place.domain == "frequency":
-            yield peak
-        elif may_be_fixed(case.runs, peak):
+        if peak.place.domain == "order" and may_be_fixed(case.runs, peak):
             speed = next(run.mean_speed for run in case.runs if run.name == peak.runs[0])
             yield replace(peak, place=frequency(peak.place.frequency(speed)))
 
 
+def fixed_lines(case: Case) -> list[Peak]:
+    """Return the left lines of fixed frequency, the doubtful ones among them, clearest first."""
+    fixed = [peak for peak in case.left if peak.place.domain == "frequency"]
+    return sorted([*fixed, *doubtful_lines(case)], key=lambda peak: -peak.excess)
+
+
 def may_be_fixed(runs: Sequence[Observed], peak: Peak) -> bool:
-    """Whether steady runs know the line at one speed alone, and its wander does not show that it turns with the shaft."""
+    """Whether steady runs know the line at one speed alone, whose wander does not show that it turns with the shaft."""
     steady = [run for run in runs if run.steady]
     if peak.speeds > 1 or len(speeds_of(steady)) > 1 or not peak.runs:
         return False
@@ -78,6 +82,6 @@ def _powers(run: Observed, place: Place) -> tuple[float, float]:
 def _peak(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
     window = np.hanning(torque.size)
     taken = np.fft.fft(torque * window * np.exp(-1j * phase))
-    around = np.abs(np.concatenate([taken[-_FLOOR:], taken[: _FLOOR + 1]])) ** 2
+    around: NDArray[np.float64] = np.abs(np.concatenate([taken[-_FLOOR:], taken[: _FLOOR + 1]])) ** 2
     floor = float(np.median(around)) / np.log(2)
     return float(around[_FLOOR - _REACH : _FLOOR + _REACH + 1].max()) / max(floor, 1e-30)

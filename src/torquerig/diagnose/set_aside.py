@@ -52,12 +52,10 @@ def _reason(name: str, class_name: str, case: Case, screened: Sequence[Trial]) -
     if own is None:
         return why_none(name, case)
     best = screened[0]
+    name = best.candidate.mechanism.replace("_", " ")
     if own.gain <= 0:
         return "tried, and the misfit falls by less than its numbers cost"
-    return (
-        f"tried, and the misfit falls by {own.gain / best.gain:.1%} of what {best.candidate.mechanism.replace('_', ' ')} "
-        "takes away"
-    )
+    return f"tried, and the misfit falls by {own.gain / best.gain:.1%} of what {name} takes away"
 
 
 def _no_gap(case: Case) -> str:

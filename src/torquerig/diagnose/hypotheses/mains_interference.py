@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.order_or_fixed import fixed_lines
 from torquerig.diagnose.peaks import Peak
 
 _GRIDS = (50.0, 60.0)
@@ -20,9 +21,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     """Yield a hum for each grid of which a fixed line is a multiple."""
     for grid in _GRIDS:
         found: dict[int, Peak] = {}
-        for peak in case.left:
-            if peak.place.domain != "frequency":
-                continue
+        for peak in fixed_lines(case):
             harmonic = round(peak.place.at / grid)
             if 1 <= harmonic <= _HARMONICS and abs(peak.place.at / (harmonic * grid) - 1) < _GRID_TOLERANCE:
                 found.setdefault(harmonic, peak)

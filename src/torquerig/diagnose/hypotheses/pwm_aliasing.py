@@ -2,33 +2,66 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.order_or_fixed import doubtful_lines, fixed_lines
+from torquerig.diagnose.peaks import Peak
 from torquerig.diagnose.transfer import GRID
 from torquerig.diagnose.twin import Twin
 
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading
 _STRONGEST = 3
 _START = 2e-3  # [V]
+_TEETH = 3  # lines that make a comb
+_APART = 1e-3  # by which a tooth may miss its multiple, relative
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield a tone for each of the strongest fixed lines above the mechanical range."""
+    """Yield a tone for each of the strongest fixed lines above the mechanical range, and combs of fixed lines.
+
+    A line that stands at an order and was seen at one speed alone may be such a tone wherever it stands. So may a comb:
+    no shaft has lines at the multiples of a frequency that no speed moves.
+    """
     top = mechanical_range(case)
-    lines = [peak for peak in case.left if peak.place.domain == "frequency" and peak.place.at > top]
+    doubtful, fixed = list(doubtful_lines(case)), fixed_lines(case)
+    lines = [peak for peak in fixed if peak.place.at > top or peak in doubtful]
     for peak in lines[:_STRONGEST]:
-        part = mechanisms.PwmAliasing(name="pwm_aliasing", frequency=peak.place.at, amplitude=_START)
-        yield Candidate(
-            mechanism="pwm_aliasing",
-            parts=(part,),
-            knobs=(Knob(part.name, "amplitude", 1.5),),
-            place=peak.place,
+        yield _tones([peak])
+    comb = _comb(fixed)
+    if len(comb) >= (2 if comb and comb[0] in doubtful else _TEETH):
+        yield _tones(comb)
+
+
+def _tones(lines: Sequence[Peak]) -> Candidate:
+    parts = tuple(
+        mechanisms.PwmAliasing(
+            name="pwm_aliasing" + (f"_{number}" if number > 1 else ""), frequency=peak.place.at, amplitude=_START
         )
+        for number, peak in enumerate(lines, start=1)
+    )
+    return Candidate(
+        mechanism="pwm_aliasing",
+        parts=parts,
+        knobs=tuple(Knob(part.name, "amplitude", 1.5) for part in parts),
+        variant="comb" if len(parts) > 1 else "",
+        place=lines[0].place,
+    )
+
+
+def _comb(lines: Sequence[Peak]) -> list[Peak]:
+    """Return the longest comb among the fixed lines, its lowest first; beats of the mains are no comb of their own."""
+    combs = []
+    for base in lines:
+        ratios = [peak.place.at / base.place.at for peak in lines]
+        teeth = [p for p, r in zip(lines, ratios, strict=True) if r > 0.99 and abs(r - round(r)) < _APART * r]
+        if not any(abs(base.place.at / grid - round(base.place.at / grid)) < 0.01 for grid in (50.0, 60.0)):
+            combs.append(sorted(teeth, key=lambda peak: peak.place.at))
+    return max(combs, key=len, default=[])
 
 
 def mechanical_range(case: Case) -> float:

@@ -1,0 +1,143 @@
+"""Which next run would tell rivals apart: each is simulated in runs that were not done yet, and the runs compared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from torquerig.diagnose.candidate_runs import CandidateRun, candidate_runs
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.equivalence import difference
+from torquerig.diagnose.expectation import Expectation, expected
+from torquerig.diagnose.features import Features, features
+from torquerig.diagnose.misfit import Misfit, misfit
+from torquerig.diagnose.observed import Observed, observed
+from torquerig.diagnose.places import Place, frequency, order
+from torquerig.diagnose.search import Trial
+from torquerig.diagnose.shaft_angle import ShaftAngle
+from torquerig.diagnose.simulated import expected_by_simulation
+from torquerig.diagnose.twin import Twin
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.signals.run import Run
+from torquerig.signals.stages.tone import Tone, folded
+from torquerig.simulate.simulate import simulate
+
+CERTAIN = 10.0  # spreads: what lies further apart is told as surely by either of two runs
+ENOUGH = 3.0  # less than this no run is advised for
+_LENGTH = 5.0  # [s] of a simulated candidate
+_SEED = 7
+_WORKERS = 2
+
+
+@dataclass(frozen=True)
+class Advice:
+    """A run, and the smallest distance between two rivals in it, in units of the features' spread [1]."""
+
+    candidate: CandidateRun
+    distance: float
+    because: str
+
+    def sentence(self) -> str:
+        """Return the advice in words."""
+        return f"{self.candidate.words}: {self.because}"
+
+
+def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
+    """Return the run in which the two rivals that lie nearest lie furthest apart; None where no run would tell.
+
+    T-optimality over a menu of runs (Atkinson & Fedorov 1975, Biometrika 62(1)): the distance of two models is the
+    root of the sum of squares of the differences of their expected features, each in units of its spread. Runs that
+    all tell for certain count the same; of these the one of least effort is advised. The rivals keep the numbers that
+    were fitted to what is there, so a distance that a new fit could close is overrated.
+    """
+    if len(rivals) < 2:
+        return None
+    menu = candidate_runs(case.nominal, case.runs)
+    with ThreadPoolExecutor(_WORKERS) as pool:
+        advised = list(pool.map(lambda one: _judged(case, rivals, one), menu))
+    best = max(advised, key=lambda one: min(one.distance, CERTAIN), default=None)
+    return best if best is not None and best.distance > ENOUGH else None
+
+
+def _judged(case: Case, rivals: Sequence[Trial], candidate: CandidateRun) -> Advice:
+    """Judge a run by the pair of rivals that it separates least."""
+    rigs = [trial.model.rig for trial in rivals]
+    places = _places(case, rigs, candidate.run)
+    nearest = Advice(candidate, np.inf, "")
+    for one, other in combinations(range(len(rigs)), 2):
+        seen = features(_imagined(rigs[one], candidate.run, case.runs[0]), places, held=None)
+        models = _expectations(rivals[one], rivals[other], seen)
+        own, its = misfit(seen, models[0]), misfit(seen, models[1])
+        distance = difference([own], [its]).apart
+        if distance < nearest.distance:
+            names = rivals[one].candidate.mechanism, rivals[other].candidate.mechanism
+            nearest = Advice(candidate, distance, _because(names, seen, models, (own, its)))
+    return nearest
+
+
+def _expectations(one: Trial, other: Trial, seen: Features) -> tuple[Expectation, Expectation]:
+    """By the linear twin; by simulation where an effect is beyond it."""
+    if one.model.corrections or other.model.corrections:
+        first, second = (expected_by_simulation(trial.model.rig, [seen], seeds=(_SEED + 1,)) for trial in (one, other))
+        return first[0], second[0]
+    return expected(one.model.rig, seen), expected(other.model.rig, seen)
+
+
+def _imagined(rig: Rig, run: Run, like: Observed) -> Observed:
+    """Return a simulated run, its angle known as well as in the recordings."""
+    recording = simulate(rig.at(run), duration=_LENGTH, seed=_SEED, sample_rate=like.rate)
+    angle = ShaftAngle(recording.channels["true_motor_angle_rad"].values, like.angle_measured, "simulated")
+    return observed(recording, angle, ratio=kinematics_of(rig).ratio, factor=1.0)
+
+
+def _places(case: Case, rigs: Sequence[Rig], run: Run) -> list[Place]:
+    """Return the places of the recordings and of every line and tone that a rival has in the run."""
+    places = dict.fromkeys(case.seen[0].places)
+    for rig in rigs:
+        placed = rig.at(run)
+        places.update((order(line.order), None) for line in Twin(placed).lines())
+        for stage in placed.stages():
+            if isinstance(stage, Tone):
+                tones = [folded(k * stage.frequency, case.runs[0].rate) for k in range(1, len(stage.amplitudes) + 1)]
+                places.update((frequency(tone), None) for tone in tones if tone > 0)
+    return list(places)
+
+
+def _because(
+    names: tuple[str, str], seen: Features, models: tuple[Expectation, Expectation], misfits: tuple[Misfit, Misfit]
+) -> str:
+    """Say where the two differ most and what each expects there."""
+    one, other = (name.replace("_", " ") for name in names)
+    apart = f"{difference([misfits[0]], [misfits[1]]).apart:.0f} times what chance puts between them"
+    gaps = {
+        kind: np.abs(getattr(misfits[1], kind) - getattr(misfits[0], kind)).max(initial=0.0)
+        for kind in ("lines", "bands", "level", "turning")
+    }
+    kind = max(gaps, key=lambda name: gaps[name])
+    if kind == "lines":
+        apart_by = np.abs(np.atleast_2d(misfits[1].lines) - np.atleast_2d(misfits[0].lines)).max(axis=0)
+        column = int(np.argmax(apart_by))
+        sizes = [1e3 * float(model.amplitude[:, column].mean()) for model in models]
+        at = _where(seen, column)
+        return f"{at} {one} then expects {sizes[0]:.2g} mN m, {other} {sizes[1]:.2g} mN m, {apart}"
+    if kind == "bands":
+        band = int(np.argmax(np.abs(misfits[1].bands - misfits[0].bands)))
+        ratio = 10 * float(np.log10(models[0].power[band] / models[1].power[band]))
+        return f"near {seen.band[band]:.0f} Hz {one} then expects {ratio:+.1f} dB against {other}, {apart}"
+    return f"the slow torque of {one} and {other} then differs, {apart}"
+
+
+def _where(seen: Features, column: int) -> str:
+    place = seen.places[column]
+    mean = place.frequency(float(np.abs(seen.speed).mean()))
+    turning = f" (motor order {place.at:g})" if place.domain == "order" else ""
+    return f"at {mean:.4g} Hz{turning}" if seen.observed.steady else f"in the line of {place.at:g} {_unit(place)}"
+
+
+def _unit(place: Place) -> str:
+    return "Hz" if place.domain == "frequency" else "per motor turn"
