@@ -41,7 +41,8 @@ LOG_GRID = np.log(GRID)
 def on_grid(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
     """Return the transfer of a torque on each node to the torque in the measured spring [1], shapes (GRID.size,).
 
-    The speed loops are closed, the sampled control taken as continuous (true far below the sample rate).
+    The speed loops are closed, the sampled control taken as continuous (true far below the sample rate); losses of the
+    gears are those of power that flows to the load.
     """
     key = (rig.measured, _structure(terms))
     if key not in _solved:
@@ -77,6 +78,10 @@ def _solve(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
     wide = s[:, None, None]
     dynamic = wide**2 * system.mass + wide * system.damping + system.stiffness
     row = {name: index for index, name in enumerate(system.nodes)}
+    for lossy in (term for term in terms if isinstance(term, Spring) and term.efficiency < 1):
+        back = (1 / lossy.efficiency - 1) / lossy.ratio * (lossy.stiffness + s * lossy.damping)
+        dynamic[:, row[lossy.a], row[lossy.a]] += back / lossy.ratio
+        dynamic[:, row[lossy.a], row[lossy.b]] -= back
     for drive in (term for term in terms if isinstance(term, Drive)):
         dynamic[:, row[drive.on], row[drive.on]] += (drive.kp * s + drive.ki) / (1 + s * drive.lag)
     spring = next(term for term in terms if isinstance(term, Spring) and term.name == rig.measured)

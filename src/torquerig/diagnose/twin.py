@@ -70,7 +70,7 @@ class Twin:
         """Return the transfer of a kinematic error in ``spring`` [rad at its b side] to the reading [N m per rad]."""
         term = self.springs[spring]
         force = term.stiffness + 2j * pi * GRID * term.damping
-        passed = force * (self._shafts[term.b] - self._shafts[term.a] / term.ratio)
+        passed = force * (self._shafts[term.b] - self._shafts[term.a] / (term.ratio * term.efficiency))
         return self._read(passed + force if spring == self.rig.measured else passed)
 
     def _read(self, passed: Response) -> Callable[[Floats], Response]:
