@@ -15,12 +15,16 @@ Rows = NDArray[np.uint64]  # unsigned: a signed index costs a test for counting 
 Starts = NDArray[np.int64]
 
 
+RUNGS = 4  # a ladder of multiples is climbed four at a time: each four is the four before it times the fourth
+
+
 class Waves(NamedTuple):
-    """Cosines and sines of order times angle, each made once a step: bases by sincos, the others by products."""
+    """Cosines and sines of order times angle, each made once a step: one sine a base, its multiples, products."""
 
     base_node: Rows  # (bases,) node whose angle is taken
     base_order: Floats  # (bases,)
-    first: Rows  # (products,) slot number bases + i is the product of two earlier slots
+    ladder: Rows  # (bases + 1,) where the slots of the multiples 1, 2, 3, ... of each base start; whole fours
+    first: Rows  # (products,) slot number ladder[-1] + i is the product of two earlier slots
     second: Rows
 
 
@@ -43,10 +47,11 @@ class Springs(NamedTuple):
 
 
 class Harmonics(NamedTuple):
-    """Torques ``cos * c - sin * s`` of a slot, on a node and against another."""
+    """Torques, each a sum of ``cos * c - sin * s`` of its slots, on a node and against another."""
 
-    on: Rows
+    on: Rows  # (pairs of nodes,)
     against: Rows
+    first: Rows  # (pairs + 1,) where the waves of each pair start
     slot: Rows
     c: Floats
     s: Floats

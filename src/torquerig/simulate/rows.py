@@ -117,11 +117,14 @@ def varied_of(springs: Sequence[Spring], number: Numbers, table: WaveTable, seed
 
 
 def harmonics_of(terms: Sequence[HarmonicTorque], number: Numbers, table: WaveTable, seed: int) -> Harmonics:
-    """Return the periodic torques, one row per wave."""
-    waves = _phased([(t.name, number[t.angle], t.waves) for t in terms], table, seed)
+    """Return the periodic torques, one row per pair of nodes: what acts between the same two is one sum."""
+    pairs = {(t.on, t.against): [u for u in terms if (u.on, u.against) == (t.on, t.against)] for t in terms if t.waves}
+    waves = _phased([(t.name, number[t.angle], t.waves) for of in pairs.values() for t in of], table, seed)
+    counts = [sum(len(t.waves) for t in of) for of in pairs.values()]
     return Harmonics(
-        on=_rows(number[t.on] for t in terms for _ in t.waves),
-        against=_rows(number[t.against] for t in terms for _ in t.waves),
+        on=_rows(number[on] for on, _ in pairs),
+        against=_rows(number[against] for _, against in pairs),
+        first=np.cumsum([0, *counts], dtype=np.uint64),
         slot=waves.slot,
         c=waves.c,
         s=waves.s,

@@ -1,6 +1,7 @@
 """The compiled loop: any rig, lowered to the arrays of ``simulate/arrays.py``, through time.
 
-loop      Runge-Kutta 4, contacts located    forces     torques of one evaluation    imposed   motions that are given
+loop      Runge-Kutta 4, contacts located    forces     torques of one evaluation    ladder    cosines and sines
+imposed   motions that are given
 control   what drives see and command        rare       terms that most rigs lack    keep      what a run keeps
 sources   what the cache on disk stands on   direction  the smoothed sign of a speed
 

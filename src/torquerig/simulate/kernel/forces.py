@@ -6,6 +6,7 @@ import numpy as np
 from numba import njit
 
 from torquerig.simulate.kernel.direction import FAST, direction
+from torquerig.simulate.kernel.ladder import climb
 from torquerig.simulate.kernel.rare import bend, drag, share_of_turning, vary
 
 
@@ -20,19 +21,14 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
     loads, blades, drives = terms.loads, terms.blades, terms.drives
     torque[:] = 0.0
     opposing[:] = 0.0
-    for i in range(waves.base_node.size):
-        angle = waves.base_order[i] * theta[waves.base_node[i]]
-        cosine[i] = np.cos(angle)
-        sine[i] = np.sin(angle)
-    for i in range(waves.first.size):
-        to, p, q = i + waves.base_node.size, waves.first[i], waves.second[i]
-        cosine[to] = cosine[p] * cosine[q] - sine[p] * sine[q]
-        sine[to] = sine[p] * cosine[q] + cosine[p] * sine[q]
+    climb(waves, theta, cosine, sine)
     if rare:
         vary(terms.varied, springs, cosine, sine, stiffness, damping)
     for i in range(harmonics.on.size):
-        slot = harmonics.slot[i]
-        value = harmonics.c[i] * cosine[slot] - harmonics.s[i] * sine[slot]
+        value = 0.0
+        for j in range(harmonics.first[i], harmonics.first[i + 1]):
+            slot = harmonics.slot[j]
+            value += harmonics.c[j] * cosine[slot] - harmonics.s[j] * sine[slot]
         torque[harmonics.on[i]] += value
         torque[harmonics.against[i]] -= value
     for i in range(springs.a.size):

@@ -48,7 +48,7 @@ class Work(NamedTuple):
 def work_for(terms: Terms) -> Work:
     """Return the arrays for a rig, all zero but for what the loop changes of the rig's own."""
     sizes = {
-        "cosine": terms.waves.base_node.size + terms.waves.first.size,
+        "cosine": int(terms.waves.ladder[-1]) + terms.waves.first.size,
         "spring_torque": terms.springs.a.size,
         "inverse_inertia": terms.inverse_inertia.size,
         "integral": terms.drives.on.size,

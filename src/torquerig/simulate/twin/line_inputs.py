@@ -13,6 +13,7 @@ from torquerig.simulate.lower import Lowered
 from torquerig.simulate.twin.operating_point import OperatingPoint
 from torquerig.simulate.twin.plant import blade_input
 from torquerig.simulate.twin.system import LinearSystem
+from torquerig.simulate.waves import orders_of
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -64,10 +65,12 @@ def line_inputs(
 
 def _phasors(lowered: Lowered, point: OperatingPoint) -> Iterator[tuple[tuple[str, int], int, float, complex]]:
     """Yield (kind and row, node of the angle, order, phasor at angle 0) of every wave."""
-    nodes, orders = _slots(lowered)
+    nodes, orders = zip(*orders_of(lowered.waves), strict=True) if lowered.waves.base_node.size else ((), ())
     harmonics, springs, drives, blades = lowered.harmonics, lowered.springs, lowered.drives, lowered.blades
-    for row, slot in enumerate(harmonics.slot):
-        yield ("harmonic", row), nodes[slot], orders[slot], complex(harmonics.c[row], harmonics.s[row])
+    for pair in range(harmonics.on.size):
+        for row in range(harmonics.first[pair], harmonics.first[pair + 1]):
+            slot = harmonics.slot[row]
+            yield ("harmonic", pair), nodes[slot], orders[slot], complex(harmonics.c[row], harmonics.s[row])
     for spring in range(springs.a.size):
         for row in range(springs.e_first[spring], springs.e_first[spring + 1]):
             slot = springs.e_slot[row]
@@ -121,16 +124,6 @@ def _columns(
         for end, sign in ((int(ends.on[row]), 1.0), (int(ends.against[row]), -1.0))
         if end < len(lowered.nodes)
     ]
-
-
-def _slots(lowered: Lowered) -> tuple[list[int], list[float]]:
-    """Return the node and the order of every slot of the kernel's wave table."""
-    waves = lowered.waves
-    nodes, orders = [int(node) for node in waves.base_node], [float(order) for order in waves.base_order]
-    for first, second in zip(waves.first, waves.second, strict=True):
-        nodes.append(nodes[first])
-        orders.append(orders[first] + orders[second])
-    return nodes, orders
 
 
 def _over_a_sample(A: Floats, b: Complexes, angular: float, period: float) -> Complexes:
