@@ -80,6 +80,7 @@ HIDING = {
         ("clipping", "signal_dropout"),
         ("quantization", "pwm_aliasing"),
         ("quadratic_drag", "stribeck_friction"),
+        ("commutation_ripple", "cogging"),
     )
 }
 
