@@ -1,6 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose  compare
+init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose
+seed-results  compare
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ COMMANDS = {
     "filter": "put a recording through filter chains and say what they changed",
     "matrix": "work out elimination, Pugh and Kesselring matrices and what is wrong with them",
     "diagnose": "say where recordings and model differ, and which physics was left out",
+    "seed-results": "set the simulated rig beside the seed report's tables and figures",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 
@@ -41,7 +43,7 @@ class _Lazy(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        command: click.Command = import_module(f"torquerig.cli.{cmd_name}").command
+        command: click.Command = import_module(f"torquerig.cli.{cmd_name.replace('-', '_')}").command
         return command
 
     def resolve_command(

@@ -21,6 +21,7 @@ modes_figure     Campbell diagram and Bode curves          campbell_figure  orde
 bode_figure      transfers to the sensor, loop gain
 sizing_text      a sizing as rows for the terminal           speed_torque_figure  regions, cycle and ratios of a sizing
 duty_figure      a duty cycle: torque, speed, temperatures
+seed_page        the seed report's tables and figures beside the simulated rig    seed_figures   its pictures
 order_figure     order spectrum, order map, Campbell diagram as measured
 judged_figure    original, filtered, both, rolling means
 info_figure      a recording at a glance: course, spectrum, levels, what is suspicious

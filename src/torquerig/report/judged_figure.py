@@ -69,7 +69,7 @@ def _means(axes: Axes, before: Recording, after: Recording) -> None:
     for values, colour, label, width in curves:
         axes.plot(*envelope(time, rolling_mean(values, window)), color=colour, linewidth=width, label=label)
     axes.set_ylabel(f"mean of {window}\nsamples [N m]")
-    axes.legend(loc="upper right", fontsize=7.5, frameon=False, ncols=3)
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.98), fontsize=7.5, frameon=False, ncols=3)
 
 
 def rolling_mean(values: Array, window: int) -> Array:

@@ -5,6 +5,7 @@ preflight   every fault before the first run      points      occupancies and pa
 candidates  a motor on a gearbox, loop tuned      drive_run   one drive: simulate, filter, measure
 run_study   all drives on all cores               results     what was found
 criteria    demands and criteria of the study     scoring     figures -> three matrices
+seed        the seed report's tables and figures beside the simulated rig
 verdict     which one, and how sure               what_if     what an edit changes
 sized_candidates  a drive sized over the duty cycle  ratio_sweep  its motor on every gearbox of the catalog
 """

@@ -1,0 +1,60 @@
+"""``torquerig seed-results``: the seed report's tables and figures beside the simulated rig."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.cli.progress import drive_progress
+from torquerig.errors import InputError
+from torquerig.plain_table import grid, wrapped
+
+
+@click.command("seed-results")
+@click.argument("scenario", type=click.Path(path_type=Path), required=False)
+@click.option("--out", type=click.Path(path_type=Path), default=Path("seed_results.html"), show_default=True,
+              help="Page to write.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes every random number.")
+@click.option("--force", is_flag=True, help="Overwrite an earlier page of that name.")
+@set_option
+@catalog_option
+def command(
+    *, scenario: Path | None, out: Path, seed: int, force: bool, settings: tuple[str, ...], catalogs: tuple[Path, ...]
+) -> None:
+    """Set SCENARIO (default: the shipped wear rig) beside the seed report's Tables VIII and IX and its figures.
+
+    Three free parameters of the load are fitted to half of the published cells; the other half is printed whatever
+    comes out, and where the simulated figure differs, what would be needed for the published one.
+    """
+    if out.exists() and not force:
+        raise InputError(f"{out}: is there already; choose another name, or overwrite it with --force")
+    if not out.resolve().parent.is_dir():
+        raise InputError(f"{out}: there is no folder {out.parent}; make it first")
+    path = scenario or shipped_scenarios() / "wear_rig.yaml"
+    from torquerig.report.seed_page import seed_page
+    from torquerig.study.seed.reasons import fit_sentences, mechanical_sentences, table_sentences
+    from torquerig.study.seed.results import SeedResults, seed_results
+
+    with drive_progress("seed results") as progress:
+        results: SeedResults = seed_results(
+            edited(path, settings), catalog_beside(path, catalogs), seed=seed, progress=progress
+        )
+    head = ["table", "row", "published %", "", "simulated %", "copies %", "difference", "nothing fitted %"]
+    rows = [
+        [one.cell.table, one.cell.shown, f"{one.cell.cut:g}", "fitted" if one.cell.fitted else "held out",
+         f"{one.cut:.1f}", f"{one.lowest:.1f}..{one.highest:.1f}", f"{one.difference:+.1f}", f"{one.shipped_cut:.1f}"]
+        for one in results.cells
+    ]  # fmt: skip
+    click.echo(grid([head, *rows]) + "\n")
+    for sentence in (*fit_sentences(results), *table_sentences(results), *mechanical_sentences(results.drop)):
+        click.echo(wrapped(sentence))
+    partial = out.with_name(f".{out.name}.partial")
+    try:
+        partial.write_text(seed_page(results), encoding="utf-8", newline="\n")
+        partial.replace(out)
+    finally:
+        partial.unlink(missing_ok=True)
+    click.echo(f"wrote {out}")
