@@ -9,6 +9,7 @@ Looking
 Expecting
     transfer        shafts to reading, on a grid           twin         lines and load spectrum of a rig
     quasi_static    slow torque                            added_signals  tones, drift and rings of the electronics
+    rounding_noise  what coarse codes add
     expectation     all features of a run                  misfit       how far they lie apart
 Fitting
     knobs           what may be turned                     calibration  the nominal model with its numbers fitted

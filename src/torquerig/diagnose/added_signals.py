@@ -22,11 +22,12 @@ _SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
 
 @dataclass(frozen=True)
 class AddedSignals:
-    """Density in each band, level in each stretch, and tones as (frequency [Hz], amplitude [N m])."""
+    """Density in each band, level in each stretch, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m]."""
 
     power: Floats
     level: Floats
     tones: tuple[tuple[float, float], ...]
+    codes: tuple[float, ...] = ()
 
 
 def added_signals(twin: Twin, seen: Features) -> AddedSignals:
@@ -35,6 +36,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
     unit = observed.recording.channels[observed.recording.torque_name()].si_per_unit
     power, level = np.zeros(bands), np.zeros(len(seen.level))
     tones: list[tuple[float, float]] = []
+    codes: list[float] = []
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):
             tones += [
@@ -44,11 +46,11 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
         elif isinstance(stage, Drift):
             level += _level(stage, seen)
         elif isinstance(stage, Rounding):
-            power += (stage.step * unit) ** 2 / 12 * 2 / observed.rate
+            codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
             impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
             power += stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
-    return AddedSignals(power, level, tuple(tones))
+    return AddedSignals(power, level, tuple(tones), tuple(codes))
 
 
 def _level(stage: Drift, seen: Features) -> Floats:

@@ -13,6 +13,7 @@ from torquerig.diagnose.features import POINTS, Features
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
+from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.turning import Turning
 from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.rig.parts import TorqueSensor
@@ -73,13 +74,27 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     for tone, volts in added.tones:
         _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
     level = balance.sensor + added.level
+    tolerance = np.zeros(power.size)
+    for step in added.codes:
+        rounding, doubt = _rounded(step, seen, power, amplitude)
+        power, tolerance = power + rounding, np.hypot(tolerance, doubt)
     return Expectation(
         power=power,
+        power_tolerance=tolerance if added.codes and observed.steady else 0.0,
         amplitude=amplitude,
         variance=amplitude_variance(seen, power),
         level=level,
         level_variance=_level_variance(twin, seen, amplitude),
     )
+
+
+def _rounded(step: float, seen: Features, power: Floats, amplitude: Floats) -> tuple[Floats, Floats]:
+    """Return the density that coarse codes add, and how far the logarithm of the sum may be off."""
+    sizes, at = amplitude.mean(axis=0), seen.line_frequency.mean(axis=(0, 2))
+    rate = seen.observed.rate
+    added = rounding_density(step, rate=rate, frequency=seen.band, power=power, lines=at, sizes=sizes)
+    spread = np.sqrt(np.trapezoid(power, seen.band) + 0.5 * float((sizes**2).sum()))
+    return added, rounding_tolerance(step, added, power + added, spread=float(spread))
 
 
 def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
