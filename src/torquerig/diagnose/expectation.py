@@ -16,9 +16,9 @@ from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.turning import Turning
 from torquerig.diagnose.twin import LineSource, Twin
-from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
+from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
 
@@ -61,7 +61,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     if seen.turning is not None:
         return _turning(twin, seen, seen.turning)
     added = added_signals(twin, seen)
-    power = twin.load_power(seen.band) + _noise(placed, observed.rate) + added.power
+    power = twin.load_power(seen.band) + _noise(placed, seen) + added.power
     points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
     stretches = len(seen.level)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
@@ -121,9 +121,14 @@ def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: F
         power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
 
 
-def _noise(rig: Rig, rate: float) -> float:
-    sensor = rig.part(rig.measured)
-    return 2 * (sensor.noise_rms / sensor.sensitivity) ** 2 / rate if isinstance(sensor, TorqueSensor) else 0.0
+def _noise(rig: Rig, seen: Features) -> Floats:
+    """Density of the sensor's own noise in each band [(N m)^2/Hz]."""
+    unit = seen.observed.recording.channels[seen.observed.recording.torque_name()].si_per_unit
+    power = np.zeros(seen.band.size)
+    for stage in rig.stages():
+        if isinstance(stage, WhiteNoise):
+            power += unit**2 * stage.density(seen.band, seen.observed.rate)
+    return power
 
 
 def amplitude_variance(seen: Features, power: Floats) -> Floats:

@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.parameter import Estimate
+from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
+_NOISE_COLOUR = 0.15  # no amplifier's noise is quite white
 _LOAD_SPECTRUM = {"hit_rms": 0.3, "hit_decay": 0.2, "slow_rms": 0.4, "slow_cutoff": 0.3}
 
 
@@ -85,6 +87,7 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
         part, _, field = name.rpartition(".")
         if estimate.rel_sd and isinstance(getattr(rig.part(part), field), float):
             knobs.append(Knob(part, field, estimate.rel_sd))
+    knobs += [Knob(sensor.name, "noise_colour", _NOISE_COLOUR, factor=False) for sensor in rig.parts_of(TorqueSensor)]
     for ripple in rig.parts_of(TorqueRipple):
         if ripple.amplitude_rel_sd:
             knobs += [

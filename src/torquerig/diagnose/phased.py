@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 
 import numpy as np
@@ -52,7 +53,7 @@ def _amplitudes(twin: Twin, observed: Observed, orders: Floats) -> list[tuple[ND
     else:
         edges = np.linspace(0, angle.size, max(1, round(angle.size / rate / _PIECE)) + 1).astype(int)
     answer = []
-    for start, stop in zip(edges[:-1], edges[1:], strict=True):
+    for start, stop in itertools.pairwise(edges):
         found = regressed(torque[start:stop], np.outer(orders, angle[start:stop]))
         at = np.maximum(orders * float(np.abs(speed[start:stop]).mean()) / (2 * np.pi), _SLOWEST)
         answer.append((found.amplitude, at))

@@ -54,7 +54,12 @@ def trials(case: Case) -> Tried:
     top = screened[0].gain if screened else 0.0
     finalists: list[Trial] = []
     for trial in screened:
-        if trial.gain > _WORTHWHILE * top and trial.gain > 0 and len(finalists) < _FINALISTS and not _repeated(trial, finalists):
+        if (
+            trial.gain > _WORTHWHILE * top
+            and trial.gain > 0
+            and len(finalists) < _FINALISTS
+            and not _repeated(trial, finalists)
+        ):
             finalists.append(trial)
     fitted = [_joint(case, trial) for trial in finalists]
     if gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):

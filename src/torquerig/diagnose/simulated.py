@@ -38,9 +38,7 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
     )
 
 
-def simulated_runs(
-    rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]
-) -> list[list[Observed]]:
+def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
     """Return one simulation per seed of every run, two at a time; of one rig, or of one for each run."""
     rigs = [rig] * len(seen) if isinstance(rig, Rig) else rig
     jobs = [(each, features.observed, seed) for each, features in zip(rigs, seen, strict=True) for seed in seeds]

@@ -32,6 +32,9 @@ class TorqueSensor(Part):
     sensitivity: Annotated[float, Parameter("V/(N*m)", "output per torque", above=0)] = 1.0
     bandwidth: Annotated[float, Parameter("Hz", "amplifier bandwidth at -3 dB", above=0)]
     noise_rms: Annotated[float, Parameter("V", "rms of the noise", low=0)] = 0.0
+    noise_colour: Annotated[
+        float, Parameter("1", "correlation of neighbouring noise samples", low=-0.99, high=0.99)
+    ] = 0.0
     converter_range: Annotated[float, Parameter("V", "converter range, plus and minus", above=0)] = 10.0
     converter_bits: int = 16
 
@@ -47,7 +50,7 @@ class TorqueSensor(Part):
         cutoff = min((self.bandwidth, *(stated for stated in lowered if stated is not None)))
         return (
             PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=cutoff)),
-            PlacedStage(position=PlacedStage.NOISE, stage=WhiteNoise(rms=self.noise_rms)),
+            PlacedStage(position=PlacedStage.NOISE, stage=WhiteNoise(rms=self.noise_rms, colour=self.noise_colour)),
             PlacedStage(
                 position=PlacedStage.CONVERTER,
                 stage=Converter(range_V=self.converter_range, bits=self.converter_bits),
