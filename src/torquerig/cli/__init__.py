@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose
-seed-results  compare
+seed-results  seed-decision  compare
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ COMMANDS = {
     "matrix": "work out elimination, Pugh and Kesselring matrices and what is wrong with them",
     "diagnose": "say where recordings and model differ, and which physics was left out",
     "seed-results": "set the simulated rig beside the seed report's tables and figures",
+    "seed-decision": "make the seed report's motor decision again, cell by cell beside its tables",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 

@@ -41,9 +41,16 @@ class Figure:
         if self.unknown:
             return "?"
         if self.low is not None and self.high is not None and self.low < self.high:
-            interval = f"{self.low:.3g}..{self.high:.3g}"
-            return interval if self.value is None else f"{self.value:.3g} ({interval})"
+            low, high = _plain(self.low), _plain(self.high)
+            interval = low if low == high else f"{low}..{high}"
+            return interval if self.value is None or low == high else f"{_plain(self.value)} ({interval})"
         return f"{self.low if self.value is None else self.value:.4g}"
+
+
+def _plain(number: float) -> str:
+    """Return three digits, and whole thousands without an exponent."""
+    text = f"{number:.3g}"
+    return f"{float(text):.0f}" if "e+" in text else text
 
 
 def scaled(estimate: Estimate, factor: float, *, unit: str, missing: str, inverse: bool = False) -> Figure:

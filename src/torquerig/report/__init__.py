@@ -19,6 +19,7 @@ error_figure     reading error of each drive and filter      shares_figure    lo
 rating_figure    technical against economic rating           notch_figure     before and after band-stops, lines marked
 modes_figure     Campbell diagram and Bode curves          campbell_figure  order lines against modes
 bode_figure      transfers to the sensor, loop gain
+redone_page      a published decision made again: page, Markdown    redone_chapters  its chapters
 sizing_text      a sizing as rows for the terminal           speed_torque_figure  regions, cycle and ratios of a sizing
 duty_figure      a duty cycle: torque, speed, temperatures
 seed_page        the seed report's tables and figures beside the simulated rig    seed_figures   its pictures

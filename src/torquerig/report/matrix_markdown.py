@@ -11,30 +11,31 @@ from torquerig.report.matrix_chapters import chapters
 
 def matrix_markdown(worked: WorkedOut) -> str:
     """Return the whole decision as Markdown, without pictures; the same case gives the same text."""
-    parts = [f"# {_escaped(worked.case.matrix.name)}", f"**{_escaped(worked.verdict.sentence())}**"]
+    parts = [f"# {escaped(worked.case.matrix.name)}", f"**{escaped(worked.verdict.sentence())}**"]
     for chapter in chapters(worked):
         parts.append(f"## {chapter.title}")
-        parts += ["\n".join(f"- {_escaped(line)}" for line in chapter.lines)] if chapter.lines else []
-        parts += [_table(table) for table in chapter.tables]
+        parts += ["\n".join(f"- {escaped(line)}" for line in chapter.lines)] if chapter.lines else []
+        parts += [table_text(table) for table in chapter.tables]
     return "\n\n".join(parts) + "\n"
 
 
-def _table(table: Table) -> str:
+def table_text(table: Table) -> str:
+    """Return a table with its caption above and its note below."""
     right = ["number" in cell.word for cell in table.rows[0]] if table.rows else [False] * len(table.head)
     lines = [
-        f"*{_escaped(table.caption)}*",
+        f"*{escaped(table.caption)}*",
         "",
-        _row([_escaped(text) for text in table.head]),
+        _row([escaped(text) for text in table.head]),
         _row(["---:" if one else "---" for one in right]),
-        *(_row([_escaped(cell.text) for cell in row]) for row in table.rows),
+        *(_row([escaped(cell.text) for cell in row]) for row in table.rows),
     ]
-    return "\n".join([*lines, "", _escaped(table.note)] if table.note else lines)
+    return "\n".join([*lines, "", escaped(table.note)] if table.note else lines)
 
 
 def _row(texts: list[str]) -> str:
     return f"| {' | '.join(texts)} |"
 
 
-def _escaped(text: str) -> str:
+def escaped(text: str) -> str:
     """Return text in which nothing is taken for markup."""
     return re.sub(r"([\\`*_{}\[\]<>|#])", r"\\\1", text.replace("\n", " "))

@@ -8,4 +8,5 @@ criteria    demands and criteria of the study     scoring     figures -> three m
 seed        the seed report's tables and figures beside the simulated rig
 verdict     which one, and how sure               what_if     what an edit changes
 sized_candidates  a drive sized over the duty cycle  ratio_sweep  its motor on every gearbox of the catalog
+redone/     a published decision made again, cell by cell beside the published tables
 """

@@ -70,7 +70,7 @@ def decide(runs: StudyRuns) -> Decided:
         alternatives=tuple(drive.candidate.name for drive in runs.drives),
         criteria=demands_of(runs.study),
         cells={
-            (drive.candidate.name, name): _cell(_figure(drive, None, row.metric))
+            (drive.candidate.name, name): cell_of(figure_of(drive, None, row.metric))
             for drive in runs.drives
             for name, row in settings.demands.items()
         },
@@ -89,7 +89,7 @@ def decide(runs: StudyRuns) -> Decided:
         alternatives=tuple(alternatives),
         criteria=criteria_of(runs.study),
         cells={
-            (made.name, name): _cell(_figure(made.drive, made.chain, row.metric))
+            (made.name, name): cell_of(figure_of(made.drive, made.chain, row.metric))
             for made in alternatives.values()
             for name, row in settings.criteria.items()
         },
@@ -123,7 +123,8 @@ def _present(runs: StudyRuns) -> DriveResult:
     return next((drive for drive in same if drive.candidate.gearbox == present.gearbox), same[0])
 
 
-def _figure(drive: DriveResult, chain: str | None, metric: str) -> Figure:
+def figure_of(drive: DriveResult, chain: str | None, metric: str) -> Figure:
+    """Return a metric of a drive with a chain; what needs a chain is unknown without one."""
     if metric == "truth_error":
         return Figure(unit="N*m") if chain is None else drive.chains[chain].truth_error
     if metric == "left_disturbance":
@@ -133,7 +134,8 @@ def _figure(drive: DriveResult, chain: str | None, metric: str) -> Figure:
     return drive.margins.get(metric) or Figure(missing=f"{metric.replace('_', ' ')} of {drive.candidate.name}")
 
 
-def _cell(figure: Figure) -> Cell:
+def cell_of(figure: Figure) -> Cell:
+    """Return the cell of a figure: its value, or the interval it lies in, or ``?`` with what is missing."""
     if figure.unknown:
         return Cell(unknown_reason=figure.missing, source=figure.source)
     interval = figure.low is not None and figure.high is not None and figure.low < figure.high

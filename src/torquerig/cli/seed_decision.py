@@ -1,0 +1,79 @@
+"""``torquerig seed-decision``: a published decision made again, cell by cell beside the published tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from torquerig.cli.inputs import catalog_beside, catalog_option
+from torquerig.document import read_document
+from torquerig.errors import InputError
+
+if TYPE_CHECKING:
+    from torquerig.study.redone.decision import RedoneDecision
+
+ENDINGS = (".html", ".md")
+
+
+@click.command("seed-decision")
+@click.argument("plan", type=click.Path(path_type=Path), required=False)
+@click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
+              help="Write the page as .html or .md, by the ending; may be given several times.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite what --out names.")
+@click.option(
+    "--draws", type=click.IntRange(0), default=None, help="Further copies of each drive; default: the plan's."
+)
+@click.option("--workers", type=click.IntRange(1), default=None, help="Runs at a time; default: one per core.")
+@catalog_option
+def command(
+    *, plan: Path | None, outs: Sequence[Path], force: bool, draws: int | None, workers: int | None,
+    catalogs: tuple[Path, ...],
+) -> None:  # fmt: skip
+    """Compute the published tables of PLAN from catalog and simulation, and say which motor to buy or keep.
+
+    PLAN says how each published criterion is computed; default: the shipped scenarios/seed_decision.yaml.
+    """
+    from torquerig.catalog.shipped import shipped_scenarios
+    from torquerig.cli.progress import drive_progress
+    from torquerig.study.redone.decision import redone
+    from torquerig.study.redone.plan import read_plan
+
+    for path in outs:
+        _check_target(path, force=force)
+    path = plan or shipped_scenarios() / "seed_decision.yaml"
+    made = read_plan(read_document(path), catalog_beside(path, catalogs), draws=draws)
+    with drive_progress("study") as progress:
+        decision = redone(made, progress=progress, workers=workers)
+    _tell(decision)
+    for target in outs:
+        from torquerig.report.redone_page import write_decision
+
+        write_decision(decision, target)
+        click.echo(f"wrote {target}", err=True)
+
+
+def _tell(decision: RedoneDecision) -> None:
+    from torquerig.plain_table import grid, wrapped
+    from torquerig.study.redone.reasons import Cause
+
+    rows = [["table", "cells", *(str(cause) for cause in Cause)]]
+    for one in decision.tables:
+        counts = [sum(cell.reason.cause is cause for cell in one.cells) for cause in Cause]
+        rows.append([one.table.sheet.name, str(len(one.cells)), *map(str, counts)])
+    click.echo(grid(rows) + "\n")
+    for sentence in decision.answer.sentences():
+        click.echo(wrapped(sentence))
+    for fact in decision.answer.asked:
+        click.echo(wrapped(f"ask first for {fact}"))
+
+
+def _check_target(path: Path, *, force: bool) -> None:
+    if path.suffix.lower() not in ENDINGS:
+        raise InputError(f"{path}: the decision is written as {' or '.join(ENDINGS)}; choose one of these endings")
+    if path.exists() and not force:
+        raise InputError(f"{path}: is there already; choose another name, or overwrite it with --force")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
