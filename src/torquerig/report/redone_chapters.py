@@ -185,4 +185,5 @@ def _datum(one: TableBeside) -> tuple[str, ...]:
 
 
 def _finding(finding: Finding) -> str:
-    return f"{finding.lint.replace('_', ' ')}: {finding.what} Why: {finding.why} Remedy: {finding.remedy}"
+    what, why, remedy = (text.rstrip(".") for text in (finding.what, finding.why, finding.remedy))
+    return f"{finding.lint}: {what}. Why: {why}. Remedy: {remedy}."

@@ -79,12 +79,19 @@ def all_rows(sized: Mapping[Candidate, Sizing | str]) -> list[list[str]]:
     return rows
 
 
-def disturbance_rows(before: float, left: Mapping[str, float]) -> list[list[str]]:
-    """Return a header and a row per filter chain: what is left of the disturbance behind it."""
-    rows = [["filter", "disturbance left N*m", "share left %"]]
+def disturbance_rows(before: Sequence[float], left: Mapping[str, Sequence[float]]) -> list[list[str]]:
+    """Return a header and a row per filter chain: what is left of the disturbance behind it, over the copies."""
+    rows = [["filter", "disturbance left N*m", "share left %"], ["(before)", spread_text(before), "100"]]
     for name, after in left.items():
-        rows.append([name, f"{after:.4f}", f"{100 * after / before:.1f}" if before > 0 else "-"])
+        shares = [100 * one / whole for one, whole in zip(after, before, strict=True) if whole > 0]
+        rows.append([name, spread_text(after), spread_text(shares, digits=1) if shares else "-"])
     return rows
+
+
+def spread_text(values: Sequence[float], *, digits: int = 4) -> str:
+    """Return the first copy's value, with the lowest and highest of all copies behind it."""
+    first, low, high = (f"{one:.{digits}f}" for one in (values[0], min(values), max(values)))
+    return first if low == high else f"{first} ({low}..{high})"
 
 
 def told_all(sized: Mapping[Candidate, Sizing | str]) -> str:
