@@ -18,7 +18,6 @@ from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
 from torquerig.study.sized_candidates import with_cycle
 from torquerig.study.study import Study, open_study
 
-
 COPIES = 3  # of the drive, drawn from what the catalog leaves open, whose disturbance is simulated
 
 
