@@ -104,7 +104,7 @@ def _opened(
     """Return the case with the nominal model calibrated, and the held-out features."""
     fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
     known = sorted({order(line.order) for run in fitted for line in Twin(nominal.at(run.run)).lines()})
-    left = lines_left(fitted, known, ratio=kinematics_of(nominal).ratio)
+    left = lines_left(fitted, known, rig=nominal)
     places = [*known, *(peak.place for peak in left)]
     seen = tuple(features(run, places) for run in fitted)
     held = tuple(features(run, places, held=True) for run in runs)

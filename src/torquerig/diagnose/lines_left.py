@@ -6,30 +6,33 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.order_or_fixed import rather_fixed
+from torquerig.diagnose.order_or_fixed import may_be_fixed, rather_fixed
 from torquerig.diagnose.peaks import Peak, peaks
 from torquerig.diagnose.places import Place, order
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
 
 _PASSES = 3
 _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
-
-
+_ASKED = 5  # of the clearest: whether they may keep their frequency
 _WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
 
 
-def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, ratio: float) -> tuple[Peak, ...]:
+def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) -> tuple[Peak, ...]:
     """Return the peaks beside ``known``, clearest first, each found with the stronger ones taken out.
 
-    Orders that are whole on the output shaft (``ratio`` motor turns per turn) are stated as such.
+    Orders that are whole on the output shaft of ``rig`` are stated as such.
     """
-    found: list[Peak] = []
+    ratio, found = kinematics_of(rig).ratio, list[Peak]()
     for _ in range(_PASSES):
         new = peaks(runs, [*known, *(peak.place for peak in found)])
         if not new:
             break
         strong = [peak for peak in new if peak.excess >= _STRONG * new[0].excess]
         found += [replace(peak, place=_whole(peak, runs, ratio)) for peak in strong]
-    return tuple(sorted(found, key=lambda peak: -peak.excess))
+    found.sort(key=lambda peak: -peak.excess)
+    asked = [replace(peak, either=may_be_fixed(runs, peak, rig)) for peak in found[:_ASKED]]
+    return (*asked, *found[_ASKED:])
 
 
 def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:

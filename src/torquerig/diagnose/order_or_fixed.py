@@ -12,17 +12,21 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
 from torquerig.diagnose.places import Place, frequency
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.signals.speed_from_torque import motor_angle_from_torque
 
 DECIDED = 20.0  # twice the log-likelihood; chance over two fits of a frequency reaches 9 in one of a hundred
 ONE_SPEED = 0.03  # speeds nearer than this are one, relative
 _REACH = 3  # bins either way in which a line may be found
+_OWN = 0.02  # lines nearer than this share of an order would be taken for it
 _FLOOR = 40  # bins either way that make the local floor
 
 
 def doubtful_lines(case: Case) -> Iterator[Peak]:
     """Yield the left lines of an order that may as well be fixed ones, each at its frequency."""
     for peak in case.left:
-        if peak.place.domain == "order" and may_be_fixed(case.runs, peak):
+        if peak.either:
             speed = next(run.mean_speed for run in case.runs if run.name == peak.runs[0])
             yield replace(peak, place=frequency(peak.place.frequency(speed)))
 
@@ -33,18 +37,27 @@ def fixed_lines(case: Case) -> list[Peak]:
     return sorted([*fixed, *doubtful_lines(case)], key=lambda peak: -peak.excess)
 
 
-def may_be_fixed(runs: Sequence[Observed], peak: Peak) -> bool:
-    """Whether steady runs know the line at one speed alone, whose wander does not show that it turns with the shaft."""
+def may_be_fixed(runs: Sequence[Observed], peak: Peak, rig: Rig) -> bool:
+    """Whether steady runs know a line of an order at one speed alone, whose wander does not show that it turns."""
     steady = [run for run in runs if run.steady]
-    if peak.speeds > 1 or len(speeds_of(steady)) > 1 or not peak.runs:
+    if peak.place.domain == "frequency" or peak.speeds > 1 or len(speeds_of(steady)) > 1:
         return False
-    return evidence([run for run in steady if run.name in peak.runs], peak.place) < DECIDED
+    shown = [_followed_without(run, peak.place, rig) for run in steady if run.name in peak.runs]
+    return evidence(shown, peak.place) < DECIDED
 
 
 def rather_fixed(runs: Sequence[Observed], place: Place) -> bool:
     """Whether wander shows that a line at ``place`` (an order) keeps its frequency; only a measured angle can."""
     measured = [run for run in runs if run.steady and run.angle_measured]
     return bool(measured) and evidence(measured, place) < -DECIDED
+
+
+def _followed_without(run: Observed, place: Place, rig: Rig) -> Observed:
+    """Return the run with an angle that owes nothing to the line at ``place``, which would else follow itself."""
+    if run.angle_measured:
+        return run
+    lines = [line for line in kinematics_of(rig).lines() if abs(line.motor_order - place.at) > _OWN * place.at]
+    return replace(run, angle=motor_angle_from_torque(run.recording, lines).values)
 
 
 def speeds_of(runs: Sequence[Observed]) -> list[float]:
@@ -82,6 +95,7 @@ def _powers(run: Observed, place: Place) -> tuple[float, float]:
 def _peak(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
     window = np.hanning(torque.size)
     taken = np.fft.fft(torque * window * np.exp(-1j * phase))
-    around: NDArray[np.float64] = np.abs(np.concatenate([taken[-_FLOOR:], taken[: _FLOOR + 1]])) ** 2
-    floor = float(np.median(around)) / np.log(2)
-    return float(around[_FLOOR - _REACH : _FLOOR + _REACH + 1].max()) / max(floor, 1e-30)
+    around = np.concatenate([taken[-_FLOOR:], taken[: _FLOOR + 1]])
+    power = around.real**2 + around.imag**2
+    floor = float(np.median(power)) / float(np.log(2))
+    return float(power[_FLOOR - _REACH : _FLOOR + _REACH + 1].max()) / max(floor, 1e-30)

@@ -37,12 +37,15 @@ class Peak:
         Names of the recordings that show it.
     speeds : int
         In how many different speeds it stands.
+    either : bool
+        Whether these runs leave open if it stands at an order or at a fixed frequency.
     """
 
     place: Place
     excess: float
     runs: tuple[str, ...]
     speeds: int
+    either: bool = False
 
 
 @dataclass(frozen=True)
