@@ -43,6 +43,8 @@ class Outcome:
         The rig that a scenario file is written of: fitted, findings and faults of the samples included.
     held : tuple of Features
         Of the stretches that no fit has seen.
+    left : tuple of Mismatch
+        Where the completed model is still significantly wrong.
     """
 
     diagnosis: Diagnosis
@@ -50,6 +52,7 @@ class Outcome:
     after: Case
     completed: Rig
     held: tuple[Features, ...]
+    left: tuple[Mismatch, ...]
 
 
 def diagnose(
@@ -88,7 +91,7 @@ def diagnose(
         set_aside=reasons(before, found_by_search, found),
         next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,
     )
-    return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=held)
+    return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=held, left=left)
 
 
 def _runs(recordings: Sequence[Recording], rig: Rig) -> tuple[Observed, ...]:
