@@ -9,10 +9,11 @@ import pytest
 
 from torquerig.diagnose.transfer import GRID, at, on_grid
 from torquerig.diagnose.twin import Twin
-from torquerig.mechanisms import TorsionalMode
-from torquerig.rig.parts import Body
+from torquerig.mechanisms import ToothMesh, TorsionalMode
+from torquerig.rig.parts import Body, Gear
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
+from torquerig.signals.teeth import Planetary
 from torquerig.simulate.twin.twin import twin_of
 
 PROBED = np.geomspace(0.5, 2000.0, 60)
@@ -75,3 +76,16 @@ def test_a_torque_pair_is_the_difference_of_its_ends(wear_rig: Scenario) -> None
     twin = Twin(wear_rig.rig)
     pair = twin.torque_on("motor", "coupling")(PROBED)
     assert pair == pytest.approx(twin.torque_on("motor")(PROBED) - twin.torque_on("coupling")(PROBED), abs=1e-9)
+
+
+def test_a_varying_mesh_stiffness_is_the_line_that_its_load_makes(wear_rig: Scenario) -> None:
+    """To first order the error s T/k; the torque T once from the steady run, once from the state equations' point."""
+    gearbox = wear_rig.rig.part("gearbox")
+    assert isinstance(gearbox, Gear)
+    rig = wear_rig.rig.changed(replace(gearbox, teeth=(Planetary(21, 84, 3),)))
+    rig += ToothMesh(name="mesh", module=1e-3, stiffness_variation=(0.05,))
+    (found,) = (line for line in Twin(rig).lines() if line.owner == "gearbox")
+    (expected,) = (line for line in twin_of(rig).order_lines() if line.cause == "mesh")
+    assert found.order == pytest.approx(expected.order, rel=1e-12)
+    assert found.amplitude == pytest.approx(expected.amplitude, rel=0.02)
+    assert found.amplitude > 0

@@ -191,8 +191,16 @@ ROWS: tuple[Row, ...] = (
         orders=(0.2, 0.4),
     ),
     Row(
-        effect=ToothMesh(name="it", module=1e-3, tooth_error=(5e-6, 2e-6), position_modulation=(0.0, 0.0, 0.2)),
-        nothing=ToothMesh(name="it", module=1e-3, tooth_error=(0.0,), position_modulation=(0.1,)),
+        effect=ToothMesh(
+            name="it",
+            module=1e-3,
+            tooth_error=(5e-6, 2e-6),
+            stiffness_variation=(0.1,),
+            position_modulation=(0.0, 0.0, 0.2),
+        ),
+        nothing=ToothMesh(
+            name="it", module=1e-3, tooth_error=(0.0,), stiffness_variation=(0.0,), position_modulation=(0.1,)
+        ),
         orders=(16.2, 16.8, 17.4, 33.6),
     ),
     Row(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.errors import InputError
 from torquerig.mechanisms import GearMesh, StribeckFriction, ToothMesh
 from torquerig.rig.part import Part
-from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController, TorqueSensor
+from torquerig.rig.parts import Body, Coupling, Gear, ImposedMotion, Motor, SpeedController, TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 from torquerig.signals.run import Run
@@ -19,6 +19,7 @@ from torquerig.signals.teeth import Planetary, Spur
 from torquerig.simulate.linear import spring_response
 from torquerig.simulate.lower import lower
 from torquerig.simulate.simulate import simulate
+from torquerig.simulate.twin.twin import twin_of
 
 IN_PHASE, SEQUENTIAL = Planetary(21, 84, 3), Planetary(22, 62, 3)
 LEVER = 0.5 * 1e-3 * cos(pi / 9)  # module 1 mm, per tooth
@@ -135,29 +136,89 @@ def test_a_mesh_harmonic_above_12_5_khz_comes_back_below_it_and_moves_backwards(
     assert largest(made) == pytest.approx(25_000 - harmonic * 84 * output, abs=2.0)
 
 
+def lines_in(values: NDArray[np.float64], angle: NDArray[np.float64], harmonics: int) -> NDArray[np.float64]:
+    """Amplitudes of the harmonics of an angle in ``values``."""
+    waves = [np.ones(angle.size)] + [f(h * angle) for h in range(1, harmonics + 1) for f in (np.cos, np.sin)]
+    window = np.hanning(angle.size)
+    found = np.linalg.lstsq(np.column_stack(waves) * window[:, None], values * window, rcond=None)[0][1:]
+    return np.hypot(found[::2], found[1::2])
+
+
+def drag(torque: float) -> StribeckFriction:
+    return StribeckFriction(name="drag", coulomb=torque, static=torque, stribeck_speed=1.0)
+
+
+def turned(gear: Gear, *effects: Part, speed: float) -> Rig:
+    """The gear between a motor that turns as it should, whatever that takes, and 2e-3 kg m^2."""
+    motor = Motor(name="motor", inertia=1e-4, torque_limit=1.0)
+    body = Body(name="wear_part", after="gearbox", inertia=2e-3)
+    return Rig((motor, gear, body, ImposedMotion(name="turn"), *effects), Run(speed=speed), measured="gearbox")
+
+
 @pytest.mark.parametrize("load", [1.0, 3.0])
 def test_mesh_stiffness_makes_a_ripple_in_proportion_to_the_load(load: float) -> None:
-    """k (1 + s cos(z theta)) under a mean torque T: to first order a torque pair s T (1 + i w c/k) on both sides."""
+    """k (1 + s cos(z theta)) under a mean torque T: to first order a torque pair s T, and -k' twist^2/2 on the output.
+
+    Beside the linear twin: its transfers from a torque at the gear's two sides to the sensor, its line by name.
+    """
     mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(0.04,))
-    drag = StribeckFriction(name="drag", coulomb=load, static=load, stribeck_speed=1.0)
-    loop = SpeedController(name="controller", kp=0.02, ki=0.2)
-    rig = geared(IN_PHASE, mesh, drag).changed(loop)
+    rig = geared(IN_PHASE, mesh, drag(load)).changed(SpeedController(name="controller", kp=0.02, ki=0.2))
     made = simulate(rig, duration=0.5, seed=1)
-    angle = 16.8 * made.channels["true_motor_angle_rad"].values
-    window = np.hanning(angle.size)
-    columns = np.column_stack([np.ones(angle.size), np.cos(angle), np.sin(angle)]) * window[:, None]
-    line = np.hypot(*np.linalg.lstsq(columns, made.torque() * window, rcond=None)[0][1:])
     frequency = 16.8 * made.channels["true_motor_speed_rad_s"].values.mean() / (2 * pi)
     response = spring_response(lower(rig, 1), "sensor", np.array([frequency]), speed_loop=True)
-    pull = 0.04 * load * (1 + 2j * pi * frequency * 2.0 / 11300)
-    assert line == pytest.approx(abs(pull * (response["gearbox"][0] - response["motor"][0] / 5)), rel=0.01)
+    out, motor = response["gearbox"][0], response["motor"][0]
+    expected = 0.04 * load * abs(out - motor / 5 - 0.5j * 84 * load / 11300 * out)
+    found = lines_in(made.torque(), 16.8 * made.channels["true_motor_angle_rad"].values, 1)
+    assert found[0] == pytest.approx(expected, rel=0.01)
+    (line,) = twin_of(rig).order_lines()
+    assert (line.cause, line.order, line.enters) == ("mesh", pytest.approx(16.8), "error of gearbox")
+    assert line.amplitude == pytest.approx(0.04 * load / 11300, rel=1e-6)
+
+
+def test_a_slow_mesh_twists_as_one_over_its_stiffness() -> None:
+    """T/K 1/(1 + s cos x) = T/K / sqrt(1 - s^2) (1 + 2 sum (-r)^h cos h x), r = (1 - sqrt(1 - s^2))/s: not s T/K alone.
+
+    One harmonic of stiffness has a row of lines; to first order there would be one.
+    """
+    load, share = 0.3, 0.5
+    mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(share,))
+    gear = Gear(name="gearbox", after="motor", teeth=(IN_PHASE,), stiffness=11300, damping=0.5)
+    speed = 20 * pi / 30
+    rig = turned(gear, mesh, drag(load), speed=speed)
+    made = simulate(rig, duration=2.0, seed=1, settling=0.5, sample_rate=10_000)
+    rate = speed / 5 - made.channels["true_output_speed_rad_s"].values
+    found = lines_in(rate, 16.8 * made.channels["true_motor_angle_rad"].values, 4)
+    root, harmonic = np.sqrt(1 - share**2), np.arange(1, 5)
+    twists = load / 11300 / root * 2 * ((1 - root) / share) ** harmonic
+    # inertia lifts the fourth by (4 z w / w0)^2 = 0.4 %
+    assert found == pytest.approx(harmonic * 84 * speed / 5 * twists, rel=0.01)
+
+
+@pytest.mark.parametrize(("off", "variation"), [(1.0, 0.3), (1.0, 0.06), (1.3, 0.3)], ids=["in", "small", "beside"])
+def test_a_mesh_at_twice_a_mode_drives_itself(off: float, variation: float) -> None:
+    """J x'' + c x' + k (1 + s cos 2 w t) x: grows by s w/4 - c/2J where s > 2 c/(J w), and not beside the resonance.
+
+    Nayfeh & Mook 1979, Nonlinear Oscillations, 5.3; its tongue is 2 w (1 +- s/4).
+    """
+    damping, mode = 0.4, np.sqrt(11300 / 2e-3)
+    gear = Gear(name="gearbox", after="motor", teeth=(IN_PHASE,), stiffness=11300, damping=damping)
+    mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(variation,))
+    speed = off * 5 * 2 * mode / 84
+    made = simulate(turned(gear, mesh, drag(1e-3), speed=speed), duration=0.1, seed=1, settling=0.0, substeps=4)
+    time, swing = made.time(), np.abs(made.torque() - 1e-3)
+    early, late = (swing[(time > t) & (time < t + 0.02)].max() for t in (0.04, 0.08))
+    expected = variation * mode / 4 - damping / (2 * 2e-3)
+    if off == 1.0 and expected > 0:
+        assert np.log(late / early) / 0.04 == pytest.approx(expected, rel=0.03)
+    else:
+        assert late < 1.5 * variation * 1e-3  # what the load alone makes of it, s T
 
 
 def test_planets_cancel_the_stiffness_variation_as_they_cancel_the_error() -> None:
-    drag = StribeckFriction(name="drag", coulomb=1.0, static=1.0, stribeck_speed=1.0)
     mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(0.04, 0.02, 0.01))
-    waves = mesh.kinematic_error("gearbox", geared(SEQUENTIAL, mesh, drag))
-    assert {wave.order: wave.amplitude for wave in waves} == pytest.approx({186: 0.01 * 1.0 / 11300})
+    rig = geared(SEQUENTIAL, mesh)
+    assert {wave.order: wave.amplitude for wave in mesh.stiffness_waves("gearbox", rig)} == pytest.approx({186: 0.01})
+    assert mesh.stiffness_waves("sensor", rig) == ()
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.transfer import GRID, Response, at, on_grid
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
+from torquerig.rig.steady import steady_torque_in
 from torquerig.rig.terms import GROUND, BladeTorque, Drive, HarmonicTorque, Load, Spring, Term
 
 Floats = NDArray[np.float64]
@@ -84,10 +85,10 @@ class Twin:
                 passed = self.torque_on(term.on, term.against)
                 for wave in term.waves:
                     yield LineSource(term.name, wave.order * turns[term.angle], wave.amplitude, passed)
-            elif isinstance(term, Spring) and term.error:
+            elif isinstance(term, Spring) and (term.error or term.stiffness_waves):
                 passed = self.error_in(term.name)
-                for wave in term.error:
-                    yield LineSource(term.name, wave.order * turns[term.b], wave.amplitude, passed)
+                for order, error in self._errors(term):
+                    yield LineSource(term.name, order * turns[term.b], error, passed)
             elif isinstance(term, Drive):
                 passed = self.torque_on(term.on)
                 for wave in term.ripple:
@@ -97,6 +98,15 @@ class Twin:
                 for harmonic, share in enumerate(_BLADE_SERIES, start=1):
                     order = harmonic * term.order * turns[term.on]
                     yield LineSource(term.name, order, share * term.amplitude, passed)
+
+    def _errors(self, spring: Spring) -> Iterator[tuple[float, float]]:
+        """Yield (order, error [rad]); a varying stiffness as the error that, to first order, has its torque."""
+        for wave in spring.error:
+            yield wave.order, wave.amplitude
+        if spring.stiffness_waves:
+            torque = steady_torque_in(self.rig, spring.name, motor=self.drives[0].on)
+            for wave in spring.stiffness_waves:
+                yield wave.order, wave.amplitude * abs(torque) / spring.stiffness
 
     @cached_property
     def turns(self) -> dict[str, float]:

@@ -10,10 +10,8 @@ from typing import Annotated, Literal, NamedTuple
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
-from torquerig.rig.parts import SpeedController
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.rig import Rig
-from torquerig.rig.steady import steady_torque_in
 from torquerig.rig.terms import Term, Wave
 from torquerig.signals.teeth import Planetary, Spur
 
@@ -43,13 +41,14 @@ class ToothMesh(Part):
     the ring (runout 1, ovality 2). An eccentric wheel (fixed axis) adds its own turn, e/r, and side lines at its turns
     on both sides of h z, h e/module of the line (phase modulation, small index).
 
-    ``stiffness_variation`` is the mesh stiffness over a tooth pitch, k (1 + sum_h s_h cos(h z theta)), with what the
-    planets leave of it: to first order the error s_h T/k of the mean torque T at the set-point, a ripple in proportion
-    to the load. ``tooth_error`` is a measured or toleranced deviation.
+    ``stiffness_variation`` is the gear's stiffness over a tooth pitch, k (1 + sum_h s_h cos(h z theta)), with what the
+    planets leave of it. Ripple in proportion to the load follows (to first order s_h T of the torque T), its
+    harmonics, and growth without any error where the mesh frequency is twice a mode's (parametric resonance); the
+    damping stays. ``tooth_error`` is a measured or toleranced deviation.
 
     Source: signatures.md 4.1, 4.2; Smith, Gear Noise and Vibration; McFadden & Smith 1985, Proc. IMechE (side lines);
-    Parker 2000, J. Sound and Vibration 236(4) (phasing); Gregory, Harris & Munro 1963. Not true where teeth part, where
-    the stiffness varies so much that it drives itself (parametric resonance), nor for a sun that floats.
+    Parker 2000, J. Sound and Vibration 236(4) (phasing); Gregory, Harris & Munro 1963; Nayfeh & Mook 1979, Nonlinear
+    Oscillations, 5.3. Not true for a sun that floats, nor where teeth part in a gear that states no backlash.
     """
 
     kind: Literal["tooth_mesh"] = "tooth_mesh"
@@ -90,8 +89,22 @@ class ToothMesh(Part):
             return ()
         teeth = self._teeth(rig)
         lever = 0.5 * self.module * cos(self.pressure_angle) * teeth.lever_teeth
-        errors = [Wave(order=line.order, amplitude=line.size / lever, phase_key=line.key) for line in self.lines(teeth)]
-        return (*errors, *self._stiffness_waves(rig, teeth))
+        return tuple(
+            Wave(order=line.order, amplitude=line.size / lever, phase_key=line.key) for line in self.lines(teeth)
+        )
+
+    def stiffness_waves(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
+        """Return what the planets leave of the varying of the mesh stiffness if ``gear`` is the one it lives in."""
+        if gear != self.gear:
+            return ()
+        teeth = self._teeth(rig)
+        waves = []
+        for harmonic, share in enumerate(self.stiffness_variation, start=1):
+            order = harmonic * int(teeth.mesh_order_out)
+            left = teeth.torque_share(order, self.planet_shares) if isinstance(teeth, Planetary) else 1.0
+            if share * left > SMALLEST_SHARE:
+                waves.append(Wave(order=order, amplitude=share * left, phase_key=f"{self.name}.k{harmonic}"))
+        return tuple(waves)
 
     def lines(self, teeth: Planetary | Spur) -> tuple[MeshLine, ...]:
         """Return the lines that the planets leave, with their sizes along the line of action [m]."""
@@ -119,21 +132,6 @@ class ToothMesh(Part):
                 for way, sign in ((-1, "-"), (1, "+")):
                     key = f"{self.name}.{harmonic}.{wheel}"
                     yield MeshLine(f"mesh {harmonic} {sign} {wheel}", order + way * turns, size, key)
-
-    def _stiffness_waves(self, rig: Rig, teeth: Planetary | Spur) -> tuple[Wave, ...]:
-        """Return the error that the mean torque makes of a stiffness that varies over a tooth."""
-        drives = [part.motor for part in rig.parts_of(SpeedController)]
-        if not any(self.stiffness_variation) or not drives:
-            return ()
-        stage = gear_stage(rig, self.gear, owner=self.name)
-        twist = abs(steady_torque_in(rig.without(self.name), self.gear, motor=drives[0])) / stage.stiffness
-        waves = []
-        for harmonic, share in enumerate(self.stiffness_variation, start=1):
-            order = harmonic * int(teeth.mesh_order_out)
-            left = teeth.torque_share(order, self.planet_shares) if isinstance(teeth, Planetary) else 1.0
-            if share * left > SMALLEST_SHARE:
-                waves.append(Wave(order=order, amplitude=share * left * twist, phase_key=f"{self.name}.k{harmonic}"))
-        return tuple(waves)
 
     def _teeth(self, rig: Rig) -> Planetary | Spur:
         stage = gear_stage(rig, self.gear, owner=self.name)

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import pi
 
+import numpy as np
+
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import BladeTorque, HarmonicTorque
 from torquerig.signals.kinematics import KinematicLine
@@ -48,7 +50,8 @@ def order_lines(
     """
     motor = lowered.leader()
     turns = {node: abs(ratio) for node, ratio in rig.speed_ratios(motor).items()}
-    found = [*_torques(rig, turns), *_errors(rig, lowered, turns), *_ripple(rig, lowered, point)]
+    errors, varying = _errors(rig, lowered, turns), _varying(rig, lowered, point, turns)
+    found = [*_torques(rig, turns), *errors, *varying, *_ripple(rig, lowered, point)]
     known = {round(line.order, 9) for line in found}
     for line in kinematic:
         if round(line.motor_order, 9) not in known:
@@ -76,6 +79,18 @@ def _errors(rig: Rig, lowered: Lowered, turns: dict[str, float]) -> list[OrderLi
         for part in rig.parts
         for spring in lowered.spring_names
         for wave in part.kinematic_error(spring, rig)
+        if wave.amplitude and rig.node(spring) in turns
+    ]
+
+
+def _varying(rig: Rig, lowered: Lowered, point: OperatingPoint, turns: dict[str, float]) -> list[OrderLine]:
+    """Return the varying of stiffness as the error that makes, to first order, the same torque at the point."""
+    twists = dict(zip(lowered.spring_names, np.abs(point.spring_torques) / lowered.springs.stiffness, strict=True))
+    return [
+        OrderLine(part.name, wave.order * turns[rig.node(spring)], f"error of {spring}", wave.amplitude * float(twist))
+        for part in rig.parts
+        for spring, twist in twists.items()
+        for wave in part.stiffness_waves(spring, rig)
         if wave.amplitude and rig.node(spring) in turns
     ]
 
