@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 
 from torquerig.diagnose.calibration import calibrated
 from torquerig.diagnose.case import Candidate, Case
@@ -70,7 +71,7 @@ def diagnose(
     progress("looking at the samples")
     faults = sample_findings(recordings, nominal)
     progress("following the shaft")
-    runs = _runs(faults.recordings, nominal)
+    runs = _runs(recordings, faults.recordings, nominal)
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
     fitted = {run.name for run in before.runs}
@@ -78,7 +79,8 @@ def diagnose(
     after, findings = found_by_search.case, found_by_search.findings
     progress("predicting what no fit has seen")
     completed = _completed(after, faults)
-    fit = held_out(_with(before.nominal, ()), before.model.rig, completed, held, seed=seed)
+    fitted_nominal = reduce(_without, faults.candidates, before.model.rig)
+    fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
     left = mismatches(after)
     verdict = _verdict(found, left, faults)
@@ -94,11 +96,12 @@ def diagnose(
     return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=held, left=left)
 
 
-def _runs(recordings: Sequence[Recording], rig: Rig) -> tuple[Observed, ...]:
-    angles, factor = shaft_angles(recordings, rig)
+def _runs(recordings: Sequence[Recording], mended: Sequence[Recording], rig: Rig) -> tuple[Observed, ...]:
+    """Return the runs with the torque of the mended recordings, and their samples as they were recorded."""
+    angles, factor = shaft_angles(mended, rig)
     ratio = kinematics_of(rig).ratio
-    pairs = zip(recordings, angles, strict=True)
-    return tuple(observed(recording, angle, ratio=ratio, factor=factor) for recording, angle in pairs)
+    runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(mended, angles, strict=True)]
+    return tuple(replace(run, recording=replace(raw, run=run.run)) for run, raw in zip(runs, recordings, strict=True))
 
 
 def _opened(
