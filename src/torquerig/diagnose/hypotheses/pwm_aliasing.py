@@ -65,8 +65,13 @@ def _comb(lines: Sequence[Peak]) -> list[Peak]:
 
 
 def mechanical_range(case: Case) -> float:
-    """Return the frequency [Hz] above which the shafts pass less than a fiftieth of any torque to the reading."""
+    """Return the frequency [Hz] above which the shafts pass less than a fiftieth of any torque to the reading.
+
+    Counted are the shafts on which a motor, a load or friction acts: the sensor's own end passes on more, and nothing
+    turns it but its neighbours.
+    """
     twin = Twin(case.model.rig)
-    passed = np.max([np.abs(twin.torque_on(node)(GRID)) for node in twin.turns], axis=0)
+    acted = sorted(twin.turns.keys() & {getattr(term, "on", None) for term in twin.terms})
+    passed = np.max([np.abs(twin.torque_on(node)(GRID)) for node in acted], axis=0)
     above = np.flatnonzero(passed > _PASSED)
     return float(GRID[above[-1]]) if above.size else 0.0
