@@ -35,7 +35,8 @@ def propose(case: Case) -> Iterator[Candidate]:
 
 def _mesh(case: Case, gear: Gear | BeltStage, teeth: int) -> Candidate:
     turns = abs(gear.ratio)
-    seen = [h for h in range(1, _HARMONICS + 1) if left_line(case, h * teeth / turns)] or [1]
+    # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well
+    seen = [1, *(h for h in range(2, _HARMONICS + 1) if left_line(case, h * teeth / turns))]
     planets = next((n for n in (3, 4, 5) if any(left_line(case, (teeth + s * n) / turns) for s in (1, -1))), None)
     part = mechanisms.GearMesh(
         name="gear_mesh",
