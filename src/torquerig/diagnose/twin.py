@@ -85,28 +85,35 @@ class Twin:
                 passed = self.torque_on(term.on, term.against)
                 for wave in term.waves:
                     yield LineSource(term.name, wave.order * turns[term.angle], wave.amplitude, passed)
-            elif isinstance(term, Spring) and (term.error or term.stiffness_waves):
-                passed = self.error_in(term.name)
-                for order, error in self._errors(term):
-                    yield LineSource(term.name, order * turns[term.b], error, passed)
+            elif isinstance(term, Spring):
+                yield from self._of_spring(term)
             elif isinstance(term, Drive):
-                passed = self.torque_on(term.on)
-                for wave in term.ripple:
-                    yield LineSource(term.name, wave.order * turns[term.on], wave.amplitude, passed, by_load=True)
+                yield from self._of_drive(term)
             elif isinstance(term, BladeTorque):
                 passed = self.torque_on(term.on)
                 for harmonic, share in enumerate(_BLADE_SERIES, start=1):
                     order = harmonic * term.order * turns[term.on]
                     yield LineSource(term.name, order, share * term.amplitude, passed)
 
-    def _errors(self, spring: Spring) -> Iterator[tuple[float, float]]:
-        """Yield (order, error [rad]); a varying stiffness as the error that, to first order, has its torque."""
-        for wave in spring.error:
-            yield wave.order, wave.amplitude
+    def _of_spring(self, spring: Spring) -> Iterator[LineSource]:
+        """Yield its errors; a varying stiffness as the error that, to first order, has its torque."""
+        errors = [(wave.order, wave.amplitude) for wave in spring.error]
         if spring.stiffness_waves:
-            torque = steady_torque_in(self.rig, spring.name, motor=self.drives[0].on)
-            for wave in spring.stiffness_waves:
-                yield wave.order, wave.amplitude * abs(torque) / spring.stiffness
+            twist = abs(steady_torque_in(self.rig, spring.name, motor=self.drives[0].on)) / spring.stiffness
+            errors += [(wave.order, wave.amplitude * twist) for wave in spring.stiffness_waves]
+        if errors:
+            passed, turns = self.error_in(spring.name), self.turns[spring.b]
+            yield from (LineSource(spring.name, order * turns, error, passed) for order, error in errors)
+
+    def _of_drive(self, drive: Drive) -> Iterator[LineSource]:
+        """Yield its ripple, and what its speed loop answers to an angle error of the encoder at the set-point."""
+        passed, turns = self.torque_on(drive.on), self.turns[drive.on]
+        for wave in drive.ripple:
+            yield LineSource(drive.name, wave.order * turns, wave.amplitude, passed, by_load=True)
+        for wave in drive.sensing.error:
+            s = 1j * wave.order * (self.rig.run.speed or 0.0) * turns
+            seen = (drive.kp * s + drive.ki) * wave.amplitude / (1 + drive.sensing.filter_time * s)
+            yield LineSource(drive.name, wave.order * turns, abs(seen / (1 + drive.lag * s)), passed)
 
     @cached_property
     def turns(self) -> dict[str, float]:

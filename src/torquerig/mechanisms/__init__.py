@@ -7,7 +7,7 @@ Motor and drive
     six_step_commutation 6p out of the phases (BLDC)      field_oriented_control  what FOC leaves (PMSM)
     hall_misplacement    unequal sectors: p, 2p, 3p       back_emf_harmonics   5th and 7th against sines, 6p
     dead_time            the inverter's pauses, 6p        phase_unbalance      one phase differs, 2p
-    encoder_error        the speed loop's answer          pwm_ripple           switching, nearly nothing
+    encoder_error        read by the speed loop           pwm_ripple           switching, nearly nothing
 Shafts and gears
     gear_mesh            transmission error of a gear     tooth_mesh           the same out of its teeth
     belt_lines           belt, its teeth and pulleys      parallel_offset      shafts beside each other, 1 and 2

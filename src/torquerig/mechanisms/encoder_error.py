@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from cmath import phase
 from dataclasses import dataclass, field
 from math import pi
 from typing import Annotated, Literal
@@ -12,9 +11,9 @@ import numpy as np
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
-from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.parts import Motor
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import HarmonicTorque, Term, Wave
+from torquerig.rig.terms import Term, Wave
 
 Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, mechanical", low=0)]
 STEPS = 8192  # angles of a turn at which the torque that is left is looked at
@@ -26,14 +25,14 @@ SMALLEST_DEPTH = 1e-7
 class EncoderError(Part):
     """The reading is ``theta + e``, ``e = offset + sum_k a_k sin(k theta + phi_k)``, on the motor's shaft.
 
-    Two effects. The speed loop reads ``w + de/dt`` and answers ``-C(j k w) w k a_k cos(k theta + phi_k)``, C its PI
-    behind the current loop: grows with speed and gain, absent without a speed loop. And the current vector stands
-    wrong by p e, which leaves ``cos(p e)`` of the torque: orders 2k, k too where there is an offset, in proportion to
-    the load. k is 1 where the magnet sits off the centre, 2 where it is oval, a resolver's pole number, an
-    interpolator's lines. Phases that are not stated are 0.
+    Two effects. The speed loop sees the speed by differences of the reading, so that its answer to ``de/dt`` shakes the
+    motor at order k: in proportion to speed and gain, absent without a speed loop. And the current vector stands wrong
+    by p e, which leaves ``cos(p e)`` of the torque: orders 2k, k too where there is an offset, in proportion to the
+    load. k is 1 where the magnet sits off the centre, 2 where it is oval, a resolver's pole number, an interpolator's
+    lines. Phases that are not stated are 0. A motor_encoder on the motor counts the same error and states none itself.
 
-    Source: signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial Electronics 37). The answer is that of the
-    set-point's speed, and of a loop that samples fast against k turns.
+    Source: signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial Electronics 37). Not true for the cosine where
+    the current loop is slow against k turns.
     """
 
     kind: Literal["encoder_error"] = "encoder_error"
@@ -49,20 +48,19 @@ class EncoderError(Part):
                 raise ValueError(f"{order} is no order of an encoder's error; write 1..{HIGHEST_ORDER}")
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return what the speed loops of the motor make of the error; InputError where ``at`` is no motor."""
-        motor, node = self._motor(rig), rig.node(self.at)
-        waves = []
-        for controller in rig.parts_of(SpeedController):
-            if controller.motor != self.at:
-                continue
-            for order, angle in self.amplitudes.items():
-                s = 1j * order * (rig.run.speed or 0.0)
-                if not s or not angle:
-                    continue
-                answer = (controller.kp + controller.ki / s) / (1 + s / (2 * pi * motor.current_loop_bandwidth))
-                line = -answer * abs(s) * angle * np.exp(1j * self.phases.get(order, 0.0))
-                waves.append(Wave(order=float(order), amplitude=abs(line), phase=phase(line)))
-        return (HarmonicTorque(name=self.name, on=node, angle=node, waves=tuple(waves)),)
+        """Return none, the drive senses the error; InputError where ``at`` is no motor."""
+        self._motor(rig)
+        return ()
+
+    def encoder_error(self, shaft: str, rig: Rig) -> tuple[Wave, ...]:
+        """Return the error waves if ``shaft`` is the motor's; the constant offset moves no speed."""
+        if shaft != rig.node(self.at):
+            return ()
+        return tuple(
+            Wave(order=float(order), amplitude=angle, phase=self.phases.get(order, 0.0) - pi / 2)
+            for order, angle in self.amplitudes.items()
+            if angle
+        )
 
     def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
         """Return what the misplaced current vector leaves, relative to its mean; none where no pole pairs are known."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 from torquerig.errors import InputError
@@ -17,12 +18,14 @@ def motor_drive(
 ) -> Drive:  # fmt: skip
     """Return the drive that the controller ``name`` is to the motor ``motor``: limit and lag of the motor's own stage.
 
-    Ripple comes from the effects of the rig, the sensing of the speed from the encoder that names the controller.
+    Ripple and errors of the encoder come from the effects of the rig, the sensing of the speed from the encoder that
+    names the controller.
 
     Raises
     ------
     InputError
-        Where ``motor`` is no motor, the demand is above its limit, or two encoders feed the controller.
+        Where ``motor`` is no motor, the demand is above its limit, two encoders feed the controller, or an encoder and
+        an effect both state its angle error.
     """
     part = rig.part(motor)
     if not isinstance(part, Motor):
@@ -42,13 +45,22 @@ def motor_drive(
         ripple=tuple(wave for one in rig.parts for wave in one.drive_ripple(motor, rig)),
         torque=torque,
         demand=demand,
-        sensing=_sensing(rig, name),
+        sensing=_sensing(rig, name, motor),
     )
 
 
-def _sensing(rig: Rig, controller: str) -> Sensing:
+def _sensing(rig: Rig, controller: str, motor: str) -> Sensing:
     encoders = [part for part in rig.parts_of(MotorEncoder) if part.controller == controller]
     if len(encoders) > 1:
         names = " and ".join(part.name for part in encoders)
         raise InputError(f"{controller}: {names} both feed it; leave controller: out of one")
-    return encoders[0].sensing() if encoders else Sensing()
+    added = {part.name: part.encoder_error(rig.node(motor), rig) for part in rig.parts}
+    for part in rig.parts_of(MotorEncoder):
+        for name in [name for name, waves in added.items() if waves and part.controller in ("", controller)]:
+            if any(part.angle_error.values()):
+                raise InputError(
+                    f"{name}: {part.name} has an angle_error already, and the encoder on {motor!r} would err twice; "
+                    "leave one of the two out"
+                )
+    sensing = encoders[0].sensing() if encoders else Sensing()
+    return replace(sensing, error=(*sensing.error, *(wave for waves in added.values() for wave in waves)))

@@ -82,6 +82,10 @@ class Part:
         """Return by how much of its mean [1] this part lets the stiffness of the gear or coupling ``gear`` vary."""
         return ()
 
+    def encoder_error(self, shaft: str, rig: Rig) -> tuple[Wave, ...]:
+        """Return the angle error [rad] that this part gives to an encoder on the node ``shaft``; none for most."""
+        return ()
+
     def extra_gap(self, gear: str) -> float:
         """Return the gap [rad] that this part adds to the gear ``gear``; none for most parts."""
         return 0.0

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part, PlacedStage
 from torquerig.rig.rig import Rig
-from torquerig.rig.terms import Sensing, Wave
+from torquerig.rig.terms import Drive, ImposedMotion, Sensing, Wave
 from torquerig.signals.stages.encoder import Encoder
 
 Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, by order of the motor", low=0)]
@@ -21,7 +21,8 @@ class MotorEncoder(Part):
 
     With ``controller`` that speed controller sees the speed by it: the difference of two samples of the counted angle,
     times the rate, through a first-order filter. Limit cycles at low speed and the torque at order k (in proportion to
-    speed and gain) then come of themselves. A period counter is not in here.
+    speed and gain) then come of themselves. An encoder_error on the same motor is in the counts too. A period counter
+    is not in here.
 
     Source: the definition of an incremental encoder; signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial
     Electronics 37).
@@ -36,13 +37,22 @@ class MotorEncoder(Part):
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return the counting of the angle."""
-        error = tuple((wave.order, wave.amplitude, wave.phase or 0.0) for wave in self._error())
+        waves = (*self._error(), *self._added(rig))
+        error = tuple((wave.order, wave.amplitude, wave.phase or 0.0) for wave in waves)
         stage = Encoder(counts_per_rev=self.counts_per_rev, error=error)
         return (PlacedStage(position=PlacedStage.FILE, stage=stage),)
 
     def sensing(self) -> Sensing:
         """Return how a speed loop sees its speed by this encoder."""
         return Sensing(counts=self.counts_per_rev, error=self._error(), filter_time=self.speed_filter)
+
+    def _added(self, rig: Rig) -> Iterator[Wave]:
+        """Yield the errors that effects give to an encoder on the counted shaft: the driven one, else the imposed."""
+        terms = rig.terms()
+        shafts = [term.on for term in terms if isinstance(term, Drive) and self.controller in ("", term.name)]
+        shafts += [term.on for term in terms if isinstance(term, ImposedMotion)]
+        for part in rig.parts if shafts else ():
+            yield from part.encoder_error(shafts[0], rig)
 
     def _error(self) -> tuple[Wave, ...]:
         return tuple(

@@ -51,7 +51,7 @@ def order_lines(
     motor = lowered.leader()
     turns = {node: abs(ratio) for node, ratio in rig.speed_ratios(motor).items()}
     errors, varying = _errors(rig, lowered, turns), _varying(rig, lowered, point, turns)
-    found = [*_torques(rig, turns), *errors, *varying, *_ripple(rig, lowered, point)]
+    found = [*_torques(rig, turns), *errors, *varying, *_ripple(rig, lowered, point), *_sensed(lowered, point)]
     known = {round(line.order, 9) for line in found}
     for line in kinematic:
         if round(line.motor_order, 9) not in known:
@@ -104,3 +104,16 @@ def _ripple(rig: Rig, lowered: Lowered, point: OperatingPoint) -> list[OrderLine
         for wave in part.drive_ripple(motor, rig)
         if wave.amplitude
     ]
+
+
+def _sensed(lowered: Lowered, point: OperatingPoint) -> list[OrderLine]:
+    """Return what each speed loop, at the point's speed, answers to an angle error of its encoder."""
+    found = []
+    for drive in lowered.drive_terms:
+        for wave in drive.sensing.error:
+            s = 1j * wave.order * abs(float(point.speeds[lowered.node(drive.on)]))
+            if not s or not wave.amplitude:
+                continue
+            answer = (drive.kp * s + drive.ki) * wave.amplitude / (1 + drive.sensing.filter_time * s)
+            found.append(OrderLine(f"encoder of {drive.name}", wave.order, f"demand of {drive.name}", abs(answer)))
+    return found
