@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from pathlib import Path
 
 import click
@@ -18,7 +19,12 @@ from torquerig.signals.files import read_recording
 @click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--scenario", required=True, type=click.Path(path_type=Path), help="The rig's nominal scenario.")
 @click.option("--json", "out", required=True, help="Diagnosis to write; - is standard output.")
-@click.option("--report", type=click.Path(path_type=Path), default=None, help="HTML page to write.")
+@click.option(
+    "--report",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="HTML page to write: the diagnosis with its pictures, in one file.",
+)
 @click.option("--model", type=click.Path(path_type=Path), default=None,
               help="Completed scenario to write; beside the JSON when not given.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Fixes every random number.")
@@ -36,6 +42,9 @@ def command(
     from torquerig.diagnose.diagnose import diagnose
     from torquerig.diagnose.diagnosis import as_json
 
+    for path in (report, model, None if out == "-" else Path(out)):
+        if path is not None and not path.parent.is_dir():
+            raise InputError(f"{path}: there is no folder {path.parent}; make it first")
     made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
     read = [read_recording(path) for path in recordings]
     if len({recording.name for recording in read}) < len(read):
@@ -52,7 +61,31 @@ def command(
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
     text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    if report is not None:
+        from torquerig.report.diagnosis_page import diagnosis_page
+
+        again = _command(recordings, scenario, settings=settings, seed=seed)
+        page = diagnosis_page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed)
+        report.write_text(page, encoding="utf-8")
     if out == "-":
         click.echo(text, nl=False)
     else:
         Path(out).write_text(text, encoding="utf-8")
+
+
+def _command(recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], seed: int) -> str:
+    """Return the command that makes the diagnosis again, without any folder of this machine."""
+    edits = [part for setting in settings for part in ("--set", setting)]
+    names = [_named(path) or "" for path in recordings]
+    fixed = ["--seed", str(seed)] if seed else []
+    return shlex.join(
+        ["torquerig", "diagnose", *names, "--scenario", _named(scenario) or "", *edits, *fixed, "--json",
+         "diagnosis.json", "--report", "diagnosis.html"]
+    )  # fmt: skip
+
+
+def _named(path: Path | str | None) -> str | None:
+    """Return a path as it is shown: its name alone where it is of this machine."""
+    if path is None:
+        return None
+    return Path(path).name if Path(path).is_absolute() else Path(path).as_posix()

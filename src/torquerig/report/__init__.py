@@ -26,6 +26,11 @@ seed_page        the seed report's tables and figures beside the simulated rig  
 order_figure     order spectrum, order map, Campbell diagram as measured
 judged_figure    original, filtered, both, rolling means
 info_figure      a recording at a glance: course, spectrum, levels, what is suspicious
+diagnosis_page   the page of a diagnosis                 diagnosis_tables  its tables
+diagnosis_words  verdict and places in sentences         diagnosis_pictures  its pictures with captions
+diagnosis_causes what stands at each line                diagnosis_spectrum_figure  recording and models over orders
+diagnosis_course_figure  slow torque of every run        diagnosis_window_figure  a short window with its lines
+diagnosis_residual_figure  what each model leaves        diagnosis_places_figure  shares of the misfit by place
 families         colour and name of each family of lines
 replaced_folder  a folder that is replaced whole or not at all
 """

@@ -1,0 +1,82 @@
+"""The pictures of a diagnosis with their captions, and what they show in words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig.diagnose.comparison import Compared, most_telling
+from torquerig.diagnose.diagnose import Outcome
+from torquerig.report.diagnosis_causes import causes
+from torquerig.report.diagnosis_course_figure import diagnosis_course_figure
+from torquerig.report.diagnosis_places_figure import MOST, diagnosis_places_figure
+from torquerig.report.diagnosis_residual_figure import diagnosis_residual_figure
+from torquerig.report.diagnosis_spectrum_figure import diagnosis_spectrum_figure
+from torquerig.report.diagnosis_window_figure import diagnosis_window_figure
+from torquerig.report.layout import plain
+from torquerig.report.picture import Picture, picture
+from torquerig.scenario.kinematics import kinematics_of
+
+
+def places_picture(outcome: Outcome) -> Picture | None:
+    """Return where the misfit is, or None where there is no mismatch."""
+    listed = outcome.diagnosis.mismatch
+    if not listed:
+        return None
+    which = "Each place" if len(listed) <= MOST else f"The {MOST} largest of {len(listed)} places"
+    return picture(
+        diagnosis_places_figure(listed),
+        caption=f"{which} where recordings and calibrated model differ, by its share of the misfit.",
+        told="bars of the shares of the misfit by place, largest first",
+    )
+
+
+def course_picture(runs: Sequence[Compared]) -> Picture:
+    """Return the slow torque of the runs."""
+    return picture(
+        diagnosis_course_figure(runs),
+        caption="Slow torque over time. Only the shaded stretches count here: no fit has seen them. Where a run turns "
+        "back, the models are simulated; elsewhere their level is drawn, for the load's own wander is random.",
+        told="torque over time of each run, with the level that the model expects before and after",
+    )
+
+
+def telling_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Picture, ...]:
+    """Return window, order spectrum and residuals: of the run that shows most, and of a run that turns back."""
+    shown, turning = most_telling(runs), [one for one in runs if one.held.turning is not None]
+    ratio = kinematics_of(outcome.completed).ratio
+    pictures = []
+    if shown is not None:
+        name = shown.held.observed.name
+        pictures.append(
+            picture(
+                diagnosis_window_figure(shown, ratio=ratio),
+                caption=f"A window of {name} that no fit has seen. The models' lines have the recording's phases, "
+                "which only say where the rig happened to start; their sizes are predicted.",
+                told="recording and the lines of the model before and after over a short time",
+            )
+        )
+        marked = causes(outcome, shown)
+        pictures.append(
+            picture(
+                diagnosis_spectrum_figure(shown, marked, ratio=ratio),
+                caption=f"Held-out part of {name} over the orders of the output shaft, beside simulations of the model "
+                "before and after. Grey labels: lines that the model had; red: found missing; brown: unexplained.",
+                told="amplitude over order, recording and model, lines labelled by cause",
+            )
+        )
+    if shown is not None or turning:
+        pictures.append(
+            picture(
+                diagnosis_residual_figure(shown, turning),
+                caption="What the models leave of the held-out part: the spectrum beside the lines, each line, and the "
+                "slow torque of a run that turns back. Grey is what chance leaves of a true model.",
+                told="residuals of the model before and after",
+            )
+        )
+    return tuple(pictures)
+
+
+def improvement_text(outcome: Outcome) -> str:
+    """Return the improvement on held-out data with its interval."""
+    value, low, high = (100 * each for each in outcome.diagnosis.fit.improvement)
+    return f"{plain(value)} % (95 %: {plain(low)} to {plain(high)} %)"

@@ -1,0 +1,39 @@
+"""Where recordings and model differ: each place's share of the misfit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from torquerig.diagnose.leftover import Mismatch
+from torquerig.report.diagnosis_words import chance_text, place_text
+from torquerig.report.picture import new_figure
+
+COLOURS = {
+    "order": "#1f5f9e", "frequency": "#b8860b", "time": "#7570b3", "speed": "#1b9e77", "level": "#2a7f62",
+    "distribution": "#8d6bb5",
+}  # fmt: skip
+MOST = 12
+
+
+def diagnosis_places_figure(mismatches: Sequence[Mismatch]) -> Figure:
+    """Return bars of the shares of the misfit [%], largest first, coloured by what the place is fixed to."""
+    shown = sorted(mismatches, key=lambda one: -one.share_of_misfit)[:MOST][::-1]
+    figure = new_figure(10.5, 0.7 + 0.27 * len(shown))
+    axes = figure.add_subplot()
+    shares = [100 * one.share_of_misfit for one in shown]
+    axes.barh(range(len(shown)), shares, color=[COLOURS[one.domain] for one in shown], height=0.7)
+    for row, (one, share) in enumerate(zip(shown, shares, strict=True)):
+        axes.text(share + 0.6, row, f"{share:.1f} %, p {chance_text(one.p_value)}", va="center", fontsize=7.5)
+    axes.set_yticks(range(len(shown)), [place_text(one) for one in shown])
+    axes.set_xlim(0, 1.25 * max(shares, default=1.0))
+    axes.set_xlabel("share of the misfit [%]")
+    present = dict.fromkeys(one.domain for one in reversed(shown))
+    handles = [axes.barh([0], [0], color=COLOURS[domain], label=_words(domain)) for domain in present]
+    axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
+    return figure
+
+
+def _words(domain: str) -> str:
+    return {"order": "turns with a shaft", "frequency": "in frequency", "speed": "goes with speed"}.get(domain, domain)

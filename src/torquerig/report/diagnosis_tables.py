@@ -1,0 +1,158 @@
+"""The tables of a diagnosis: parameters, rivals, places, what was set aside, fitted numbers, runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import exp, pi
+from typing import Any, get_args, get_type_hints
+
+import numpy as np
+
+from torquerig.diagnose.calibration import Calibrated
+from torquerig.diagnose.comparison import Compared
+from torquerig.diagnose.diagnose import Outcome
+from torquerig.diagnose.diagnosis import Finding
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.leftover import Mismatch
+from torquerig.parameter import Parameter
+from torquerig.report.diagnosis_words import chance_text, kind_text, mechanism_text, place_text
+from torquerig.report.layout import Cell, Table, number, plain, words
+from torquerig.units import in_unit
+
+
+def parameters_table(finding: Finding) -> Table:
+    """Return the identifying parameters with their intervals."""
+    rows = [
+        (*words(name), number(plain(each.value, 4)), number(f"{plain(each.low, 4)} to {plain(each.high, 4)}"),
+         Cell(text=each.unit))
+        for name, each in finding.parameters.items()
+    ]  # fmt: skip
+    return Table(caption="What identifies it", head=("parameter", "value", "95 % interval", "unit"), rows=tuple(rows))
+
+
+def rivals_table(finding: Finding) -> Table:
+    """Return the hypotheses that were fitted with all numbers free, and by what the misfit fell."""
+    scores = [(finding.mechanism, finding.gain), *finding.rivals]
+    rows = [
+        (*words(mechanism_text(name)), number(plain(gain, 4)),
+         number(f"{100 * gain / finding.gain:.1f} %" if finding.gain > 0 else "?"), *words(_judged(finding, name)))
+        for name, gain in scores
+    ]  # fmt: skip
+    return Table(
+        caption="It and its rivals, each fitted together with all numbers of the model",
+        head=("mechanism", "misfit falls by", "of the best", "judgement"), rows=tuple(rows), emphasised=frozenset({0}),
+        note="The misfit is a sum of squares in units of each feature's spread; each further number has been paid for. "
+        "A rival is excluded where it fits worse, on fitted and held-out features, by more than 2.33 times what chance "
+        "puts between the two.",
+    )  # fmt: skip
+
+
+def _judged(finding: Finding, name: str) -> str:
+    if name == finding.mechanism:
+        return "named"
+    return "cannot be told from it" if name in finding.equivalent_to else "fits worse than chance allows"
+
+
+def mismatch_table(mismatches: Sequence[Mismatch]) -> Table:
+    """Return the places where recordings and calibrated model differ."""
+    rows = [
+        (*words(place_text(each), kind_text(each)), number(f"{each.excess_dB:.1f}"),
+         number(f"{100 * each.share_of_misfit:.1f} %"), number(chance_text(each.p_value)),
+         Cell(text=", ".join(each.recordings)))
+        for each in mismatches
+    ]  # fmt: skip
+    return Table(
+        caption="Where recordings and model differ, largest share first",
+        head=("place", "kind", "size [dB]", "share of misfit", "p", "recordings"), rows=tuple(rows),
+        note="p is the chance that so large a difference stands anywhere among all places looked at (Bonferroni). The "
+        "size of a line is its residual over its spread, that of a band the recording over the model.",
+    )  # fmt: skip
+
+
+def aside_table(outcome: Outcome) -> Table:
+    """Return the mechanisms that were set aside without a full fit, each with its reason."""
+    rows = tuple(words(mechanism_text(name), why) for name, why in outcome.diagnosis.set_aside.items())
+    return Table(
+        caption="Mechanisms that were set aside, and why", head=("mechanism", "reason"), rows=rows,
+        note="Judged by what the calibrated nominal model leaves.",
+    )  # fmt: skip
+
+
+def held_out_table(runs: Sequence[Compared]) -> Table:
+    """Return the misfit of each run's held-out stretches."""
+    rows = [
+        (*words(one.held.observed.name), number(str(one.before.misfit.seen)), number(plain(one.before.mean_square)),
+         number(plain(one.after.mean_square)))
+        for one in runs
+    ]  # fmt: skip
+    return Table(
+        caption="Mean square of the residuals on held-out stretches, run by run, against one simulation of each model",
+        head=("recording", "features", "calibrated model", "with what was found"), rows=tuple(rows),
+        note="About 1 for a true model. The figures of the diagnosis take all runs together and two simulations each.",
+    )  # fmt: skip
+
+
+def runs_table(outcome: Outcome) -> Table:
+    """Return the recordings with their conditions and where the shaft's angle comes from."""
+    rows = []
+    for held in outcome.held:
+        run = held.observed
+        load = "?" if run.run.occupancy_percent is None else f"{run.run.occupancy_percent:g} %"
+        real = f"{run.mean_speed * 30 / pi:.1f}" if run.steady else ""
+        rows.append((*words(run.name, run.run.profile), number(plain(run.run.speed_rpm, 5)), number(real), number(load),
+                     number(f"{run.recording.duration:g}"), *words(run.origin)))  # fmt: skip
+    return Table(
+        caption="The recordings", rows=tuple(rows),
+        head=("recording", "profile", "speed held [rpm]", "mean speed [rpm]", "occupancy", "length [s]", "shaft angle"),
+    )  # fmt: skip
+
+
+def numbers_table(outcome: Outcome) -> Table:
+    """Return every number that was fitted: nominal, stated spread, fitted before and after."""
+    before, after = outcome.before.model, outcome.after.model
+    rows = [tuple(_number(knob, outcome, before, after)) for knob in before.knobs]
+    return Table(
+        caption="The model's own numbers, fitted before anything is called missing",
+        head=("number", "nominal", "stated spread", "fitted", "with what was found", "known to", "unit"),
+        rows=tuple(rows),
+        note="Known to: one sigma that the recordings leave, together with the stated spread. A number that moved by "
+        "more than two of its stated spreads is marked.",
+    )  # fmt: skip
+
+
+def _number(knob: Knob, outcome: Outcome, before: Calibrated, after: Calibrated) -> Iterator[Cell]:
+    unit = unit_of(outcome.before.nominal.part(knob.part), knob.field)
+    nominal = knob.value(outcome.before.nominal)
+    index, final = before.knobs.index(knob), after.knobs.index(knob) if knob in after.knobs else None
+    moved = abs(float(before.positions[index])) if final is None else abs(float(after.positions[final]))
+    yield Cell(text=knob.name.replace("_", " "))
+    yield number(_shown(nominal, unit))
+    yield number(_spread(knob, knob.spread, unit))
+    yield number(_shown(knob.value(before.rig), unit))
+    yield number(_shown(knob.value(after.rig), unit), style="background:#fdf0c4" if moved > 2 else "")
+    model, place = (before, index) if final is None else (after, final)
+    sigma = float(np.sqrt(max(model.covariance[place, place], 0.0)))
+    yield number(_spread(knob, knob.spread * min(sigma, 1.0), unit))
+    yield Cell(text="" if unit == "1" else unit)
+
+
+def _shown(value: float, unit: str) -> str:
+    return plain(in_unit(value, unit), 4)
+
+
+def _spread(knob: Knob, sigma: float, unit: str) -> str:
+    return f"{100 * (exp(sigma) - 1):.1f} %" if knob.factor else f"± {_shown(sigma, unit)}"
+
+
+def unit_of(part: Any, field: str) -> str:
+    """Return the unit that a part declares for a field, ``1`` where it declares none."""
+    found = next(_declared(get_type_hints(type(part), include_extras=True)[field]), None)
+    return "1" if found is None else found.unit
+
+
+def _declared(hint: Any) -> Iterator[Parameter]:
+    for each in getattr(hint, "__metadata__", ()):
+        if isinstance(each, Parameter):
+            yield each
+    for inner in get_args(hint):
+        yield from _declared(inner)
