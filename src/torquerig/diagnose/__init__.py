@@ -5,6 +5,7 @@ Looking
     sample_faults   coarse codes, flat tops, dropouts      regression   lines of a stretch by least squares
     places          an order or a frequency                features     the numbers of a run that are compared
     peaks           lines that no model asked for          lines_left   the same in passes
+    order_or_fixed  what a line of one speed may be
     impacts         beats of a ringing band
 Expecting
     transfer        shafts to reading, on a grid           twin         lines and load spectrum of a rig
@@ -14,5 +15,12 @@ Expecting
 Fitting
     knobs           what may be turned                     calibration  the nominal model with its numbers fitted
     case            where a diagnosis stands               hypotheses/  how each mechanism would explain what is left
-    search          the best hypothesis, and again         loaded_part  which part the load acts on
+    search          the hypotheses fitted, best first      loaded_part  which part the load acts on
+Deciding
+    findings        effect after effect                    equivalence  rivals that cannot be told apart
+    next_run        which run would tell                   candidate_runs  the menu of runs
+    set_aside       what was not fitted, and why           leftover     where a model is significantly wrong
+    held_out        how well no fit's data are predicted   comparison   both models beside the recordings
+    comparison_curves  its curves                          confidence   how sure a finding is
+    diagnose        all of it in order                     diagnosis    the outcome, and its JSON
 """

@@ -29,7 +29,7 @@ from torquerig.simulate.simulate import simulate
 
 CERTAIN = 10.0  # spreads: what lies further apart is told as surely by either of two runs
 ENOUGH = 3.0  # less than this no run is advised for
-_LENGTH = 5.0  # [s] of a simulated candidate
+_LENGTH = 4.0  # [s] of a simulated candidate
 _SEED = 7
 _WORKERS = 2
 
@@ -57,9 +57,12 @@ def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
     """
     if len(rivals) < 2:
         return None
-    menu = candidate_runs(case.nominal, case.runs)
+    menu, advised = candidate_runs(case.nominal, case.runs), list[Advice]()
     with ThreadPoolExecutor(_WORKERS) as pool:
-        advised = list(pool.map(lambda one: _judged(case, rivals, one), menu))
+        for few in (menu[at : at + _WORKERS] for at in range(0, len(menu), _WORKERS)):
+            advised += pool.map(lambda one: _judged(case, rivals, one), few)
+            if any(one.distance >= CERTAIN for one in advised):
+                break
     best = max(advised, key=lambda one: min(one.distance, CERTAIN), default=None)
     return best if best is not None and best.distance > ENOUGH else None
 
