@@ -11,6 +11,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, UsedRecording, Verdict
 from torquerig.diagnose.features import Features, features
 from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
+from torquerig.diagnose.free_names import with_free_names
 from torquerig.diagnose.held_out import held_out
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.knobs import nuisance_knobs
@@ -18,9 +19,9 @@ from torquerig.diagnose.leftover import Mismatch, mismatches
 from torquerig.diagnose.lines_left import lines_left
 from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.places import order
-from torquerig.diagnose.rig_under_test import check_recordings
+from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
-from torquerig.diagnose.sentences import explanation
+from torquerig.diagnose.sentences import MECHANISMS, explanation
 from torquerig.diagnose.shaft_angle import shaft_angles
 from torquerig.diagnose.twin import Twin
 from torquerig.rig.rig import Rig
@@ -66,12 +67,14 @@ def diagnose(
     InputError, RecordingError
         Where the recordings are of different rigs, contradict the scenario, or are too short to tell anything.
     """
+    scenario = with_free_names(scenario, MECHANISMS)
     nominal = scenario.rig.at(recordings[0].run)
     check_recordings(recordings, nominal)
     progress("looking at the samples")
     faults = sample_findings(recordings, nominal)
     progress("following the shaft")
     runs = _runs(recordings, faults.recordings, nominal)
+    contradicted = list(off_set_points(recordings, runs))
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
     fitted = {run.name for run in before.runs}
@@ -86,10 +89,11 @@ def diagnose(
     verdict = _verdict(found, left, faults)
     diagnosis = Diagnosis(
         verdict=verdict,
-        mismatch=mismatches(before) if found else left,
+        mismatch=(*(mismatches(before) if found else left), *(mismatch for _, mismatch in contradicted)),
         findings=tuple(found),
         fit=fit,
         recordings=tuple(_used(run) for run in runs),
+        remarks=tuple(sentence for sentence, _ in contradicted),
         set_aside=reasons(before, found_by_search, found),
         next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,
     )

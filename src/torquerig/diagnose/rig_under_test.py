@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from math import log10, pi
 
+from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.observed import Observed
 from torquerig.errors import InputError, RecordingError
 from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig
@@ -36,3 +39,20 @@ def check_recordings(recordings: Sequence[Recording], rig: Rig) -> None:
                 f"{recording.name}: its sheet states a gear ratio of {stated:g}, the scenario's rig has {ratio:g}; "
                 "correct the sheet, or diagnose with the scenario of that rig"
             )
+
+
+def off_set_points(recordings: Sequence[Recording], runs: Sequence[Observed]) -> Iterator[tuple[str, Mismatch]]:
+    """Yield a sentence and a mismatch for each steady run whose angle channel turns at another speed than its sheet."""
+    for recording, run in zip(recordings, runs, strict=True):
+        stated, real = recording.run.speed, abs(run.mean_speed)
+        if not (run.steady and run.angle_measured and stated) or abs(real / stated - 1) <= SPEED_KEPT:
+            continue
+        rpm, said = real * 30 / pi, stated * 30 / pi
+        sentence = (
+            f"{run.name}: its sheet sets {said:.0f} rpm, its {run.origin} turns at {rpm:.0f} rpm; diagnosed at the "
+            "latter, so correct the sheet, or the counts per turn"
+        )
+        yield sentence, Mismatch(
+            domain="speed", axis="rpm", at=rpm, width=abs(rpm - said), recordings=(run.name,),
+            excess_dB=20 * abs(log10(rpm / said)), share_of_misfit=0.0, p_value=0.0,
+        )  # fmt: skip

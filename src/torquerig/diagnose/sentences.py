@@ -29,6 +29,8 @@ _WHAT = {
     "cogging": "cogging of {amplitude_Nm:.3g} N m at motor order {order_motor:.0f}",
 }  # fmt: skip
 
+MECHANISMS = tuple(_WHAT)
+
 
 def explanation(
     mechanism: str, parameters: Mapping[str, Stated], *, share: float, rivals: Sequence[tuple[str, float]], gain: float

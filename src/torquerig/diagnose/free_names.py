@@ -1,0 +1,38 @@
+"""Names for effects that a scenario already has, so that a diagnosis may add another of their kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import fields, replace
+
+from torquerig.rig.part import Part
+from torquerig.scenario.reading import Scenario
+
+_KEPT = ("kind", "group")
+
+
+def with_free_names(scenario: Scenario, names: Iterable[str]) -> Scenario:
+    """Return the scenario with every part that has one of ``names`` called ``NAME_of_scenario``, wherever it is named.
+
+    A model that a diagnosis wrote names its findings by their class; given back as the nominal one, it may lack a
+    second of the class.
+    """
+    taken = {part.name for part in scenario.rig.parts}
+    new = {name: f"{name}_of_scenario" for name in names if name in taken}
+    if not new:
+        return scenario
+    rig = replace(scenario.rig, parts=tuple(_renamed(part, new) for part in scenario.rig.parts))
+    uncertain = {}
+    for key, estimate in scenario.uncertainties.items():
+        part, _, field = key.rpartition(".")
+        uncertain[f"{new.get(part, part)}.{field}"] = estimate
+    return replace(scenario, rig=rig, uncertainties=uncertain)
+
+
+def _renamed(part: Part, new: dict[str, str]) -> Part:
+    changes = {
+        field.name: new[value]
+        for field in fields(part)
+        if field.name not in _KEPT and isinstance(value := getattr(part, field.name), str) and value in new
+    }
+    return replace(part, **changes) if changes else part
