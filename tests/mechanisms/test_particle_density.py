@@ -1,5 +1,7 @@
 """The particle load's spectral density: against its own samples and against its closed-form variance."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,18 +10,23 @@ from torquerig.mechanisms.particle_load import ParticleProcess
 PROCESS = ParticleProcess(mean=1.0, rate=400.0, decay=0.004, shape=1.5, hit_rms=0.05, slow_rms=0.03, slow_cutoff=1.5)
 
 
-def test_density_integrates_to_the_variance() -> None:
+RISING = replace(PROCESS, rise=0.0015)
+
+
+@pytest.mark.parametrize("process", [PROCESS, RISING])
+def test_density_integrates_to_the_variance(process: ParticleProcess) -> None:
     frequencies = np.linspace(0.0, 20_000.0, 2_000_001)
-    variance = np.trapezoid(PROCESS.density(frequencies), frequencies)
+    variance = np.trapezoid(process.density(frequencies), frequencies)
     assert variance == pytest.approx(0.05**2 + 0.03**2, rel=5e-3)
 
 
-def test_density_is_that_of_the_samples() -> None:
+@pytest.mark.parametrize("process", [PROCESS, RISING])
+def test_density_is_that_of_the_samples(process: ParticleProcess) -> None:
     from scipy.signal import welch
 
     rate = 2000.0
-    values = PROCESS.sample(400_000, rate, np.random.default_rng(3))
+    values = process.sample(400_000, rate, np.random.default_rng(3))
     frequencies, power = welch(values, rate, nperseg=8000)
     band = (frequencies > 5.0) & (frequencies < 100.0)
-    ratio = power[band] / PROCESS.density(frequencies[band])
+    ratio = power[band] / process.density(frequencies[band])
     assert ratio.mean() == pytest.approx(1.0, abs=0.05)

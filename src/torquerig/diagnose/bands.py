@@ -35,14 +35,18 @@ class Spectrum:
     counts: NDArray[np.bool_]
 
 
-def spectrum(rest: Floats, rate: float, lines: Sequence[float]) -> Spectrum:
-    """Return the one-sided density of ``rest`` under a Hann window; bins beside ``lines`` [Hz] do not count."""
+def spectrum(rest: Floats, rate: float, lines: Sequence[float], *, smeared: float = 0.0) -> Spectrum:
+    """Return the one-sided density of ``rest`` under a Hann window; bins beside ``lines`` [Hz] do not count.
+
+    ``smeared`` is the share of its frequency over which an angle that was not measured spreads a line.
+    """
     window = np.hanning(rest.size)
     density = 2 * np.abs(np.fft.rfft(rest * window)) ** 2 / ((window**2).sum() * rate)
     counts = np.ones(density.size, dtype=bool)
     for line in lines:
         at = line * rest.size / rate
-        counts[max(int(np.ceil(at - _BESIDE_A_LINE)), 0) : int(np.floor(at + _BESIDE_A_LINE)) + 1] = False
+        beside = max(_BESIDE_A_LINE, smeared * at)
+        counts[max(int(np.ceil(at - beside)), 0) : int(np.floor(at + beside)) + 1] = False
     return Spectrum(np.asarray(density), counts)
 
 

@@ -14,7 +14,7 @@ from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
 from torquerig.diagnose.free_names import with_free_names
 from torquerig.diagnose.held_out import held_out
 from torquerig.diagnose.identifying import identifying
-from torquerig.diagnose.knobs import nuisance_knobs
+from torquerig.diagnose.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.leftover import Mismatch, mismatches
 from torquerig.diagnose.lines_left import lines_left
 from torquerig.diagnose.observed import Observed, observed
@@ -68,7 +68,7 @@ def diagnose(
         Where the recordings are of different rigs, contradict the scenario, or are too short to tell anything.
     """
     scenario = with_free_names(scenario, MECHANISMS)
-    nominal = scenario.rig.at(recordings[0].run)
+    nominal = with_free_load(scenario.rig.at(recordings[0].run))
     check_recordings(recordings, nominal)
     progress("looking at the samples")
     faults = sample_findings(recordings, nominal)

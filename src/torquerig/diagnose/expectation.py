@@ -135,7 +135,8 @@ def amplitude_variance(seen: Features, power: Floats) -> Floats:
     """Return the spread of regressed amplitudes: density over duration, at the frequencies that each line passes."""
     at = np.log(np.maximum(seen.line_frequency, seen.band[0]))
     window = HANN_NOISE if seen.observed.steady else 1.0
-    return np.asarray(window * np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None])
+    spread = window * np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None]
+    return np.asarray(spread * seen.widening)
 
 
 def _level_variance(twin: Twin, seen: Features, amplitude: Floats) -> Floats:

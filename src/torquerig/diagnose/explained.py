@@ -8,7 +8,7 @@ import numpy as np
 
 from torquerig.diagnose.misfit import Misfit, robust
 
-_CHANGED = 2.0  # a feature belongs to the effect's place when its robust square moves by more than this
+_CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
 LEAST_SHARE = 0.8
 
 
@@ -19,6 +19,6 @@ def explained_share(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
     """
     old = np.concatenate([robust(misfit.all()) ** 2 for misfit in before])
     new = np.concatenate([robust(misfit.all()) ** 2 for misfit in after])
-    place = np.abs(old - new) > _CHANGED
+    place = old - new > _CHANGED
     excess = float(np.maximum(old[place] - 1, 0).sum())
     return 1 - float(np.maximum(new[place] - 1, 0).sum()) / excess if excess > 0 else 0.0

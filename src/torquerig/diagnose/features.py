@@ -14,6 +14,7 @@ from torquerig.diagnose.bands import bands, no_bands, spectrum
 from torquerig.diagnose.observed import Observed, Stretch
 from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place
 from torquerig.diagnose.regression import regressed
+from torquerig.diagnose.smeared import gathered
 from torquerig.diagnose.turning import Turning, turning, turns_back
 
 Floats = NDArray[np.float64]
@@ -60,6 +61,8 @@ class Features:
         Independent values behind each ``power``.
     width : ndarray, shape (bands,)
         Of each band [Hz].
+    widening : float or ndarray, shape (stretches, places)
+        Factor on the variance of the amplitudes where a smeared line was gathered.
     turning : Turning or None
         Of a run that turns back, which has this and none of the others.
     """
@@ -78,6 +81,7 @@ class Features:
     count: Floats
     width: Floats
     turning: Turning | None = None
+    widening: float | Floats = 1.0
     _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
@@ -114,19 +118,20 @@ def features(observed: Observed, places: Sequence[Place], *, held: bool | None =
     if turns_back(observed):
         return _turning_features(observed, places, held=held)
     stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
-    amplitudes, levels, spectra = [], [], []
+    amplitudes, levels, spectra, widenings = [], [], [], []
     for stretch in stretches:
-        amplitude, level, rest, lines = _lines(observed, stretch, places)
+        amplitude, level, rest, lines, widening = _lines(observed, stretch, places)
+        widenings.append(widening)
         amplitudes.append(amplitude)
         levels.append(level)
         if observed.steady:
-            spectra.append(spectrum(rest, observed.rate, lines))
+            spectra.append(spectrum(rest, observed.rate, lines, smeared=observed.smearing))
     speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
     duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
     floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
     return Features(
         observed=observed, held=held, stretches=tuple(stretches), places=tuple(places), amplitude=np.array(amplitudes),
-        level=np.array(levels),
+        level=np.array(levels), widening=np.array(widenings),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
         band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
     )  # fmt: skip
@@ -161,7 +166,7 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
 
 def _lines(
     observed: Observed, stretch: Stretch, places: Sequence[Place]
-) -> tuple[NDArray[np.complex128], float, Floats, list[float]]:
+) -> tuple[NDArray[np.complex128], float, Floats, list[float], Floats]:
     part = slice(stretch.start, stretch.stop)
     time = np.arange(stretch.start, stretch.stop) / observed.rate
     shown = shown_places(observed, stretch, places)
@@ -171,4 +176,13 @@ def _lines(
     amplitude = np.full(len(places), np.nan, dtype=complex)
     amplitude[shown] = found.amplitude
     mean = float(np.abs(observed.speed[part]).mean())
-    return amplitude, found.level, found.rest, [places[index].frequency(mean) for index in shown]
+    lines = [places[index].frequency(mean) for index in shown]
+    widening = np.ones(len(places))
+    if observed.steady and observed.smearing:
+        turning = [row for row, index in enumerate(shown) if places[index].domain == "order"]
+        found_lines = gathered(
+            observed.torque[part], observed.rate, [lines[row] for row in turning], smeared=observed.smearing
+        )
+        for row, each in zip(turning, found_lines, strict=True):
+            amplitude[shown[row]], widening[shown[row]] = each.amplitude, each.widening
+    return amplitude, found.level, found.rest, lines, widening

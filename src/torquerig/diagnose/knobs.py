@@ -17,6 +17,8 @@ from torquerig.rig.rig import Rig
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
 _NOISE_COLOUR = 0.15  # no amplifier's noise is quite white
+HIT_RISE = 1e-4  # [s] no pulse rises at once; so short a rise cannot be seen, and a longer one is to be found
+_HIT_RISE_SPREAD = 1.2
 _LOAD_SPECTRUM = {"hit_rms": 0.3, "hit_decay": 0.2, "slow_rms": 0.4, "slow_cutoff": 0.3}
 
 
@@ -94,6 +96,8 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
                 Knob(ripple.name, "amplitudes", ripple.amplitude_rel_sd, key=order) for order in ripple.amplitudes
             ]
     for load in rig.parts_of(ParticleLoad):
+        if load.hit_rise > 0:
+            knobs.append(Knob(load.name, "hit_rise", _HIT_RISE_SPREAD))
         knobs += [Knob(load.name, field, spread) for field, spread in _LOAD_SPECTRUM.items()]
         stated = load.mean_by_occupancy_percent
         knobs += [
@@ -102,3 +106,11 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
             if percent in stated
         ]
     return tuple(knobs)
+
+
+def with_free_load(rig: Rig) -> Rig:
+    """Return the rig whose particle loads have a rise that can be turned, too short to matter where none is stated."""
+    for load in rig.parts_of(ParticleLoad):
+        if load.hit_rise == 0:
+            rig = rig.changed(replace(load, hit_rise=HIT_RISE))
+    return rig

@@ -85,7 +85,9 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
     judged.sort(key=lambda peak: (-peak.speeds, -round(peak.excess, 1), peak.place.domain == "frequency"))
     accepted: list[Peak] = []
     for peak in judged:
-        if len(accepted) < _MOST and not any(_same(peak, other, spectra) for other in accepted):
+        if len(accepted) >= _MOST or _skirt(peak, known, accepted, spectra):
+            continue
+        if not any(_same(peak, other, spectra) for other in accepted):
             accepted.append(peak)
     return tuple(sorted(accepted, key=lambda peak: -peak.excess))
 
@@ -149,6 +151,19 @@ def _judged(place: Place, spectra: Sequence[_Spectrum]) -> Peak:
             speeds.append(speed)
     top = max((spectrum.excess(place) for spectrum in spectra), default=0.0)
     return Peak(place, top, tuple(spectrum.observed.name for spectrum in shown), len(speeds))
+
+
+def _skirt(peak: Peak, known: Sequence[Place], accepted: Sequence[Peak], spectra: Sequence[_Spectrum]) -> bool:
+    """Whether the peak stands, in every run that shows it, where an unmeasured angle spreads a stronger line."""
+    stronger = [*known, *(other.place for other in accepted if other.excess > peak.excess)]
+    for spectrum in spectra:
+        if spectrum.observed.name not in peak.runs:
+            continue
+        speed, smearing = spectrum.observed.mean_speed, spectrum.observed.smearing
+        at = peak.place.frequency(speed)
+        if not any(abs(at - line.frequency(speed)) < smearing * at for line in stronger):
+            return False
+    return bool(peak.runs)
 
 
 def _same(peak: Peak, other: Peak, spectra: Sequence[_Spectrum]) -> bool:

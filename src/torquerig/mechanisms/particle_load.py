@@ -33,6 +33,8 @@ class ParticleLoad(Part):
     hits as d^3 (signatures.md 5.1); the reference rig's exponents are weaker and do not know the speed, because a
     blade meets many grains at once. Either way larger grains mean fewer and longer hits.
 
+    Where ``hit_rise`` is stated the pulses are ``(exp(-t/tau) - exp(-t/rise))``: grains that give way, not stones.
+
     Source: the reference rig; Campbell's theorem as in Rice 1944, Bell System Technical Journal 23, section 1.2.
     Not true for dense beds, whose drag is rate-invariant (Miller, O'Hern & Behringer 1996, PRL 77).
     """
@@ -43,6 +45,7 @@ class ParticleLoad(Part):
     mean_by_occupancy_percent: dict[float, Torque]
     hit_rate: Annotated[float, Parameter("1/s", "hits per second at 0.5 mm and factor 1", above=0)] = 60.0
     hit_decay: Annotated[float, Parameter("s", "pulse decay at 0.5 mm", above=0)] = 0.004
+    hit_rise: Annotated[float, Parameter("s", "time over which a pulse rises; 0: at once", low=0)] = 0.0
     hit_shape: Annotated[float, Parameter("1", "shape of the gamma distribution of hits", above=0)] = 1.5
     hit_rms: Annotated[float, Parameter("1", "rms of the hits as a share of the mean", low=0)] = 0.10
     slow_rms: Annotated[float, Parameter("1", "rms of the slow variation as a share of the mean", low=0)] = 0.06
@@ -71,6 +74,7 @@ class ParticleLoad(Part):
             mean=self.mean(occupancy),
             rate=self.hit_rate * size**-1.5 * (0.3 + occupancy / 10),
             decay=self.hit_decay * sqrt(size),
+            rise=self.hit_rise,
             shape=self.hit_shape,
             hit_rms=self.hit_rms,
             slow_rms=self.slow_rms,
@@ -90,21 +94,26 @@ class ParticleProcess:
     hit_rms: float
     slow_rms: float
     slow_cutoff: float
+    rise: float = 0.0
 
     def sample(self, count: int, rate: float, rng: np.random.Generator) -> NDArray[np.float64]:
         """Return ``count`` samples [N m] at ``rate`` [Hz]; the process is stationary from the first sample on."""
         from scipy.signal import lfilter
 
-        warm = int(10 * self.decay * rate) + 1
+        warm = int(10 * (self.decay + self.rise) * rate) + 1
         arrivals = rng.poisson(self.rate / rate, count + warm)
         kicks = np.zeros(count + warm)
         hit = np.flatnonzero(arrivals)
         kicks[hit] = rng.gamma(self.shape * arrivals[hit])  # a sum of n gamma variates of one scale is gamma(n shape)
-        pulses = lfilter([1.0], [1.0, -exp(-1 / (rate * self.decay))], kicks)[warm:]
+        fall = exp(-1 / (rate * self.decay))
+        rise = exp(-1 / (rate * self.rise)) if self.rise else 0.0
+        recursion = [1.0, -(fall + rise), fall * rise] if rise else [1.0, -fall]
+        pulses = lfilter([1.0], recursion, kicks)[warm:]
         mean_square = self.shape * (self.shape + 1)  # E[a^2] of a gamma variate of scale 1
-        remembered = 1 / (1 - exp(-2 / (rate * self.decay)))
-        deviation = sqrt(self.rate / rate * mean_square * remembered)
-        expected = self.rate / rate * self.shape / (1 - exp(-1 / (rate * self.decay)))
+        # sum and sum of squares of the pulse's samples, two geometric series
+        squares = (1 + fall * rise) / ((1 - fall * rise) * (1 - fall**2) * (1 - rise**2))
+        deviation = sqrt(self.rate / rate * mean_square * squares)
+        expected = self.rate / rate * self.shape / ((1 - fall) * (1 - rise))
         hits = (pulses - expected) / deviation * self.hit_rms
         slow = self.slow_rms * low_passed_noise(count, rate, self.slow_cutoff, rng)
         return np.asarray(np.maximum(0.0, self.mean * (1 + hits + slow)))
@@ -112,10 +121,12 @@ class ParticleProcess:
     def density(self, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the one-sided spectral density [(N m)^2/Hz] at ``frequencies`` [Hz], the mean left out.
 
-        The hits' is a Lorentz curve (Campbell's theorem for exponential pulses), the slow part's that of a
-        second-order Butterworth low-pass; never being negative is left out.
+        The hits' is a Lorentz curve, with a second one where pulses take time to rise (Campbell's theorem), the slow
+        part's that of a second-order Butterworth low-pass; never being negative is left out.
         """
-        hits = 4 * self.decay * self.hit_rms**2 / (1 + (2 * pi * frequencies * self.decay) ** 2)
+        turned = 2 * pi * frequencies
+        hits = 4 * (self.decay + self.rise) * self.hit_rms**2 / (1 + (turned * self.decay) ** 2)
+        hits = hits / (1 + (turned * self.rise) ** 2)
         noise_bandwidth = self.slow_cutoff * pi / (2 * sqrt(2))
         slow = self.slow_rms**2 / noise_bandwidth / (1 + (frequencies / self.slow_cutoff) ** 4)
         return np.asarray(self.mean**2 * (hits + slow))
