@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import erfc, log10, sqrt
 
 import numpy as np
@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
-from torquerig.diagnose.misfit import Misfit, robust
+from torquerig.diagnose.misfit import BAND_TOLERANCE, Misfit, robust
+from torquerig.diagnose.twin import Twin
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
+_LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
 _BAND_RUN = 2  # neighbouring bands that must all stand out
 _MEAN_SQUARE = 3.0  # of all bands of a run
 
@@ -41,9 +44,11 @@ def mismatches(case: Case) -> tuple[Mismatch, ...]:
     total, places = float(np.maximum(every - 1, 0).sum()) + 1e-12, every.size
     found = [*_lines(case, total, places)]
     for features, misfit in zip(case.seen, case.model.misfits, strict=True):
-        misfit = misfit.scaled(1 / _slack(case))
-        found += [*_bands(features, misfit, total, places), *_levels(features, misfit, total, places)]
-        found += [*_turning(features, misfit, total, places)]
+        eased = misfit.scaled(1 / _slack(case))
+        if eased.bands.size:
+            eased = replace(eased, bands=eased.bands * _for_the_load(case, features))
+        found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
+        found += [*_turning(features, eased, total, places)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
 
 
@@ -127,6 +132,14 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
         excess_dB=20 * log10(max(worst, 1.0)), share_of_misfit=_share(misfit.turning, total),
         p_value=_chance(worst, places),
     )  # fmt: skip
+
+
+def _for_the_load(case: Case, features: Features) -> NDArray[np.float64]:
+    """Return a factor below 1 for bands that a random load fills: its spectrum is its own, no physics of the rig."""
+    twin = Twin(case.model.rig.at(features.observed.run))
+    share = twin.load_power(features.band) / expected(case.model.rig, features).power
+    tight = 1 / features.count + BAND_TOLERANCE**2
+    return np.asarray(np.sqrt(tight / (tight + (_LOAD_SHAPE * np.clip(share, 0.0, 1.0)) ** 2)))
 
 
 def _slack(case: Case) -> float:
