@@ -92,8 +92,12 @@ def _modes(lowered: Lowered) -> list[Rate]:
 
 
 def _events(lowered: Lowered, terms: Terms) -> list[Rate]:
-    """Return how fast dry friction and loads stop the shafts that may stand or creep in this run."""
+    """Return how fast dry friction and loads stop the shafts that may stand or creep in this run.
+
+    An imposed shaft is not stopped by what acts on it.
+    """
     slowest, light = _slowest(lowered, terms), np.append(1 / lowered.inertia, 0.0)
+    light[[lowered.node(term.on) for term in lowered.imposed_terms if not term.released]] = 0.0
     found, frictions, loads = [], lowered.frictions, lowered.loads
     for row in range(frictions.on.size):
         on, against = int(frictions.on[row]), int(frictions.against[row])

@@ -1,0 +1,37 @@
+"""``python -m proof.real [RIG ...]``: the real recordings through the diagnosis, as a table."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from proof.real.figures import RIGS, TOLD, diagnosed, figures
+
+
+def main(rigs: list[str]) -> int:
+    """Print what the diagnosis says of each rig and the held-out errors; 2 where a rig's recordings are not here."""
+    failed = 0
+    for rig in rigs or list(RIGS):
+        if rig not in RIGS:
+            click.echo(f"{rig!r} is no real rig; name some of {', '.join(RIGS)}", err=True)
+            return 2
+        try:
+            outcome = diagnosed(rig)
+        except (FileNotFoundError, ValueError) as error:
+            click.echo(f"{rig}: {error}", err=True)
+            failed = 2
+            continue
+        click.echo(f"{rig}: {outcome.diagnosis.verdict}; held-out error in {TOLD[rig].unit}")
+        for figure in figures(rig, outcome):
+            click.echo(f"  {'named' if figure.named else '':6}{figure.model:36}{figure.held_out:9.4g}")
+        for finding in outcome.diagnosis.findings:
+            stated = ", ".join(f"{name} {each.value:.4g} {each.unit}" for name, each in finding.parameters.items())
+            click.echo(f"  {finding.mechanism}: {stated}")
+        for remark in outcome.diagnosis.remarks:
+            click.echo(f"  {remark}")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,66 @@
+"""Cogging: lines over the rotor's angle at orders that slots and magnets allow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import lcm
+from typing import Any
+
+import numpy as np
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.motion.fitted import FittedMotion
+from torquerig.diagnose.motion.lines import Line, lines_in
+from torquerig.diagnose.motion.moved import Moved, imposed_part
+from torquerig.rig.parts import Motor
+
+_HIGHEST = 3  # times the native order
+_PHASE_SPREAD = 0.1  # [rad]
+
+
+def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
+    """Yield cogging of the motor that is moved: its native order alone, and with every tolerance order that shows."""
+    imposed = imposed_part(model.rig)
+    motor = model.rig.part(imposed.at) if imposed else None
+    if not isinstance(motor, Motor) or motor.slots is None or motor.pole_pairs is None:
+        return
+    if any(isinstance(part, mechanisms.Cogging) for part in model.rig.parts):
+        return
+    poles = 2 * motor.pole_pairs
+    native = lcm(motor.slots, poles)
+    orders = [order for order in map(_whole, lines_in(model.residuals, runs)) if order is not None]
+    allowed = [k for k in dict.fromkeys(orders) if (k % motor.slots == 0 or k % poles == 0) and k <= _HIGHEST * native]
+    if native in allowed:
+        yield _cogging(model, runs, motor, [native], "native")
+    if allowed and allowed != [native]:
+        yield _cogging(model, runs, motor, allowed, "tolerances")
+
+
+def _whole(line: Line) -> int | None:
+    near = round(line.at)
+    return near if line.domain == "order" and abs(line.at - near) < max(line.width, 0.05) else None
+
+
+def _cogging(
+    model: FittedMotion, runs: Sequence[Moved], motor: Motor, orders: Sequence[int], variant: str
+) -> Candidate:
+    """Sizes and phases by least squares: what the motion takes is the torque's opposite."""
+    angle = np.concatenate([run.position[run.seen] for run in runs])
+    left = np.concatenate([residual[run.seen] for residual, run in zip(model.residuals, runs, strict=True)])
+    columns = [wave(order * angle) for order in orders for wave in (np.cos, np.sin)]
+    found = np.linalg.lstsq(np.column_stack([*columns, np.ones(angle.size)]), left, rcond=None)[0]
+    sizes = {order: -(found[2 * i] - 1j * found[2 * i + 1]) for i, order in enumerate(orders)}
+    slots, poles = int(motor.slots or 0), 2 * int(motor.pole_pairs or 0)
+    named = {lcm(slots, poles): "native", slots: "unequal_magnets", poles: "unequal_teeth"}
+    values: dict[str, Any] = {named[order]: float(abs(size)) for order, size in sizes.items() if order in named}
+    part = mechanisms.Cogging(
+        name="cogging", at=motor.name, slots=slots, pole_pairs=poles // 2, **values,
+        further={order: float(abs(size)) for order, size in sizes.items() if order not in named},
+        phases={order: float(np.angle(size)) for order, size in sizes.items()},
+    )  # fmt: skip
+    knobs = [Knob(part.name, field, 0.3) for field in values]
+    knobs += [Knob(part.name, "further", 0.3, key=order) for order in part.further]
+    knobs += [Knob(part.name, "phases", _PHASE_SPREAD, key=order, factor=False) for order in orders]
+    return Candidate(mechanism="cogging", parts=(part,), knobs=tuple(knobs), variant=variant)

@@ -1,0 +1,173 @@
+"""From recordings of a rig under measured motion and its scenario to a diagnosis: the stations in their order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, UsedRecording, Verdict, as_json
+from torquerig.diagnose.knobs import nuisance_knobs
+from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.motion.completing import Step, completed
+from torquerig.diagnose.motion.fitted import FittedMotion, residuals_of
+from torquerig.diagnose.motion.friction import without_peak
+from torquerig.diagnose.motion.lines import in_a_line, lines_in
+from torquerig.diagnose.motion.moved import STRETCHES, Moved, imposed_part, moved_runs
+from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
+from torquerig.diagnose.motion.places import mismatches
+from torquerig.diagnose.motion.told import finding, relative_error
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+Floats = NDArray[np.float64]
+
+METRIC = (
+    "rms of measured less simulated effort over the rms of the measured one, below a tenth of the sample rate, of "
+    "samples that no fit has seen, with each recording's own motion imposed; 0 at best, 1 for a model that says nothing"
+)
+_NEUTRALS = 3
+_DRAWS = 400
+
+
+@dataclass(frozen=True, kw_only=True)
+class MotionOutcome:
+    """A diagnosis of a rig under measured motion, with what a report shows of it.
+
+    Parameters
+    ----------
+    diagnosis : Diagnosis
+    runs : tuple of Moved
+    before, after : FittedMotion
+        The nominal model calibrated, and with the findings in it.
+    steps : tuple of Step
+        Each kept hypothesis with its rivals.
+    neutrals : tuple of Neutral
+        What a nameless term does for each line that is left.
+    completed : Rig
+        What a scenario file is written of.
+    """
+
+    diagnosis: Diagnosis
+    runs: tuple[Moved, ...]
+    before: FittedMotion
+    after: FittedMotion
+    steps: tuple[Step, ...]
+    neutrals: tuple[Neutral, ...]
+    completed: Rig
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the diagnosis in the contract's form."""
+        data = as_json(self.diagnosis)
+        data["fit"]["metric"] = METRIC
+        return data
+
+
+def under_measured_motion(rig: Rig) -> bool:
+    """Whether a scenario measures what the motion of each recording takes."""
+    return imposed_part(rig) is not None
+
+
+def diagnose_motion(
+    scenario: Scenario, recordings: Sequence[Recording], *, held_out: Sequence[str] = (), seed: int = 0,
+    progress: Callable[[str], None] = lambda _: None,
+) -> MotionOutcome:  # fmt: skip
+    """Return where model and recordings differ, which physics was left out, and how much better the model gets.
+
+    Parameters
+    ----------
+    held_out : sequence of str
+        Recordings that no fit may see; without any, every other tenth of each recording is held out.
+
+    Raises
+    ------
+    InputError, RecordingError
+        Where the scenario measures no imposed motion, or a recording lacks effort or motion.
+    """
+    rig = scenario.rig.at(recordings[0].run)
+    progress("following the motion")
+    runs = moved_runs(recordings, rig, held_out=held_out)
+    progress("fitting the nominal model's own numbers")
+    knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
+    before, steps, _ = completed(rig, runs, knobs, progress=progress)
+    after = steps[-1].kept.model if steps else before
+    progress("predicting what no fit has seen")
+    left = mismatches(after, runs)
+    lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
+    neutrals = tuple(neutral(line, after.residuals, runs) for line in lines)
+    findings = tuple(finding(step, after, runs) for step in steps)
+    verdict: Verdict = "unexplained" if left else "missing_physics" if findings else "adequate"
+    diagnosis = Diagnosis(
+        verdict=verdict, mismatch=_mismatch(before, runs, left, bool(findings)), findings=findings,
+        fit=_held_out(rig, before, after, runs, seed), recordings=tuple(_used(run) for run in runs),
+        remarks=_remarks(neutrals, after, runs),
+    )  # fmt: skip
+    return MotionOutcome(
+        diagnosis=diagnosis, runs=runs, before=before, after=after, steps=steps, neutrals=neutrals,
+        completed=_written(after, neutrals, runs),
+    )  # fmt: skip
+
+
+def _mismatch(
+    before: FittedMotion, runs: Sequence[Moved], left: tuple[Mismatch, ...], found: bool
+) -> tuple[Mismatch, ...]:
+    """Return what was wrong before, and behind it what still is."""
+    if not found:
+        return left
+    first = mismatches(before, runs)
+    places = {(one.domain, round(one.at, 1)) for one in first}
+    return (*first, *(one for one in left if (one.domain, round(one.at, 1)) not in places))
+
+
+def _held_out(nominal: Rig, before: FittedMotion, after: FittedMotion, runs: Sequence[Moved], seed: int) -> HeldOut:
+    rng = np.random.default_rng(seed)
+    blocks = [
+        (float((one[part] ** 2).sum()), float((two[part] ** 2).sum()))
+        for run, one, two in zip(runs, before.residuals, after.residuals, strict=True)
+        for part in np.array_split(np.flatnonzero(run.held), 2 * STRETCHES)
+    ]
+    squares = np.array(blocks)
+    drawn = squares[rng.integers(0, len(squares), (_DRAWS, len(squares)))].sum(axis=1)
+    gains = 1 - np.sqrt(drawn[:, 1] / np.maximum(drawn[:, 0], 1e-300))
+    raw = FittedMotion(nominal, (), np.zeros(0), np.zeros((0, 0)), 0.0, residuals_of(nominal, runs))
+    first, second = relative_error(before, runs), relative_error(after, runs)
+    low, high = (float(end) for end in np.quantile(gains, [0.025, 0.975]))
+    return HeldOut(nominal=relative_error(raw, runs), before=first, after=second,
+                   improvement=(1 - second / first, low, high))  # fmt: skip
+
+
+def _remarks(neutrals: Sequence[Neutral], after: FittedMotion, runs: Sequence[Moved]) -> tuple[str, ...]:
+    unit = "N" if in_a_line(runs) else "N m"
+    axis = "cycles/m of the motion" if in_a_line(runs) else "cycles per turn of the motor"
+    said = []
+    for each in neutrals:
+        where = f"{each.line.at:.4g} {'Hz' if each.line.domain == 'frequency' else axis}"
+        said.append(
+            f"no mechanism of the library explains the line at {where}, {each.line.amplitude:.3g} {unit}; a nameless "
+            f"term there, fitted to the first half of each recording, lowers the residual at even speed of the second "
+            f"from {each.before:.4g} to {each.after:.4g} {unit} rms"
+        )
+    zero = f"the zero of the effort's channel was fitted as {after.zero:.3g} {unit}"
+    return (*said, f"{zero}; where nothing else tells, dry friction that differs by direction would look the same")
+
+
+def _written(after: FittedMotion, neutrals: Sequence[Neutral], runs: Sequence[Moved]) -> Rig:
+    rig = after.rig
+    for part in after.rig.parts:
+        rig = rig.changed(without_peak(part))
+    first = next(index for index, run in enumerate(runs) if run.seen.any())
+    for each in neutrals:
+        line = neutral_part(each.line, after.residuals[first], runs[first], rig)
+        rig = rig if line is None else rig + line
+    return rig
+
+
+def _used(run: Moved) -> UsedRecording:
+    speed = float(np.mean(np.abs(run.speed))) * (1.0 if in_a_line([run]) else 30 / pi)
+    used = "split" if run.seen.any() and run.held.any() else "fit" if run.seen.any() else "held_out"
+    return UsedRecording(file=run.name, speed_rpm=0.0 if in_a_line([run]) else speed, used_for=used)

@@ -1,0 +1,145 @@
+"""A finding on a rig under measured motion, in the contract's words: parameters with intervals, and the sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import exp, pi
+from typing import Any
+
+from torquerig.diagnose.confidence import confidence
+from torquerig.diagnose.diagnosis import Finding, Stated
+from torquerig.diagnose.motion.completing import Step, Tried
+from torquerig.diagnose.motion.evidence import root_mean_square
+from torquerig.diagnose.motion.fitted import FittedMotion
+from torquerig.diagnose.motion.friction import viscous_at
+from torquerig.diagnose.motion.lines import in_a_line
+from torquerig.diagnose.motion.moved import Moved
+
+_95 = 1.96
+_ALIKE = 0.12  # a rival within this share of the winner's gain cannot be told from it
+_ORDER_WIDTH = 0.01
+_NAMES: Mapping[str, Mapping[str, tuple[str, str, str]]] = {  # field: name, unit where it turns, unit in a line
+    "quadratic_drag": {"coefficient": ("coefficient_Nms2", "N m s^2/rad^2", "N s^2/m^2")},
+    "sensor_drift": {"span": ("span_V", "N m", "N")},
+    "torsional_mode": {
+        "frequency": ("frequency_Hz", "Hz", "Hz"),
+        "inertia": ("inertia_kgm2", "kg m^2", "kg"),
+        "damping_ratio": ("damping_ratio", "1", "1"),
+    },
+}
+_VARIANT = {
+    "by_direction": "dry and viscous friction that differ by direction",
+    "lugre": "dry friction that bends before it slides (presliding)",
+    "native": "cogging at its native order {order_motor:.0f}",
+    "tolerances": "cogging at order {order_motor:.0f} with the orders of unequal teeth and magnets",
+    "linear": "a zero that drifts",
+}
+_PLAIN = {"stribeck_friction": "dry friction", "backlash": "play in {joint}", "quadratic_drag": "drag with the square "
+          "of the speed", "torsional_mode": "a further inertia on a spring that swings along"}  # fmt: skip
+
+
+def finding(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> Finding:
+    """Return what is said of a step that was kept, with the numbers of the final model."""
+    kept, candidate = step.kept, step.kept.candidate
+    others: dict[str, float] = {}
+    for one in step.tried:
+        if one.candidate.mechanism != candidate.mechanism:
+            others.setdefault(one.candidate.mechanism, one.gain)
+    share = 1 - (1 - kept.fall) ** 2
+    parameters = identifying(step, final, runs)
+    listed = tuple(sorted(others.items(), key=lambda item: -item[1]))
+    return Finding(
+        mechanism=candidate.mechanism, variant=candidate.variant,
+        explanation=_sentence(kept, parameters, share, listed),
+        confidence=confidence(gain=kept.gain, share=share, rival=max(others.values(), default=0.0)),
+        parameters=parameters, gain=kept.gain, rivals=listed,
+        equivalent_to=tuple(name for name, gain in listed if gain > (1 - _ALIKE) * kept.gain),
+    )  # fmt: skip
+
+
+def identifying(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> dict[str, Stated]:
+    """Return the contract's parameters of an effect in the final model; in a line their units are N and m."""
+    candidate, line = step.kept.candidate, in_a_line(runs)
+    part: Any = final.rig.part(candidate.parts[0].name)
+    torque = "N" if line else "N m"
+    if candidate.mechanism == "stribeck_friction":
+        return _friction(part, final, torque, line)
+    if candidate.mechanism == "backlash":
+        name, factor, unit = ("gap_m", 1.0, "m") if line else ("gap_arcmin", 60 * 180 / pi, "arcmin")
+        return {name: _stated(final, part.name, "gap", part.gap, unit, factor=factor)}
+    if candidate.mechanism == "cogging":
+        return _cogging(part, final, runs)
+    answer = {}
+    for field, (name, turning, moving) in _NAMES[candidate.mechanism].items():
+        answer[name] = _stated(final, part.name, field, getattr(part, field), moving if line else turning)
+    return answer
+
+
+def _friction(part: Any, final: FittedMotion, torque: str, line: bool) -> dict[str, Stated]:
+    drag = viscous_at(final.rig, part.at)
+    slope = "N s/m" if line else "N m s/rad"
+    answer: dict[str, Stated] = {}
+    ways = ("forward", "backward") if part.coulomb_backward is not None else ("",)
+    for way in ways:
+        field, end = ("coulomb_backward" if way == "backward" else "coulomb"), f"_{way}" if way else ""
+        dry = _stated(final, part.name, field, getattr(part, field), torque)
+        answer |= {f"coulomb_Nm{end}": dry, f"static_Nm{end}": dry}
+        whole, own = drag[way == "backward"], "viscous_backward" if way == "backward" else "viscous"
+        if whole > 0:
+            answer[f"viscous_Nms{end}"] = _stated(final, part.name, own, whole, slope)
+    if hasattr(part, "stiffness"):
+        answer["stiffness"] = _stated(
+            final, part.name, "stiffness", part.stiffness, torque + ("/m" if line else "/rad")
+        )
+    return answer
+
+
+def _cogging(part: Any, final: FittedMotion, runs: Sequence[Moved]) -> dict[str, Stated]:
+    sizes = part.amplitudes()
+    largest = max(sizes, key=lambda at: sizes[at])
+    named = {part.slots: "unequal_magnets", 2 * part.pole_pairs: "unequal_teeth"}
+    key = largest if largest in part.further else None
+    field = "further" if key is not None else named.get(largest, "native")
+    answer = {
+        "order_motor": Stated(value=largest, low=largest - _ORDER_WIDTH, high=largest + _ORDER_WIDTH, unit="1/rev")
+    }
+    answer["amplitude_Nm"] = _stated(final, part.name, field, sizes[largest], "N m", key=key)
+    channel = runs[0].channel
+    if channel.unit == "A":
+        answer["amplitude_A"] = _stated(
+            final, part.name, field, sizes[largest], "A", key=key, factor=1 / abs(channel.si_per_unit)
+        )
+    return answer
+
+
+def _stated(
+    final: FittedMotion, part: str, field: str, value: float, unit: str, *, key: object = None, factor: float = 1.0
+) -> Stated:
+    value *= factor
+    for index, knob in enumerate(final.knobs):
+        if (knob.part, knob.field, knob.key) == (part, field, key):
+            reach = _95 * final.sigma(index) * knob.spread
+            if knob.factor:
+                return Stated(value=value, low=value * exp(-reach), high=value * exp(reach), unit=unit)
+            return Stated(value=value, low=value - reach * factor, high=value + reach * factor, unit=unit)
+    return Stated(value=value, low=value, high=value, unit=unit)
+
+
+def _sentence(kept: Tried, parameters: Mapping[str, Stated], share: float, rivals: Sequence[tuple[str, float]]) -> str:
+    candidate = kept.candidate
+    what = _VARIANT.get(candidate.variant) or _PLAIN.get(candidate.mechanism, candidate.mechanism.replace("_", " "))
+    values = {name: stated.value for name, stated in parameters.items()}
+    joint = getattr(candidate.parts[0], "gear", "")
+    said = f"The model lacks {what.format(joint=joint, **values)}; it explains {share:.0%} of what the model leaves"
+    helping = [(name, gain) for name, gain in rivals if gain > 0]
+    if not helping:
+        return said + ", where no other mechanism of the library helps."
+    name, gain = helping[0]
+    return said + (f", where the nearest rival, {name.replace('_', ' ')}, is worth {gain / kept.gain:.0%} as much.")
+
+
+def relative_error(model: FittedMotion, runs: Sequence[Moved], *, held: bool = True) -> float:
+    """Return the rms residual over the rms effort, of what was held out or of what fits saw [1]."""
+    masks = [run.held if held else run.seen for run in runs]
+    effort = [run.effort[mask] for run, mask in zip(runs, masks, strict=True) if mask.any()]
+    return root_mean_square(model.of(runs, held=held)) / root_mean_square(effort)
