@@ -5,6 +5,13 @@
 - ``riddle``        the seed's 280 Hz riddle: mesh, comb or resonance, with and without wander, at one speed and at two
 - ``sealed``        answers written apart, their hash printed before anything is diagnosed, verified when opened
 - ``scoring``       what a set of diagnoses is worth against the sealed answers
+- ``prove``         what ``torquerig prove`` does, stage by stage
+- ``page``          its page, chapter by chapter
+- ``baselines``     what others would say of the same recordings
+- ``oracle``        what the true mechanisms reach with the diagnosis' own fits
+- ``library``       the diagnosis with fewer effects in its library
+- ``null_gains``    what effects gain on rigs with nothing hidden
+- ``thresholds``    least gains from the tail of these
 - ``make``          ``python -m proof.make --seed N --cases K --out FOLDER``
 - ``score``         ``python -m proof.score FOLDER``
 """

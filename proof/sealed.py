@@ -30,11 +30,21 @@ def seal(answers: dict[str, Any], folder: Path, *, apart: Path | None = None) ->
         raise ProofError(f"{folder}: there are sealed answers already; choose another folder")
     path.parent.mkdir(parents=True, exist_ok=True)
     folder.mkdir(parents=True, exist_ok=True)
-    written = json.dumps(answers, indent=1, sort_keys=True).encode()
+    written = _text(answers)
     path.write_bytes(written)
     digest = hashlib.sha256(written).hexdigest()
     (folder / SEAL).write_text(digest + "\n", encoding="ascii")
     return digest
+
+
+def seal_of(answers: dict[str, Any]) -> str:
+    """Give the seal that these answers would have, without writing anything."""
+    return hashlib.sha256(_text(answers)).hexdigest()
+
+
+def _text(answers: dict[str, Any]) -> bytes:
+    """Give the file of answers, the same bytes for the same answers."""
+    return json.dumps(answers, indent=1, sort_keys=True).encode()
 
 
 def unseal(folder: Path, *, apart: Path | None = None) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose
+init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose  prove
 seed-results  seed-decision  compare
 """
 
@@ -31,6 +31,7 @@ COMMANDS = {
     "diagnose": "say where recordings and model differ, and which physics was left out",
     "seed-results": "set the simulated rig beside the seed report's tables and figures",
     "seed-decision": "make the seed report's motor decision again, cell by cell beside its tables",
+    "prove": "make blind trials of the diagnosis, seal them, and say what it is worth beside three baselines",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 

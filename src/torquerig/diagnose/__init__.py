@@ -22,5 +22,6 @@ Deciding
     set_aside       what was not fitted, and why           leftover     where a model is significantly wrong
     held_out        how well no fit's data are predicted   comparison   both models beside the recordings
     comparison_curves  its curves                          confidence   how sure a finding is
+    null_table      least gains from clean rigs, by the scenario's content
     diagnose        all of it in order                     diagnosis    the outcome, and its JSON
 """

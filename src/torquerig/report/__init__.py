@@ -32,5 +32,6 @@ diagnosis_causes what stands at each line                diagnosis_spectrum_figu
 diagnosis_course_figure  slow torque of every run        diagnosis_window_figure  a short window with its lines
 diagnosis_residual_figure  what each model leaves        diagnosis_places_figure  shares of the misfit by place
 families         colour and name of each family of lines
+proof_page       blind trials: page, Markdown                proof_figures    reliability, gains where nothing is hidden
 replaced_folder  a folder that is replaced whole or not at all
 """

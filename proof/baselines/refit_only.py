@@ -1,0 +1,16 @@
+"""Refitting parameters only: is anything significant left? It says so, and never what."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from proof.baselines.verdict import verdict
+from torquerig.diagnose.diagnose import Outcome
+from torquerig.diagnose.diagnosis import METRIC
+from torquerig.diagnose.leftover import mismatches
+
+
+def refit_only(outcome: Outcome) -> dict[str, Any]:
+    """Return ``adequate`` where the calibrated nominal model leaves nothing significant, else ``unexplained``."""
+    left, misfit = mismatches(outcome.before), outcome.diagnosis.fit.before
+    return verdict("unexplained" if left else "adequate", outcome, metric=METRIC, before=misfit, after=misfit)

@@ -1,0 +1,106 @@
+"""The residual's spectrum and a table: each line that the model lacks is named after the nearest line of the table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import pi
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from proof.baselines.named_lines import NamedLine, named_lines
+from proof.baselines.verdict import Named, verdict
+from torquerig.diagnose.diagnose import Outcome
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.twin import Twin
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+
+CLEAR = 36.0  # power over the local median; chance leaves one bin in 1e10
+NEAR = 0.004  # relative distance within which a line takes the name of the nearest one
+_LOWEST, _TOP_SHARE = 3.0, 0.4  # [Hz], share of the sample rate
+_BESIDE_A_LINE, _SKIRT = 5, 0.006  # bins, and share of its frequency, either way of a line that the model has
+LEAST = 0.002  # [N m] smaller lines are not looked at
+_NEIGHBOURS = 60  # bins either way that make the local median
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of the residual: frequency [Hz], amplitude [N m], and its name, or none where the table has none near."""
+
+    frequency: float
+    amplitude: float
+    named: NamedLine | None
+
+
+def residual_fft(outcome: Outcome) -> dict[str, Any]:
+    """Return the verdict: every name by its strongest line; ``unexplained`` where a line is left without a name.
+
+    Only runs at steady speed have lines. The frequencies that the calibrated model has itself are left out.
+    """
+    rig = outcome.before.model.rig
+    lines = [line for run in outcome.before.runs if run.steady for line in lines_of(run, rig)]
+    strongest: dict[str, Line] = {}
+    for line in sorted(lines, key=lambda one: -one.amplitude):
+        if line.named is not None:
+            strongest.setdefault(line.named.mechanism, line)
+    found = [_named(line, lines) for line in strongest.values()]
+    nameless = any(line.named is None for line in lines)
+    return verdict("unexplained" if nameless else "missing_physics" if found else "adequate", outcome, found)
+
+
+def lines_of(run: Observed, rig: Rig) -> Iterator[Line]:
+    """Yield the clear lines of a run that ``rig`` does not have."""
+    from scipy.ndimage import median_filter
+
+    speed, window = run.mean_speed, np.hanning(run.torque.size)
+    spectrum = np.abs(np.fft.rfft((run.torque - run.torque.mean()) * window)) * 2 / window.sum()
+    step = run.rate / run.torque.size
+    power = spectrum**2
+    floor = median_filter(power, size=2 * _NEIGHBOURS + 1, mode="nearest")
+    power[_modelled(rig, speed, step, power.size)] = 0.0
+    table = named_lines(rig, motor_speed=speed)
+    for at in _tops(power / np.maximum(floor, 1e-30), step):
+        frequency = at * step
+        if spectrum[at] > LEAST:
+            yield Line(frequency, float(spectrum[at]), _nearest(frequency, table))
+
+
+def _modelled(rig: Rig, speed: float, step: float, bins: int) -> NDArray[np.bool_]:
+    """Mark the bins beside the lines that the model has itself, and beside their sidebands.
+
+    A shaft that turns unevenly once a turn gives every line of another shaft such sidebands; they are no effect.
+    """
+    marked = np.zeros(bins, dtype=bool)
+    turn = 1.0 / kinematics_of(rig).ratio
+    for line in Twin(rig).lines():
+        for order in (line.order - turn, line.order, line.order + turn):
+            at = abs(order * speed) / (2 * pi) / step
+            beside = max(_BESIDE_A_LINE, _SKIRT * at)
+            marked[max(int(at - beside), 0) : int(at + beside) + 2] = True
+    return marked
+
+
+def _tops(excess: NDArray[np.float64], step: float) -> list[int]:
+    above = np.flatnonzero(excess > CLEAR)
+    kept = (above * step > _LOWEST) & (above < 2 * _TOP_SHARE * excess.size)
+    return [int(at) for at in above[kept] if excess[at] == excess[max(at - 3, 0) : at + 4].max()]
+
+
+def _nearest(frequency: float, table: Sequence[NamedLine]) -> NamedLine | None:
+    row = min(table, key=lambda one: abs(one.frequency - frequency))
+    return row if abs(row.frequency / frequency - 1) < NEAR else None
+
+
+def _named(line: Line, lines: Sequence[Line]) -> Named:
+    row = line.named
+    assert row is not None
+    total = sum(one.amplitude**2 for one in lines)
+    return Named(
+        mechanism=row.mechanism,
+        confidence=min(0.99, line.amplitude**2 / total),
+        explanation=f"a line of {line.amplitude:.3g} N m at {line.frequency:.2f} Hz stands nearest to {row.mechanism}",
+        parameters={row.parameter: row.value},
+    )

@@ -1,0 +1,60 @@
+"""What does an effect that is not there gain? The library tried on rigs with nothing hidden."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from proof.library import library_of
+from torquerig.diagnose.diagnose import diagnose
+from torquerig.diagnose.explained import explained_share
+from torquerig.diagnose.search import Trial, trials
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class NullGain:
+    """The best fit of one mechanism to one rig with nothing hidden.
+
+    Parameters
+    ----------
+    mechanism : str
+    gain : float
+        What the misfit fell by, knobs paid.
+    share : float
+        Part of the misfit at its places that it explains [1].
+    """
+
+    mechanism: str
+    gain: float
+    share: float
+
+
+def null_gains(scenario: Scenario, recordings: Sequence[Recording], *, seed: int = 0) -> tuple[NullGain, ...]:
+    """Return the best gain of each mechanism that could be fitted with all numbers free, largest first.
+
+    The nominal model is calibrated with an empty library, so that nothing is added before the gains are read.
+    """
+    with library_of(()):
+        case = diagnose(scenario, recordings, seed=seed).before
+    best: dict[str, Trial] = {}
+    for trial in sorted(trials(case).fitted, key=lambda one: -one.gain):
+        best.setdefault(trial.candidate.mechanism, trial)
+    return tuple(
+        NullGain(
+            mechanism=name, gain=trial.gain, share=explained_share(case.model.misfits, trial.model.misfits)
+        )
+        for name, trial in best.items()
+    )  # fmt: skip
+
+
+def as_rows(gains: Sequence[NullGain]) -> list[dict[str, Any]]:
+    """Return the gains as they are written."""
+    return [{"mechanism": one.mechanism, "gain": one.gain, "share": one.share} for one in gains]
+
+
+def from_rows(rows: Sequence[dict[str, Any]]) -> tuple[NullGain, ...]:
+    """Return the gains as they were written."""
+    return tuple(NullGain(mechanism=row["mechanism"], gain=row["gain"], share=row["share"]) for row in rows)

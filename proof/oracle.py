@@ -1,0 +1,64 @@
+"""How much better could the model have got? The true mechanisms, and no others, given to the diagnosis' own fits."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from proof.library import library_of
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.diagnose import Outcome, diagnose
+from torquerig.diagnose.diagnosis import Diagnosis, Finding
+from torquerig.diagnose.held_out import held_out
+from torquerig.diagnose.identifying import identifying
+from torquerig.diagnose.search import Trial, extended, trials
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+
+def oracle(scenario: Scenario, recordings: Sequence[Recording], *, true: Collection[str], seed: int = 0) -> Diagnosis:
+    """Return the diagnosis of one who knows which mechanisms are there and only fits them.
+
+    The library is narrowed to ``true``. What the diagnosis then doubts (too small a gain, too small a share) is added
+    all the same, by the best of its fits, so that no threshold lies between the truth and the model.
+    """
+    with library_of(true):
+        outcome = diagnose(scenario, recordings, seed=seed)
+        found = [finding.mechanism for finding in outcome.diagnosis.findings]
+        case, forced = outcome.after, list[Finding]()
+        for _ in set(true).difference(found):
+            best = _best(case, set(true).difference(found))
+            if best is None:
+                break
+            forced.append(_finding(best, case))
+            found.append(best.candidate.mechanism)
+            case = extended(case, best)
+    if not forced:
+        return outcome.diagnosis
+    fit = held_out(outcome.before.nominal, outcome.before.model.rig, _with_faults(case.model.rig, outcome),
+                   outcome.held, seed=seed)  # fmt: skip
+    return replace(outcome.diagnosis, findings=(*outcome.diagnosis.findings, *forced), fit=fit)
+
+
+def _best(case: Case, wanted: Collection[str]) -> Trial | None:
+    """Give the fit with all numbers free that gains most, be it ever so little; None where nothing can be proposed."""
+    fitted = [trial for trial in trials(case).fitted if trial.candidate.mechanism in wanted]
+    return max(fitted, key=lambda trial: trial.gain, default=None)
+
+
+def _finding(trial: Trial, case: Case) -> Finding:
+    name = trial.candidate.mechanism
+    return Finding(
+        mechanism=name, variant=trial.candidate.variant, explanation="known to be there", confidence=1.0,
+        parameters=identifying(trial.candidate, trial.model, case), gain=trial.gain,
+    )  # fmt: skip
+
+
+def _with_faults(rig: Rig, outcome: Outcome) -> Rig:
+    """Add what the samples showed: the parts of the completed rig that its fitted model lacks."""
+    fitted = {part.name for part in outcome.after.model.rig.parts}
+    for part in outcome.completed.parts:
+        if part.name not in fitted:
+            rig = rig + part
+    return rig

@@ -1,0 +1,36 @@
+"""Time and memory of a diagnosis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from proof.prove.scored import Cost
+from torquerig.report.layout import Cell, Table, number, words
+from torquerig.report.matrix_chapters import Chapter
+
+
+def cost(costs: Sequence[Cost], *, workers: int, duration: float) -> Chapter:
+    """Return median, 90 % quantile and largest of time and memory."""
+    if not costs:
+        return Chapter(anchor="cost", title="Cost", lines=("No diagnosis was timed.",))
+    rows = (
+        _row("wall time [s]", [one.seconds for one in costs]),
+        _row("processor time [s]", [one.processor_seconds for one in costs]),
+        _row("largest memory of its process [MiB]", [one.peak_MiB for one in costs]),
+    )
+    table = Table(caption=f"Of {len(costs)} diagnoses", head=("", "median", "90 % quantile", "largest"), rows=rows)
+    lines = (
+        (
+            f"Four recordings of {duration:g} s at 25 kHz each, {workers} at a time on this machine; linear "
+            "algebra in one thread. Asked: 60 s for 12 s on two cores, under 2 GiB. Memory is the largest that a "
+            "worker process has held up to the end of that diagnosis."
+        ),
+    )
+    return Chapter(anchor="cost", title="Cost", lines=lines, tables=(table,))
+
+
+def _row(name: str, values: Sequence[float]) -> tuple[Cell, ...]:
+    shown = (float(np.quantile(values, at)) for at in (0.5, 0.9, 1.0))
+    return (*words(name), *(number(f"{value:.1f}") for value in shown))

@@ -1,0 +1,34 @@
+"""Every case that was not right, and what was said of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from proof.page.cells import had, said
+from proof.scoring.outcome import Outcome
+from proof.scoring.trial import Trial
+from torquerig.report.layout import Cell, Table, words
+from torquerig.report.matrix_chapters import Chapter
+
+WORST_FIRST = (
+    Outcome.FALSE_NAME, Outcome.NO_ANSWER, Outcome.MISSED, Outcome.UNEXPLAINED, Outcome.PARTIAL,
+)  # fmt: skip
+
+
+def failures(trials: Sequence[Trial], refusals: Mapping[str, str]) -> Chapter:
+    """Return the cases that were neither exactly right nor right within the class, the worst kind first."""
+    wrong = [trial for trial in trials if trial.outcome in WORST_FIRST]
+    wrong.sort(key=lambda trial: WORST_FIRST.index(trial.outcome))
+    rows = tuple(
+        (*words(trial.name, trial.outcome.value, had(trial)),
+         Cell(text=refusals.get(trial.name, said(trial)), word="remark"), Cell(text=trial.plan))
+        for trial in wrong
+    )  # fmt: skip
+    if not rows:
+        return Chapter(anchor="failures", title="Failures", lines=("None.",))
+    table = Table(
+        caption=f"{len(wrong)} of {len(trials)} cases", head=("case", "worth", "had", "said", "runs"), rows=rows,
+        note="In brackets behind what it had: the size, 0 just visible, 1 far larger than in handbooks; behind what "
+        "was said: the confidence.",
+    )  # fmt: skip
+    return Chapter(anchor="failures", title="Failures", tables=(table,))

@@ -1,0 +1,106 @@
+"""Every figure beside what is asked of it, and beside what the baselines reach on the same trials."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from proof.baselines import TITLES
+from proof.page.cells import error_cells, percent, share_cells
+from proof.scoring.summary import Summary
+from torquerig.report.layout import Cell, Table, number, words
+from torquerig.report.matrix_chapters import Chapter
+
+Row = tuple[Cell, ...]
+
+
+def headline(ours: Summary) -> Chapter:
+    """Return the figures of the diagnosis with their exact bounds and the figures that are asked for."""
+    table = Table(
+        caption="All blind trials together",
+        head=("", "counted", "reached", "one-sided 95 % bound", "asked", ""),
+        rows=(*_shares(ours), *_figures(ours)),
+        note="Exactly right: verdict and every name. Within the class: the truth stands among the rivals that a "
+        "finding says it cannot exclude. Bounds by Clopper and Pearson. A false name outweighs everything "
+        "right beside it.",
+    )
+    return Chapter(anchor="reached", title="What was reached", tables=(table,))
+
+
+def beside(summaries: Mapping[str, Summary]) -> Chapter:
+    """Return the diagnosis and the baselines on the same trials, one row each."""
+    rows = tuple(_method(TITLES[name], summary) for name, summary in summaries.items())
+    table = Table(
+        caption="The same recordings, the same scoring",
+        head=("", "exactly right", "or within the class", "false names", "on clean rigs", "unexplained where due",
+              "median error of first parameter", "held-out misfit removed", "calibration error"),
+        rows=rows, emphasised=frozenset({0}),
+        note="All three baselines are given the diagnosis' own calibrated nominal model. Only the sparse "
+        "regression has a model of its own to judge on held-out data, by its own measure; its improvement "
+        "counts rigs where it names something that is there, as for the others.",
+    )  # fmt: skip
+    return Chapter(anchor="baselines", title="Beside the baselines", tables=(table,))
+
+
+def _shares(ours: Summary) -> tuple[Row, ...]:
+    exact, within = ours.groups["all"]["all"]
+    rows = (
+        ("exactly right", exact, True, 0.95),
+        ("exactly right or within the class", within, True, 0.95),
+        ("false names", ours.false_names, False, None),
+        ("false names on rigs with nothing hidden", ours.false_on_blank, False, 0.0),
+        ("unexplained where due", ours.unexplained_where_due, True, 0.9),
+        ("held-out misfit worse by more than 1 %", ours.harmed, False, 0.0),
+    )
+    return tuple(
+        (
+            *words(name),
+            *share_cells(share, at_least=at_least),
+            *_asked(_ratio(share.hits, share.trials), limit, at_least),
+        )
+        for name, share, at_least, limit in rows
+    )
+
+
+def _figures(ours: Summary) -> tuple[Row, ...]:
+    first, calibration = ours.first_named, ours.calibration
+    rows = (
+        ("median error of the identifying parameter", None if first is None else first.median, 0.05, False),
+        ("its 90 % quantile", None if first is None else first.p90, 0.15, False),
+        ("held-out misfit removed, median", ours.improvement, None, True),
+        ("of what the oracle removes, median", ours.of_oracle, 0.9, True),
+        ("expected calibration error", None if calibration is None else calibration.expected_error, 0.05, False),
+    )
+    return tuple(
+        (*words(name), number(""), number(percent(value)), number(""), *_asked(value, limit, at_least))
+        for name, value, limit, at_least in rows
+    )
+
+
+def _ratio(hits: int, trials: int) -> float | None:
+    return hits / trials if trials else None
+
+
+def _asked(value: float | None, limit: float | None, at_least: bool) -> tuple[Cell, Cell]:
+    """Give what is asked and whether it was met."""
+    if limit is None:
+        return number("-"), Cell(text="")
+    sign = "≥" if at_least else "≤"
+    if value is None:
+        return number(f"{sign} {percent(limit, 0)}"), Cell(text="not known")
+    met = value >= limit if at_least else value <= limit
+    return number(f"{sign} {percent(limit, 0)}"), Cell(text="met" if met else "missed", word="mark")
+
+
+def _method(title: str, summary: Summary) -> Row:
+    exact, within = summary.groups["all"]["all"]
+    shares = ((exact, True), (within, True), (summary.false_names, False), (summary.false_on_blank, False),
+              (summary.unexplained_where_due, True))  # fmt: skip
+    cells = [
+        number(
+            percent(_ratio(share.hits, share.trials)), title="; ".join(c.text for c in share_cells(share, at_least=up))
+        )
+        for share, up in shares
+    ]
+    error = error_cells(summary.first_named)[1]
+    calibration = None if summary.calibration is None else summary.calibration.expected_error
+    return (*words(title), *cells, error, number(percent(summary.improvement)), number(percent(calibration)))

@@ -1,0 +1,132 @@
+"""The whole page of a proof, from the scored sets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from proof.page.cells import percent
+from proof.page.cost import cost
+from proof.page.failures import failures
+from proof.page.headline import beside, headline
+from proof.page.known import practice
+from proof.page.null import null, null_picture
+from proof.page.riddle import riddle
+from proof.page.strata import laws_compared, parameters, strata
+from proof.page.trials_made import trials_made
+from proof.page.trust import calibration, improvement, reliability_picture
+from proof.prove.campaign import Proved
+from proof.prove.diagnosing import nominal_scenario
+from proof.prove.scored import OURS, ScoredSet
+from proof.prove.trial_set import riddle_set
+from proof.scoring.summary import Summary, summarise
+from proof.scoring.trial import Trial
+from proof.thresholds import Threshold, as_table, thresholds
+from torquerig.diagnose.explained import LEAST_SHARE
+from torquerig.diagnose.null_table import content_key, null_table
+from torquerig.report.matrix_chapters import Chapter
+from torquerig.report.proof_page import ProofPage, write_proof
+
+TITLE = "Blind trials of the diagnosis"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Written:
+    """Where the pages stand, and the figures that they begin with."""
+
+    html: Path
+    markdown: Path
+    summary: Summary
+
+
+def write_pages(proved: Proved, *, more: tuple[Chapter, ...] = ()) -> Written:
+    """Write proof.html, proof.md and null_table.yaml into the folder of the proof."""
+    summaries = summaries_of(proved.blind)
+    found = thresholds(_null(proved.blind), least_share=LEAST_SHARE)
+    page = proof_page(proved, summaries, found, more=more)
+    paths = [proved.plan.out / f"proof.{ending}" for ending in ("html", "md")]
+    for path in paths:
+        write_proof(page, path)
+    if _null(proved.blind):
+        text = yaml.safe_dump({"tables": [null_entry(proved, found)]}, sort_keys=False)
+        (proved.plan.out / "null_table.yaml").write_text(text, encoding="utf-8")
+    return Written(html=paths[0], markdown=paths[1], summary=summaries[OURS])
+
+
+def proof_page(
+    proved: Proved, summaries: dict[str, Summary], found: tuple[Threshold, ...], *, more: tuple[Chapter, ...] = ()
+) -> ProofPage:
+    """Return the page; ``more`` chapters stand before the failures."""
+    ours, trials = summaries[OURS], trials_of(proved.blind, OURS)
+    chapters = [headline(ours)]
+    chapters += [beside(summaries)] if len(summaries) > 1 else []
+    chapters += [trials_made(proved), strata(ours), parameters(ours), improvement(ours, trials), calibration(ours)]
+    chapters += [null(_null(proved.blind), found)] if not proved.plan.alone else []
+    if proved.same_laws:
+        chapters.append(laws_compared(ours, summarise(list(trials_of(proved.same_laws, OURS)))))
+    if proved.riddle:
+        chapters.append(riddle(proved.riddle, _wanders(proved)))
+    if proved.practice is not None:
+        chapters.append(practice(proved.practice))
+    costs = [one for each in proved.blind for one in each.costs]
+    refusals = {name: why for each in proved.blind for name, why in each.refusals.items()}
+    chapters += [*more, cost(costs, workers=proved.plan.workers, duration=proved.plan.duration)]
+    chapters.append(failures(trials, refusals))
+    pictures = {"calibration": reliability_picture(ours)}
+    if not proved.plan.alone:
+        pictures["null"] = null_picture(_null(proved.blind), found)
+    return ProofPage(
+        title=TITLE, lead=lead(proved, ours), chapters=tuple(chapters), pictures=pictures, command=proved.plan.command
+    )
+
+
+def lead(proved: Proved, ours: Summary) -> tuple[str, ...]:
+    """Return what a reader in haste must know."""
+    exact, within = ours.groups["all"]["all"]
+    first = (
+        f"{exact.hits} of {exact.trials} blind trials exactly right ({percent(exact.hits / max(exact.trials, 1))}, at "
+        f"least {percent(exact.lower)} with 95 % confidence), {within.hits} exactly or within the class; "
+        f"{ours.false_names.hits} false names, {ours.false_on_blank.hits} of {ours.false_on_blank.trials} on rigs with "
+        "nothing hidden."
+    )
+    return (first, *_used_for_thresholds(proved))
+
+
+def null_entry(proved: Proved, found: tuple[Threshold, ...]) -> dict[str, Any]:
+    """Return the entry of ``null_tables.yaml`` that these clean rigs make."""
+    scenario = nominal_scenario()
+    return as_table(
+        found, key=content_key(scenario), title=scenario.title, command=proved.plan.command, seeds=proved.plan.seeds,
+        clean_rigs=len(_null(proved.blind)),
+    )  # fmt: skip
+
+
+def summaries_of(sets: tuple[ScoredSet, ...]) -> dict[str, Summary]:
+    """Return the figures of every method over all sets together."""
+    return {method: summarise(list(trials_of(sets, method))) for method in sets[0].trials}
+
+
+def trials_of(sets: tuple[ScoredSet, ...], method: str) -> tuple[Trial, ...]:
+    """Return the trials of one method over all sets."""
+    return tuple(trial for one in sets for trial in one.trials[method])
+
+
+def _null(sets: tuple[ScoredSet, ...]) -> list[Any]:
+    return [gains for one in sets for gains in one.null.values()]
+
+
+def _used_for_thresholds(proved: Proved) -> tuple[str, ...]:
+    table = null_table(nominal_scenario())
+    both = () if table is None else sorted(set(table.seeds).intersection(proved.plan.seeds))
+    if not both:
+        return ()
+    listed = ", ".join(map(str, both))
+    return (f"Not to be quoted: the shipped thresholds were made from seeds that are scored here ({listed}).",)
+
+
+def _wanders(proved: Proved) -> dict[str, bool]:
+    sets = [riddle_set(seed, proved.plan.out, duration=proved.plan.duration) for seed in proved.plan.seeds]
+    return {f"{one.name}, {case.name}": case.wanders for one in sets for case in one.cases}

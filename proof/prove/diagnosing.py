@@ -1,0 +1,118 @@
+"""One rig's recordings to a diagnosis and the baselines' verdicts: nothing here can see an answer."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from proof.prove.trial_set import BASELINE_VERDICTS, COSTS, DIAGNOSES, REFUSED
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.diagnose.diagnose import Outcome, diagnose
+from torquerig.diagnose.diagnosis import as_json
+from torquerig.document import read_document
+from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.signals.files import read_recording
+from torquerig.signals.recording import Recording
+
+SCENARIO = "wear_rig.yaml"
+
+
+@dataclass(frozen=True, kw_only=True)
+class DiagnosisJob:
+    """Recordings of one rig, and the folder that its diagnosis goes into; ``baselines`` are the verdicts beside it."""
+
+    name: str
+    recordings: tuple[Path, ...]
+    folder: Path
+    baselines: tuple[str, ...] = ()
+
+
+def job_of(name: str, recordings: Path, folder: Path, *, baselines: Sequence[str] = ()) -> DiagnosisJob:
+    """Return the job for all tables of a folder of recordings."""
+    tables = tuple(sorted(recordings.glob("*.parquet")))
+    return DiagnosisJob(name=name, recordings=tables, folder=folder, baselines=tuple(baselines))
+
+
+def is_diagnosed(job: DiagnosisJob) -> bool:
+    """Tell whether an earlier call left this diagnosis and its baselines, or the reason why there is none."""
+    if refusal_path(job.folder, DIAGNOSES, job.name).is_file():
+        return True
+    wanted = [job.folder / DIAGNOSES, *(job.folder / BASELINE_VERDICTS / one for one in job.baselines)]
+    return all((folder / f"{job.name}.json").is_file() for folder in wanted)
+
+
+def diagnosed(job: DiagnosisJob) -> str:
+    """Diagnose one rig, write what was said and what it cost, and give its name.
+
+    The diagnosis is written last: while it is not there, nothing is.
+    """
+    try:
+        started, worked = time.perf_counter(), time.process_time()
+        outcome = diagnose(nominal_scenario(), read_all(job.recordings), seed=0)
+        cost = {
+            "seconds": round(time.perf_counter() - started, 2),
+            "processor_seconds": round(time.process_time() - worked, 2),
+            "peak_MiB": round(_peak(), 1),
+        }
+        for name, said in baseline_verdicts(outcome, job.baselines).items():
+            write_json(job.folder / BASELINE_VERDICTS / name / f"{job.name}.json", said)
+        write_json(job.folder / COSTS / f"{job.name}.json", cost)
+        write_json(job.folder / DIAGNOSES / f"{job.name}.json", as_json(outcome.diagnosis))
+    except Exception as wrong:
+        refuse(job.folder, DIAGNOSES, job.name, wrong)
+    return job.name
+
+
+def baseline_verdicts(outcome: Outcome, names: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """Return the verdicts of the baselines on the same calibrated nominal model."""
+    from proof.baselines import BASELINES
+
+    return {name: BASELINES[name](outcome) for name in names}
+
+
+def nominal_scenario() -> Scenario:
+    """Read the shipped wear rig, which is all that a diagnosis is given beside the recordings."""
+    path = shipped_scenarios() / SCENARIO
+    return read_scenario(read_document(path), load_catalog(shipped_folder()), seed=0)
+
+
+def read_all(paths: Sequence[Path]) -> list[Recording]:
+    """Read the runs of one rig."""
+    return [read_recording(path) for path in paths]
+
+
+def write_json(path: Path, data: Any) -> None:
+    """Write a file whole or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
+    partial.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    partial.replace(path)
+
+
+def refuse(folder: Path, stage: str, name: str, wrong: Exception) -> None:
+    """Keep the reason why a stage gave nothing for a case."""
+    path = refusal_path(folder, stage, name)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"{type(wrong).__name__}: {wrong}\n", encoding="utf-8")
+
+
+def refusal_path(folder: Path, stage: str, name: str) -> Path:
+    """Return where that reason stands; delete the file to have the case done again."""
+    return folder / REFUSED / f"{stage}-{name}.txt"
+
+
+def _peak() -> float:
+    """Return the largest memory that this process has held so far [MiB]; 0 where the system does not say."""
+    if sys.platform == "win32":
+        return 0.0
+    import resource
+
+    held = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return float(held) / (1024.0**2 if sys.platform == "darwin" else 1024.0)

@@ -1,0 +1,69 @@
+"""A proof as a page and as Markdown: chapters of tables and sentences, pictures behind the chapter they belong to."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from torquerig import __version__
+from torquerig.report.matrix_chapters import Chapter
+from torquerig.report.matrix_markdown import escaped, table_text
+from torquerig.report.picture import Picture
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProofPage:
+    """What stands on the page.
+
+    Parameters
+    ----------
+    title : str
+    lead : tuple of str
+        Sentences at the top.
+    chapters : tuple of Chapter
+    pictures : mapping of str to tuple of Picture
+        By the anchor of their chapter; the Markdown has their captions.
+    command : str
+        That makes the same again.
+    """
+
+    title: str
+    lead: tuple[str, ...]
+    chapters: tuple[Chapter, ...]
+    pictures: Mapping[str, tuple[Picture, ...]] = field(default_factory=dict)
+    command: str
+
+
+def write_proof(page: ProofPage, path: Path) -> None:
+    """Write ``path`` as .html or, with any other ending, as Markdown; what stood there is replaced when complete."""
+    text = proof_html(page) if path.suffix.lower() == ".html" else proof_markdown(page)
+    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
+    try:
+        partial.write_text(text, encoding="utf-8", newline="\n")
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def proof_html(page: ProofPage) -> str:
+    """Return the HTML: pictures inline, no script, no request to anywhere."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
+        lstrip_blocks=True, keep_trailing_newline=True,
+    )  # fmt: skip
+    return environment.get_template("proof.html").render(page=page, version=__version__)
+
+
+def proof_markdown(page: ProofPage) -> str:
+    """Return the same chapters as Markdown."""
+    parts = [f"# {escaped(page.title)}", *(escaped(line) for line in page.lead), f"Made with `{page.command}`."]
+    for chapter in page.chapters:
+        parts.append(f"## {escaped(chapter.title)}")
+        parts += ["\n".join(f"- {escaped(line)}" for line in chapter.lines)] if chapter.lines else []
+        parts += [table_text(table) for table in chapter.tables]
+        parts += [escaped(one.caption) for one in page.pictures.get(chapter.anchor, ())]
+    return "\n\n".join(parts) + "\n"
