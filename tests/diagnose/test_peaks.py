@@ -12,6 +12,7 @@ from torquerig.diagnose.lines_left import lines_left
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import peaks
 from torquerig.diagnose.places import Place, frequency, order
+from torquerig.scenario.reading import Scenario
 
 RATE, SAMPLES = 2000.0, 16_000
 TIME = np.arange(SAMPLES) / RATE
@@ -66,7 +67,7 @@ def test_a_known_line_is_no_peak(by_hand: ByHand) -> None:
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_noise_alone_has_no_lines(seed: int, by_hand: ByHand) -> None:
+def test_noise_alone_has_no_lines(seed: int, by_hand: ByHand, wear_rig: Scenario) -> None:
     """White, and coloured as shafts colour it: no place among some ten thousand passes the threshold."""
     from scipy.signal import lfilter
 
@@ -76,19 +77,19 @@ def test_noise_alone_has_no_lines(seed: int, by_hand: ByHand) -> None:
         by_hand(white, turned(1000.0), rate=RATE, name="white"),
         by_hand(ringing, turned(700.0), rate=RATE, name="ringing"),
     ]
-    assert lines_left(runs, [], ratio=5.0) == ()
+    assert lines_left(runs, [], rig=wear_rig.rig) == ()
 
 
-def test_a_weak_line_beside_a_strong_one_is_found_in_a_later_pass(by_hand: ByHand) -> None:
+def test_a_weak_line_beside_a_strong_one_is_found_in_a_later_pass(by_hand: ByHand, wear_rig: Scenario) -> None:
     runs = two_speeds(by_hand, lambda angle: 2.0 * np.cos(16.8 * angle) + 0.02 * np.cos(20.0 * angle))
-    found = lines_left(runs, [], ratio=5.0)
+    found = lines_left(runs, [], rig=wear_rig.rig)
     assert found[0].place == order(16.8)
     assert order(20.0) in [peak.place for peak in found]
 
 
-def test_at_one_speed_a_whole_output_order_wins_over_its_frequency(by_hand: ByHand) -> None:
+def test_at_one_speed_a_whole_output_order_wins_over_its_frequency(by_hand: ByHand, wear_rig: Scenario) -> None:
     runs = two_speeds(by_hand, lambda angle: 0.03 * np.cos(16.8 * angle))[:1]
-    assert [peak.place for peak in lines_left(runs, [], ratio=5.0)] == [order(16.8)]
+    assert [peak.place for peak in lines_left(runs, [], rig=wear_rig.rig)] == [order(16.8)]
 
 
 def test_a_place_says_where_it_stands_and_how_its_phase_runs() -> None:

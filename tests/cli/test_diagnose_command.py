@@ -1,0 +1,111 @@
+"""``torquerig diagnose``: files in, one JSON out; bad input in one sentence with exit code 2, and nothing written."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+
+import pytest
+
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.cli import main
+from torquerig.document import read_document
+from torquerig.mechanisms import Quantization
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.signals.files import write_recording
+from torquerig.simulate.simulate import simulate
+
+WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")
+STEP = 0.0231  # [V]
+
+
+def read(path: Path) -> Scenario:
+    return read_scenario(read_document(path), load_catalog(shipped_folder()), seed=1)
+
+
+def write(name: str, rig: Rig, *, duration: float = 2.5, encoder: bool = True, **sheet: object) -> None:
+    speed = 1000 * pi / 30
+    made = simulate(rig.at(replace(rig.run, speed=speed)), duration=duration, seed=3, sample_rate=5000.0, settling=0.5)
+    made = made.without_truth()
+    channels = {key: one for key, one in made.channels.items() if encoder or one.quantity == "torque"}
+    write_recording(replace(made, channels=channels, run=replace(made.run, **sheet)), Path(name))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made, rig = tmp_path_factory.mktemp("runs"), read(Path(WEAR_RIG)).rig
+    write(str(made / "good.parquet"), rig)
+    write(str(made / "codes.parquet"), rig + Quantization(name="coarse", step=STEP), duration=4.0)
+    write(str(made / "ratio.parquet"), rig, gear_ratio=20.0)
+    write(str(made / "motor.parquet"), rig, motor="HDS6A-0104A")
+    write(str(made / "short.parquet"), rig, duration=0.4)
+    write(str(made / "no_speed.parquet"), rig, encoder=False, speed=None)
+    rows = "\n".join(f"{index / 1000},0" for index in range(3000))
+    (made / "pressure.csv").write_text(f"time_s,pressure_Pa\n{rows}\n")
+    return made
+
+
+@pytest.fixture(autouse=True)
+def _there(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+
+
+BAD: dict[str, tuple[tuple[str, ...], str]] = {
+    "no recording": ((), "missing argument 'RECORDINGS...'"),
+    "missing file": (("nope.parquet",), "nope.parquet: there is no such file"),
+    "two ratios": (("good.parquet", "ratio.parquet"), "of different rigs: their sheets state the gear ratio"),
+    "two motors": (("good.parquet", "motor.parquet"), "of different rigs: their sheets state the motor"),
+    "wrong ratio": (("ratio.parquet",), "ratio.parquet: its sheet states a gear ratio of 20, the scenario's rig has 5"),
+    "too short": (("short.parquet",), "short.parquet: 0.40 s are too short to tell anything; record 2 s or more"),
+    "no speed": (("no_speed.parquet",), "no_speed.parquet: the run states no motor speed"),
+    "unknown channel": (("pressure.csv",), "pressure.csv"),
+    "the same twice": (("good.parquet", "good.parquet"), "two recordings have the same file name"),
+    "no such folder": (("good.parquet", "--model", "no/model.yaml"), "there is no folder no; make it first"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_bad_input_is_one_sentence(case: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments, sentence = BAD[case]
+    before = sorted(path.name for path in folder.iterdir())
+    with pytest.raises(SystemExit) as left:
+        main(("diagnose", *arguments, "--scenario", WEAR_RIG, "--json", "out.json"))
+    told = capsys.readouterr()
+    assert left.value.code == 2
+    assert sentence in told.err
+    assert told.err.strip().count("\n") == 0
+    assert told.out == ""
+    assert sorted(path.name for path in folder.iterdir()) == before
+
+
+def test_a_missing_scenario_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as left:
+        main(("diagnose", "good.parquet", "--scenario", "nope.yaml", "--json", "-"))
+    assert left.value.code == 2
+    assert "nope.yaml: there is no such file" in capsys.readouterr().err
+
+
+def test_a_fault_of_the_samples_is_named_and_its_model_written(folder: Path) -> None:
+    main(("diagnose", "codes.parquet", "--scenario", WEAR_RIG, "--json", "codes.json"))
+    data = json.loads((folder / "codes.json").read_text(encoding="utf-8"))
+    assert [finding["mechanism"] for finding in data["findings"]] == ["quantization"]
+    assert data["findings"][0]["parameters"]["step_V"]["value"] == pytest.approx(STEP, rel=1e-3)
+    assert data["model"] == "codes.model.yaml"
+    written = read(folder / data["model"]).rig
+    assert written.part("quantization").step == pytest.approx(STEP, rel=1e-3)  # type: ignore[attr-defined]
+    again = simulate(written, duration=0.5, seed=1, settling=0.2)
+    volts = again.channels["torque_V"].values / STEP
+    assert abs(volts - volts.round()).max() < 0.1
+
+
+def test_to_standard_output_goes_the_json_alone(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
+    main(("diagnose", "good.parquet", "--scenario", WEAR_RIG, "--json", "-"))
+    told = capsys.readouterr()
+    data = json.loads(told.out)
+    assert data["schema"] == "torquerig.diagnosis/1"
+    assert data["verdict"] == "adequate"
+    assert data["model"] is None
