@@ -47,7 +47,7 @@ def test_steady_torque_by_hand():
 
 @pytest.mark.parametrize("occupancy", [0, 5, 21])
 def test_steady_torque_is_the_one_that_ripple_is_counted_from(occupancy):
-    """Two ways to the same number; their dry friction differs by its smoothing, 1 - tanh(104.7 / 0.5) = 0."""
+    """One place for both: a steady profile asks for what the lines of the motor are counted from."""
     rig = wear_rig(f"load.occupancy={occupancy}").rig
     assert drive_demand(rig, duration=10).rms_torque == pytest.approx(steady_torque(rig, "motor"), rel=1e-9)
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError
+from torquerig.rig.drive_train import DriveTrain, drive_train, driven_motor
 from torquerig.rig.rig import Rig
-from torquerig.scenario.drive_train import DriveTrain, drive_train, driven_motor
 from torquerig.signals.profiles.corners import Corners
 from torquerig.signals.profiles.tabulated import Tabulated
 

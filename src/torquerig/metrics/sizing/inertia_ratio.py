@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import Values, over
 from torquerig.metrics.sizing.sized_drive import SizedDrive
+from torquerig.rig.drive_train import drive_train
 from torquerig.rig.terms import Inertia
-from torquerig.scenario.drive_train import drive_train
 
 
 def inertia_ratio(drive: SizedDrive) -> Mapping[str, Figure]:

@@ -1,0 +1,185 @@
+"""All that a motor drives, seen from its shaft: inertia, load and friction through the gears."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import copysign, exp
+from typing import NamedTuple
+
+from torquerig.rig.parts.induction_drive import InductionDrive
+from torquerig.rig.parts.motor import Motor
+from torquerig.rig.parts.speed_controller import SpeedController
+from torquerig.rig.parts.torque_controller import TorqueController
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import (
+    GROUND,
+    AngleLoad,
+    AppliedTorque,
+    BladeTorque,
+    BristleFriction,
+    Friction,
+    Inertia,
+    Load,
+    Signal,
+    Spring,
+    Term,
+)
+
+BLADE_MEAN = 0.25  # mean of max(0, cos)^2 over a turn
+
+
+class Place(NamedTuple):
+    """A node seen from the motor: turns per turn of the motor, and the share of power that arrives there."""
+
+    ratio: float
+    efficiency: float
+
+
+class _Motion(NamedTuple):
+    """Of a node: speed [rad/s], acceleration [rad/s^2], direction (1, 0, -1), share of Stribeck's peak that counts."""
+
+    speed: float
+    acceleration: float
+    way: float
+    peak: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class DriveTrain:
+    """A rig with stiff shafts as its motor (or the shaft that one begins at) feels it.
+
+    Gears lose power in the direction in which it flows: what is driven counts divided by its efficiency, what drives
+    back times it. Left out everywhere: friction between two shafts, ripple, replayed torques, what a random load does
+    around its mean.
+
+    Parameters
+    ----------
+    terms : tuple of Term
+        The rig's physics.
+    places : dict of str to Place
+        The nodes as that shaft sees them; nodes that no shaft leads to are left out.
+    """
+
+    terms: tuple[Term, ...]
+    places: dict[str, Place]
+
+    @property
+    def inertia(self) -> float:
+        """All inertia at the motor, ``sum of J r^2`` [kg m^2]."""
+        placed = ((one, self.places.get(one.node)) for one in self.terms if isinstance(one, Inertia))
+        return sum(one.inertia * place.ratio**2 for one, place in placed if place)
+
+    @property
+    def mean_load(self) -> float:
+        """The mean of the loads at their own shafts [N m]."""
+        return sum(one.process.mean for one in self.terms if isinstance(one, Load))
+
+    def torque(self, speed: float, acceleration: float, *, load: float | None = None, way: float = 1.0) -> float:
+        """Return the motor torque [N m] at a motor speed [rad/s] and its acceleration [rad/s^2].
+
+        ``way`` (1, 0 or -1) is the direction of motion for dry friction and loads, which hold nothing at rest.
+        ``load`` [N m] is the mean of all loads, where it is not the rig's own. Stribeck's peak is left out (Coulomb
+        friction counts): a motion that passes through rest has it for a moment only.
+        """
+        share = 1.0 if load is None or self.mean_load == 0 else load / self.mean_load
+        return self._asked(_Motion(speed, acceleration, way, 0.0), share)
+
+    def steady_torque(self, speed: float) -> float:
+        """Return the motor torque [N m] at a constant speed [rad/s], with what is left of Stribeck's peak at it."""
+        return self._asked(_Motion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0), 1.0)
+
+    def _asked(self, motion: _Motion, share: float) -> float:
+        by_efficiency: dict[float, float] = {}
+        for node, (ratio, efficiency) in self.places.items():
+            here = motion._replace(
+                speed=motion.speed * ratio,
+                acceleration=motion.acceleration * ratio,
+                way=copysign(1.0, ratio) * motion.way,
+            )
+            needed = sum(_needed(one, here, share) for one in self.terms if _acts_on(one) == node)
+            by_efficiency[efficiency] = by_efficiency.get(efficiency, 0.0) + needed * ratio
+        heading = motion.way or copysign(1.0, motion.acceleration)
+        return sum(
+            torque / efficiency if torque * heading >= 0 else torque * efficiency
+            for efficiency, torque in by_efficiency.items()
+        )
+
+
+def driven_motor(rig: Rig) -> Motor | None:
+    """Return the motor that follows the run's set-point, under a controller or on an inverter; None without one."""
+    drives: tuple[SpeedController | InductionDrive, ...]
+    drives = (*rig.parts_of(SpeedController), *rig.parts_of(InductionDrive))
+    part = rig.part(drives[0].motor) if drives else None
+    return part if isinstance(part, Motor) else None
+
+
+def drive_train(rig: Rig, motor: str) -> DriveTrain:
+    """Return what the node ``motor`` of the rig drives, at the rig's operating point.
+
+    The drives themselves are not asked, so that they may ask for it (ripple in proportion to the torque).
+    """
+    terms = passive_terms(rig)
+    places = places_from(motor, springs_of(terms))
+    ratios = rig.speed_ratios(motor)  # it refuses loops of gears that do not match
+    return DriveTrain(terms=terms, places={node: place for node, place in places.items() if node in ratios})
+
+
+def passive_terms(rig: Rig) -> tuple[Term, ...]:
+    """Return the physics of all parts but the drives."""
+    drives = SpeedController | TorqueController | InductionDrive
+    return tuple(term for part in rig.parts if not isinstance(part, drives) for term in part.terms(rig))
+
+
+def springs_of(terms: Iterable[Term]) -> tuple[Spring, ...]:
+    """Return the springs among the terms."""
+    return tuple(term for term in terms if isinstance(term, Spring))
+
+
+def places_from(start: str, springs: Sequence[Spring]) -> dict[str, Place]:
+    """Return how the node ``start`` sees the nodes that the springs lead to."""
+    places, waiting = {start: Place(1.0, 1.0)}, [start]
+    while waiting:
+        here = waiting.pop()
+        for spring in springs:
+            for near, far, turns in ((spring.a, spring.b, 1 / spring.ratio), (spring.b, spring.a, spring.ratio)):
+                if near == here and far not in places:
+                    place = places[here]
+                    places[far] = Place(place.ratio * turns, place.efficiency * spring.efficiency)
+                    waiting.append(far)
+    return places
+
+
+def _acts_on(one: Term) -> str | None:
+    if isinstance(one, Inertia):
+        return one.node
+    opposing = Friction | BristleFriction | Load | AngleLoad | BladeTorque | AppliedTorque
+    return one.on if isinstance(one, opposing) else None
+
+
+def _needed(one: Term, motion: _Motion, share: float) -> float:
+    """Return the torque [N m] in its node's positive direction that one term needs."""
+    if isinstance(one, Inertia):
+        return one.inertia * motion.acceleration
+    if isinstance(one, Friction | BristleFriction):
+        return _friction(one, motion) if one.against == GROUND else 0.0
+    if isinstance(one, Load | AngleLoad):
+        return motion.way * one.process.mean * (share if isinstance(one, Load) else 1.0)
+    if isinstance(one, BladeTorque):
+        return motion.way * BLADE_MEAN * one.amplitude
+    if isinstance(one, AppliedTorque) and not isinstance(one.process, Signal):
+        return -one.process.mean
+    return 0.0
+
+
+def _friction(one: Friction | BristleFriction, motion: _Motion) -> float:
+    speed, forwards = motion.speed, motion.way > 0
+    dry = one.coulomb_forward if forwards else one.coulomb_backward
+    static = one.static_forward if forwards else one.static_backward
+    dry += motion.peak * (static - dry) * exp(-((speed / one.stribeck) ** 2))
+    torque = motion.way * dry + one.viscous * speed
+    if isinstance(one, Friction):
+        if one.viscous_backward is not None and speed < 0:
+            torque += (one.viscous_backward - one.viscous) * speed
+        torque += one.quadratic * speed * abs(speed)
+    return torque
