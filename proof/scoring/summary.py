@@ -61,7 +61,9 @@ def summarise(trials: list[Trial]) -> Summary:
     blank = [trial for trial in trials if trial.due == "adequate"]
     outside = [trial for trial in trials if trial.due == "unexplained"]
     gains = [trial.improvement for trial in trials if trial.improvement is not None and trial.matches]
-    oracle = [gain.of_oracle for gain in gains if gain.of_oracle is not None]
+    # of every rig that has an oracle: one in which nothing was named has gained nothing
+    each = [trial.improvement.of_oracle for trial in trials if trial.improvement is not None]
+    oracle = [share for share in each if share is not None]
     hedged = [match.finding for match in matches if match.finding.equivalent_to]
     return Summary(
         outcomes={outcome.value: sum(trial.outcome is outcome for trial in trials) for outcome in Outcome},

@@ -106,6 +106,17 @@ def test_a_drift_is_linear_or_not():
         assert errors_of(match_findings((linear,), (finding,))[0])[0].error == error
 
 
+def test_a_rig_in_which_nothing_was_named_has_gained_nothing_of_the_oracles():
+    row = {"mechanism": "gear_mesh", "in_library": True, "size": 0.5, "also_right": [], "parameters": {}}
+    answer = {"verdict": "missing_physics", "effects": [row], "plan": "typical", "wrong_parameters": False}
+    oracle = Claim("missing_physics", (), 1.0, 0.4)
+    missed = trial_of("a", answer, Claim("adequate", (), 1.0, 1.0), oracle=oracle)
+    named = trial_of("b", answer, Claim("missing_physics", (Finding("gear_mesh", 0.9),), 1.0, 0.4), oracle=oracle)
+    assert summarise([named]).of_oracle == pytest.approx(1.0)
+    assert summarise([named, missed, missed]).of_oracle == 0.0
+    assert summarise([named, missed, missed]).improvement == pytest.approx(0.6)
+
+
 def test_improvement_is_told_beside_the_oracles():
     claim, oracle = Claim("missing_physics", (), 1.0, 0.46), Claim("missing_physics", (), 1.0, 0.4)
     gain = improvement_of(claim, oracle)
