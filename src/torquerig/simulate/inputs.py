@@ -28,6 +28,11 @@ class Span:
     seed: int
     wander: float = 0.0
 
+    @classmethod
+    def of(cls, *, duration: float, settling: float, rate: float, seed: int, wander: float) -> Span:
+        """Return the span of a recording of ``duration`` [s] after ``settling`` [s]."""
+        return cls(settling=round(settling * rate), samples=round(duration * rate), rate=rate, seed=seed, wander=wander)
+
     def time(self) -> NDArray[np.float64]:
         """Return the time of every sample and one more [s], shape (settling + samples + 1,); 0 is the first kept."""
         return np.arange(-self.settling, self.samples + 1) / self.rate

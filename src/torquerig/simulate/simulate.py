@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import __version__
-from torquerig.errors import InputError, SimulationError
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 from torquerig.simulate import kernel
-from torquerig.simulate.failure import why_it_failed
-from torquerig.simulate.inputs import Span, filled, held_while_settling, start
+from torquerig.simulate.inputs import Span, filled, held_while_settling
 from torquerig.simulate.lower import lower
-from torquerig.simulate.outputs import Output, as_arrays, channels_of, outputs_of
+from torquerig.simulate.outputs import Output, as_arrays, channels_of
+from torquerig.simulate.ready import Ready, ready
 from torquerig.simulate.step_choice import StepChoice, step_choice
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
@@ -48,29 +47,18 @@ def simulate(
     SimulationError
         When a speed ceases to be finite: names the node, the time and, as far as it can be told, why.
     """
-    samples, unkept = round(duration * sample_rate), round(settling * sample_rate)
-    span = Span(settling=unkept, samples=samples, rate=sample_rate, seed=seed, wander=wander)
-    lowered = lower(rig, seed)
-    if samples < 2:
-        raise InputError(f"a recording of {duration:g} s at {sample_rate:g} Hz has {samples} samples; ask for more")
-    if not lowered.drive_terms and not lowered.load_terms and not lowered.imposed_terms:
-        raise InputError("nothing moves the rig; add a speed controller to the motor")
-    lowered = held_while_settling(lowered, span)
-    terms = filled(rig, lowered, span)
-    outputs = outputs_of(rig, lowered)
-    theta, omega = start(rig, lowered, terms)
-    kept = np.empty((len(outputs), samples))
-    steps = substeps or step_choice(lowered, terms, sample_rate).steps
-    failed, node = kernel.integrate(theta, omega, terms, as_arrays(outputs), sample_rate, unkept, steps, kept)
+    span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
+    return stepped(ready(rig, span, scenario=scenario, substeps=substeps))
+
+
+def stepped(run: Ready) -> Recording:
+    """Return the recording of a rig that is ready; SimulationError where a speed ceases to be finite."""
+    kept = np.empty((len(run.outputs), run.span.samples))
+    span, outputs = run.span, as_arrays(run.outputs)
+    failed, node = kernel.integrate(*run.start(), run.terms, outputs, span.rate, span.settling, run.steps, kept)
     if failed >= 0:
-        raise SimulationError(
-            f"the speed of {lowered.nodes[node]!r} ceased to be finite {(failed - unkept) / sample_rate:.4f} s after "
-            "the start of the recording: "
-            + why_it_failed(rig, lowered, terms, sample=failed, steps=steps, sample_rate=sample_rate)
-        )
-    return recorded(
-        rig, outputs, kept, rate=sample_rate, origin={"scenario": scenario, "seed": seed, "substeps": steps}
-    )
+        raise run.failure(failed, node)
+    return recorded(run.rig, run.outputs, kept, rate=span.rate, origin=run.origin)
 
 
 def recorded(
@@ -102,10 +90,7 @@ def choice_for(
     settling: float = SETTLING, substeps: int | None = None,
 ) -> StepChoice:  # fmt: skip
     """Return the steps that ``simulate`` would take, what fixed them, or how far ``substeps`` of your own reach."""
-    span = Span(
-        settling=round(settling * sample_rate), samples=round(duration * sample_rate), rate=sample_rate, seed=seed,
-        wander=wander,
-    )  # fmt: skip
+    span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
     lowered = held_while_settling(lower(rig, seed), span)
     chosen = step_choice(lowered, filled(rig, lowered, span), sample_rate)
     return chosen if substeps is None else StepChoice(substeps, 1 / sample_rate / substeps, chosen.fixed_by)

@@ -1,9 +1,16 @@
 """The compiled loop: any rig, lowered to the arrays of ``simulate/arrays.py``, through time.
 
-loop      Runge-Kutta 4, contacts located    forces     torques of one evaluation    ladder    cosines and sines
-imposed   motions that are given
-control   what drives see and command        rare       terms that most rigs lack    keep      what a run keeps
-sources   what the cache on disk stands on   direction  the smoothed sign of a speed
+loop        Runge-Kutta 4, contacts located       forces     torques of one evaluation
+control     what drives see and command           ladder     cosines and sines of one evaluation
+rare        terms that most rigs lack             imposed    motions that are given
+keep        what a run keeps                      work       the arrays that the loop works in
+direction   the smoothed sign of a speed          sources    what the cache on disk stands on
+
+The functions are written for one number and compiled twice: for one rig, and for eight like rigs side by side.
+
+lanes       eight numbers as one                  choice     what branches and indices become there
+elementary  sine, exponential, tanh for both      side_by_side   the loop over lanes
+fast        what the compiler may rearrange
 
 Numba's cache on disk looks at one file and not at those it calls; ``sources`` makes all of these files part of its key.
 """

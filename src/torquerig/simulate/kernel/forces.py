@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
 from numba import njit
 
-from torquerig.simulate.kernel.direction import FAST, direction
+from torquerig.simulate.kernel.choice import any_of, where
+from torquerig.simulate.kernel.direction import direction
+from torquerig.simulate.kernel.elementary import exponential
+from torquerig.simulate.kernel.fast import FAST
 from torquerig.simulate.kernel.ladder import climb
 from torquerig.simulate.kernel.rare import bend, drag, share_of_turning, vary
 
@@ -19,8 +21,8 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
     """
     waves, springs, harmonics, frictions = terms.waves, terms.springs, terms.harmonics, terms.frictions
     loads, blades, drives = terms.loads, terms.blades, terms.drives
-    torque[:] = 0.0
-    opposing[:] = 0.0
+    for i in range(torque.size):
+        torque[i], opposing[i] = 0.0, 0.0
     climb(waves, theta, cosine, sine)
     if rare:
         vary(terms.varied, springs, cosine, sine, stiffness, damping)
@@ -42,46 +44,43 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         rate = omega[a] * r - omega[b] * lean
         twisted[i] = twist
         half = springs.half_gap[i]
-        if half > 0.0:
-            side = 1.0 if twist > 0.0 else -1.0
+        if any_of(half > 0.0):
+            side = where(twist > 0.0, 1.0, -1.0)
             pressed = stiffness[i] * (side * twist - half)
             damped = side * damping[i] * rate
-            if pressed <= 0.0:
-                value, contact[i] = 0.0, 0.0
-            elif damped > pressed:
-                value, contact[i] = side * 2.0 * pressed, side
-            elif damped > -pressed:
-                value, contact[i] = side * (pressed + damped), 2.0 * side
-            else:
-                value, contact[i] = 0.0, 3.0 * side
+            touching, driven, parting = pressed > 0.0, damped > pressed, damped <= -pressed
+            value = where(driven, 2.0 * pressed, where(parting, 0.0, pressed + damped))
+            value = where(touching, side * value, 0.0)
+            contact[i] = where(touching, where(driven, side, where(parting, 3.0 * side, 2.0 * side)), 0.0)
         else:
             value = stiffness[i] * twist + damping[i] * rate
         spring_torque[i] = value
         torque[b] += value * lean
         back = value * r
-        if springs.loss_half[i] != 0.0:
-            flow = direction(omega[b], 50.0) if value > 0.0 else -direction(omega[b], 50.0)
+        if any_of(springs.loss_half[i] != 0.0):
+            flow = direction(omega[b], 50.0)
+            flow = where(value > 0.0, flow, -flow)
             back *= springs.loss_mean[i] + springs.loss_half[i] * flow
         torque[a] -= back
     for i in range(frictions.on.size):
         speed = omega[frictions.on[i]] - omega[frictions.against[i]]
         value = frictions.viscous[i] * speed + frictions.quadratic[i] * speed * abs(speed)
-        way = 1 if speed > 0.0 else 0
-        if way == 0:
-            value += frictions.backward_extra[i] * speed
-        grip = frictions.coulomb[i, way]
-        if frictions.excess[i, way] != 0.0:
-            scaled = speed * frictions.inverse_stribeck[i]
-            if abs(scaled) < 6.0:
-                grip += frictions.excess[i, way] * np.exp(-scaled * scaled)
-        if grip != 0.0:
+        forward = speed > 0.0
+        value += where(forward, 0.0, frictions.backward_extra[i]) * speed
+        grip = where(forward, frictions.coulomb[i, 1], frictions.coulomb[i, 0])
+        excess = where(forward, frictions.excess[i, 1], frictions.excess[i, 0])
+        scaled = speed * frictions.inverse_stribeck[i]
+        slow = (abs(scaled) < 6.0) & (excess != 0.0)
+        if any_of(slow):
+            grip += where(slow, excess * exponential(-scaled * scaled), 0.0)
+        if any_of(grip != 0.0):
             value += grip * direction(speed, frictions.inverse_smoothing[i])
         torque[frictions.on[i]] -= value
         torque[frictions.against[i]] += value
         opposing[frictions.on[i]] += value
     for i in range(loads.on.size):
         on = loads.on[i]
-        if loads.inverse_smoothing[i] == 0.0:
+        if any_of(loads.inverse_smoothing[i] == 0.0):
             torque[on] += load_now[i]
             continue
         value = load_now[i] * direction(omega[on], loads.inverse_smoothing[i])
@@ -90,7 +89,8 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
     for i in range(blades.on.size):
         on, slot = blades.on[i], blades.slot[i]
         wave = blades.c[i] * cosine[slot] - blades.s[i] * sine[slot]
-        if wave > 0.0:
+        if any_of(wave > 0.0):
+            wave = where(wave > 0.0, wave, 0.0)
             value = blades.amplitude[i] * wave * wave * direction(omega[on], blades.inverse_smoothing[i])
             torque[on] -= value
             opposing[on] += value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numba import njit
 
-from torquerig.simulate.kernel.direction import UNCOUNTED
+from torquerig.simulate.kernel.fast import UNCOUNTED
 
 
 @njit(**UNCOUNTED)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from numba import njit
 
+from torquerig.simulate.kernel.choice import hand_out
 from torquerig.simulate.kernel.imposed import imposing_torque
 
 # what an output row holds: the torque of a spring; speed, angle of a node; torque of a drive; all that opposes a node;
@@ -13,18 +14,18 @@ SPRING_TORQUE, SPEED, ANGLE, DRIVE_TORQUE, OPPOSING_TORQUE, IMPOSING_TORQUE = ra
 
 @njit(inline="always")
 def keep(kept, at, outputs, theta, omega, tau, spring_torque, opposing, torque, imposed, sample, period):
-    """Put the outputs of the instant of ``sample`` into the column ``at`` of ``kept``."""
+    """Put the outputs of the instant of ``sample`` into the column ``at`` of ``kept``, (rigs, outputs, samples)."""
     for i in range(outputs.kind.size):
         kind, row = outputs.kind[i], outputs.row[i]
         if kind == SPRING_TORQUE:
-            kept[i, at] = spring_torque[row]
+            hand_out(kept, i, at, spring_torque[row])
         elif kind == SPEED:
-            kept[i, at] = omega[row]
+            hand_out(kept, i, at, omega[row])
         elif kind == ANGLE:
-            kept[i, at] = theta[row]
+            hand_out(kept, i, at, theta[row])
         elif kind == DRIVE_TORQUE:
-            kept[i, at] = tau[row]
+            hand_out(kept, i, at, tau[row])
         elif kind == OPPOSING_TORQUE:
-            kept[i, at] = opposing[row]
+            hand_out(kept, i, at, opposing[row])
         else:
-            kept[i, at] = imposing_torque(imposed, row, sample, period, torque)
+            hand_out(kept, i, at, imposing_torque(imposed, row, sample, period, torque))

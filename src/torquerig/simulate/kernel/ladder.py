@@ -6,7 +6,8 @@ import numpy as np
 from numba import njit
 
 from torquerig.simulate.arrays import RUNGS
-from torquerig.simulate.kernel.direction import FAST
+from torquerig.simulate.kernel.elementary import sine_cosine
+from torquerig.simulate.kernel.fast import FAST
 
 ONE, TWO, THREE, CLIMB = np.uint64(1), np.uint64(2), np.uint64(3), np.uint64(RUNGS)
 
@@ -18,8 +19,7 @@ def climb(waves, theta, cosine, sine):
     A rung in memory takes a product twice as long to reach as one in a register; so four neighbours are kept there.
     """
     for i in range(waves.base_node.size):
-        angle = waves.base_order[i] * theta[waves.base_node[i]]
-        c1, s1 = np.cos(angle), np.sin(angle)
+        s1, c1 = sine_cosine(waves.base_order[i] * theta[waves.base_node[i]])
         c2, s2 = c1 * c1 - s1 * s1, 2.0 * s1 * c1
         c3, s3 = c2 * c1 - s2 * s1, s2 * c1 + c2 * s1
         c4, s4 = c2 * c2 - s2 * s2, 2.0 * s2 * c2

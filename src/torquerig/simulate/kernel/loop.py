@@ -13,8 +13,9 @@ import numpy as np
 from numba import njit
 
 from torquerig.simulate.arrays import Floats, Outputs, Terms
+from torquerig.simulate.kernel.choice import any_of, where
 from torquerig.simulate.kernel.control import control
-from torquerig.simulate.kernel.direction import FAST, UNCOUNTED
+from torquerig.simulate.kernel.fast import FAST, UNCOUNTED
 from torquerig.simulate.kernel.forces import forces
 from torquerig.simulate.kernel.imposed import free, impose
 from torquerig.simulate.kernel.keep import keep
@@ -45,7 +46,7 @@ def _built(key: int) -> Callable[..., Any]:
         fastest = 1.0 / h  # [1/s] at which a bristle may follow
         # terms that most rigs lack: one test skips them all; a key is never below 0
         rare = imposed.on.size + n_bristles + terms.varied.spring.size + terms.angle_loads.on.size > 0 or key < 0
-        for sample in range(settling + kept.shape[1]):
+        for sample in range(settling + kept.shape[2]):
             if rare:
                 free(imposed, sample, inverse_inertia)
                 impose(imposed, sample, 0.0, period, theta, omega)
@@ -68,91 +69,91 @@ def _built(key: int) -> Callable[..., Any]:
                         period,
                     )
                 start, remaining = max(0, step) * h, 0.0 if step < 0 else h
-                unfinished = True
-                while unfinished:
-                    low, high, length, accepted = 0.0, remaining, remaining, step < 0
-                    whole = True
-                    while True:
-                        for i in range(moving):
-                            slope = torque_before[i] * inverse_inertia[i]
-                            theta_sum[i], omega_sum[i] = length / 6.0 * omega[i], length / 6.0 * slope
-                            theta_k[i] = theta[i] + 0.5 * length * omega[i]
-                            omega_k[i] = omega[i] + 0.5 * length * slope
-                        for i in range(n_drives):
-                            slope = (command[i] - tau[i]) * drives.inverse_lag[i]
-                            tau_sum[i], tau_k[i] = length / 6.0 * slope, tau[i] + 0.5 * length * slope
-                        if rare:
-                            for i in range(n_bristles):
-                                bend_sum[i] = length / 6.0 * bend_before[i]
-                                bend_k[i] = bend[i] + 0.5 * length * bend_before[i]
-                        for stage in range(3 if step < 0 else 0, 4):
-                            ahead = 0.5 * length if stage < 2 else length
-                            if stage == 3:
-                                for i in range(moving):
-                                    theta_k[i], omega_k[i] = theta[i] + theta_sum[i], omega[i] + omega_sum[i]
-                                for i in range(n_drives):
-                                    tau_k[i] = tau[i] + tau_sum[i]
-                                if rare:
-                                    for i in range(n_bristles):
-                                        bend_k[i] = bend[i] + bend_sum[i]
-                            part = (start + ahead) * rate
-                            for i in range(loads.on.size):
-                                u = loads.samples[i, sample]
-                                load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
-                            if rare:
-                                impose(imposed, sample, part, period, theta_k, omega_k)
-                            forces(
-                                theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
-                                opposing, torque, rare, stiffness, damping, twisted, bend_k, bend_slope, fastest,
-                            )  # fmt: skip
-                            if stage == 3:
-                                break
-                            weight = length / 6.0 if stage == 2 else length / 3.0
-                            ahead = 0.5 * length if stage == 0 else length
-                            for i in range(moving):
-                                slope = torque[i] * inverse_inertia[i]
-                                theta_sum[i] += weight * omega_k[i]
-                                omega_sum[i] += weight * slope
-                                theta_k[i] = theta[i] + ahead * omega_k[i]
-                                omega_k[i] = omega[i] + ahead * slope
-                            for i in range(n_drives):
-                                slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
-                                tau_sum[i] += weight * slope
-                                tau_k[i] = tau[i] + ahead * slope
-                            if rare:
-                                for i in range(n_bristles):
-                                    bend_sum[i] += weight * bend_slope[i]
-                                    bend_k[i] = bend[i] + ahead * bend_slope[i]
-                        if accepted:
-                            break
-                        kinked = False
-                        for g in range(gaps.size):
-                            gap = gaps[g]
-                            kinked = kinked or contact[gap] != contact_before[gap]
-                        if whole and not kinked:
-                            break
-                        whole = False
-                        if kinked:
-                            high = length
-                        else:
-                            low = length
-                        accepted = high - low <= LOCATED * h
-                        length = high if accepted else 0.5 * (low + high)
+                low, high, length = 0.0, remaining, remaining
+                searching, last = False, step < 0
+                while True:
                     for i in range(moving):
-                        theta[i], omega[i], torque_before[i] = theta_k[i], omega_k[i], torque[i]
+                        slope = torque_before[i] * inverse_inertia[i]
+                        theta_sum[i], omega_sum[i] = length / 6.0 * omega[i], length / 6.0 * slope
+                        theta_k[i] = theta[i] + 0.5 * length * omega[i]
+                        omega_k[i] = omega[i] + 0.5 * length * slope
                     for i in range(n_drives):
-                        tau[i] = tau_k[i]
+                        slope = (command[i] - tau[i]) * drives.inverse_lag[i]
+                        tau_sum[i], tau_k[i] = length / 6.0 * slope, tau[i] + 0.5 * length * slope
                     if rare:
                         for i in range(n_bristles):
-                            bend[i], bend_before[i] = bend_k[i], bend_slope[i]
+                            bend_sum[i] = length / 6.0 * bend_before[i]
+                            bend_k[i] = bend[i] + 0.5 * length * bend_before[i]
+                    for stage in range(3 if step < 0 else 0, 4):
+                        ahead = 0.5 * length if stage < 2 else length
+                        if stage == 3:
+                            for i in range(moving):
+                                theta_k[i], omega_k[i] = theta[i] + theta_sum[i], omega[i] + omega_sum[i]
+                            for i in range(n_drives):
+                                tau_k[i] = tau[i] + tau_sum[i]
+                            if rare:
+                                for i in range(n_bristles):
+                                    bend_k[i] = bend[i] + bend_sum[i]
+                        part = (start + ahead) * rate
+                        for i in range(loads.on.size):
+                            u = loads.samples[i, sample]
+                            load_now[i] = u + (loads.samples[i, sample + 1] - u) * part
+                        if rare:
+                            impose(imposed, sample, part, period, theta_k, omega_k)
+                        forces(
+                            theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
+                            opposing, torque, rare, stiffness, damping, twisted, bend_k, bend_slope, fastest,
+                        )  # fmt: skip
+                        if stage == 3:
+                            break
+                        weight = length / 6.0 if stage == 2 else length / 3.0
+                        ahead = 0.5 * length if stage == 0 else length
+                        for i in range(moving):
+                            slope = torque[i] * inverse_inertia[i]
+                            theta_sum[i] += weight * omega_k[i]
+                            omega_sum[i] += weight * slope
+                            theta_k[i] = theta[i] + ahead * omega_k[i]
+                            omega_k[i] = omega[i] + ahead * slope
+                        for i in range(n_drives):
+                            slope = (command[i] - tau_k[i]) * drives.inverse_lag[i]
+                            tau_sum[i] += weight * slope
+                            tau_k[i] = tau[i] + ahead * slope
+                        if rare:
+                            for i in range(n_bristles):
+                                bend_sum[i] += weight * bend_slope[i]
+                                bend_k[i] = bend[i] + ahead * bend_slope[i]
+                    kinked = False
                     for g in range(gaps.size):
                         gap = gaps[g]
-                        contact_before[gap] = contact[gap]
-                    start += length
-                    remaining -= length
+                        kinked = kinked | (contact[gap] != contact_before[gap])
+                    taken = last | ((kinked | searching) ^ True)
+                    if any_of(taken):
+                        for i in range(moving):
+                            theta[i] = where(taken, theta_k[i], theta[i])
+                            omega[i] = where(taken, omega_k[i], omega[i])
+                            torque_before[i] = where(taken, torque[i], torque_before[i])
+                        for i in range(n_drives):
+                            tau[i] = where(taken, tau_k[i], tau[i])
+                        if rare:
+                            for i in range(n_bristles):
+                                bend[i] = where(taken, bend_k[i], bend[i])
+                                bend_before[i] = where(taken, bend_slope[i], bend_before[i])
+                        for g in range(gaps.size):
+                            gap = gaps[g]
+                            contact_before[gap] = where(taken, contact[gap], contact_before[gap])
+                        start = where(taken, start + length, start)
+                        remaining = where(taken, remaining - length, remaining)
                     unfinished = remaining > LOCATED * h
+                    if not any_of(unfinished):
+                        break
+                    low = where(taken, 0.0, where(kinked, low, length))
+                    high = where(taken, remaining, where(kinked, length, high))
+                    searching = taken ^ True
+                    last = searching & (high - low <= LOCATED * h)
+                    length = where(taken, high, where(last, high, 0.5 * (low + high)))
+                    length = where(unfinished, length, 0.0)
             for i in range(moving):
-                if not np.isfinite(omega[i]):
+                if any_of((abs(omega[i]) < np.inf) ^ True):
                     return sample, i
         return -1, -1
 
@@ -190,5 +191,7 @@ def integrate(
         -1, -1 when the run went through; else where a speed ceased to be finite (sample counted from the start of
         settling).
     """
-    failed: tuple[int, int] = advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work_for(terms))
+    failed: tuple[int, int] = advance(
+        theta, omega, terms, outputs, rate, settling, substeps, kept[np.newaxis], work_for(terms)
+    )
     return failed

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
 from numba import njit
 
-from torquerig.simulate.kernel.direction import FAST, UNCOUNTED, direction
+from torquerig.simulate.kernel.choice import floor, lookup, where
+from torquerig.simulate.kernel.direction import direction
+from torquerig.simulate.kernel.elementary import exponential
+from torquerig.simulate.kernel.fast import FAST, UNCOUNTED
 
 
 @njit(fastmath=FAST, **UNCOUNTED)
@@ -27,8 +29,7 @@ def share_of_turning(varied, springs, cosine, sine, twisted, spring_torque, torq
     for i in range(varied.spring.size):
         spring, slope = varied.spring[i], 0.0
         beyond = abs(twisted[spring]) - springs.half_gap[spring]
-        if spring_torque[spring] == 0.0:
-            continue
+        beyond = where(spring_torque[spring] == 0.0, 0.0, beyond)
         for j in range(varied.first[i], varied.first[i + 1]):
             slot = varied.slot[j]
             slope -= varied.order[j] * (varied.c[j] * sine[slot] + varied.s[j] * cosine[slot])
@@ -41,12 +42,14 @@ def bend(bristles, omega, bristle, bristle_slope, fastest, torque, opposing):
     for i in range(bristles.on.size):
         on, against = bristles.on[i], bristles.against[i]
         speed = omega[on] - omega[against]
-        way = 1 if speed > 0.0 else 0
+        forward = speed > 0.0
         scaled = speed * bristles.inverse_stribeck[i]
-        level = bristles.coulomb[i, way] + bristles.excess[i, way] * np.exp(-scaled * scaled)
-        rate = min(fastest, bristles.stiffness[i] * abs(speed) / level)
+        excess = where(forward, bristles.excess[i, 1], bristles.excess[i, 0])
+        level = where(forward, bristles.coulomb[i, 1], bristles.coulomb[i, 0]) + excess * exponential(-scaled * scaled)
+        rate = bristles.stiffness[i] * abs(speed) / level
+        rate = where(rate < fastest, rate, fastest)
         end = level / bristles.stiffness[i]
-        bristle_slope[i] = rate * ((end if way else -end) - bristle[i])
+        bristle_slope[i] = rate * (where(forward, end, -end) - bristle[i])
         value = bristles.stiffness[i] * bristle[i] + bristles.damping[i] * bristle_slope[i]
         value += bristles.viscous[i] * speed
         torque[on] -= value
@@ -60,10 +63,11 @@ def drag(loads, theta, omega, torque, opposing):
     for i in range(loads.on.size):
         on, first = loads.on[i], loads.first[i]
         at = theta[on] * loads.points_per_radian[i]
-        cell = np.floor(at)
+        cell = floor(at)
         size = loads.first[i + 1] - first - 1
-        point = first + int(cell - size * np.floor(cell / size))
-        value = loads.values[point] + (loads.values[point + 1] - loads.values[point]) * (at - cell)
+        point = cell - size * floor(cell / size)
+        before, behind = lookup(loads.values, first, point), lookup(loads.values, first + 1, point)
+        value = before + (behind - before) * (at - cell)
         value *= direction(omega[on], loads.inverse_smoothing[i])
         torque[on] -= value
         opposing[on] += value
