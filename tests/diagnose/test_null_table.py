@@ -23,6 +23,12 @@ def test_title_comments_and_seed_do_not_count(tmp_path):
     assert content_key(read(copy)) == content_key(read()) == content_key(read(seed=3))
 
 
+def test_a_default_that_is_written_out_does_not_count():
+    """So a part that gains a field leaves the tables of scenarios without it as they are."""
+    assert content_key(read(WEAR_RIG, "torque_sensor.noise_colour=0")) == content_key(read())
+    assert content_key(read(WEAR_RIG, "torque_sensor.noise_colour=0.5")) != content_key(read())
+
+
 @pytest.mark.parametrize("setting", ["gearbox.ratio=10", "torque_sensor.bandwidth=2 kHz"])
 def test_a_value_counts(setting):
     assert content_key(read(WEAR_RIG, setting)) != content_key(read())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cache
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from torquerig.document import read_document
+from torquerig.rig.part import Part
 from torquerig.scenario.reading import Scenario
 
 SHIPPED = Path(__file__).with_name("null_tables.yaml")
@@ -65,18 +66,23 @@ def without_table(scenario: Scenario) -> str:
 def content_key(scenario: Scenario) -> str:
     """Return the SHA-256 of what a scenario means: parts, values, what of them is uncertain, what is measured.
 
-    Title, comments, order of keys and operating point do not count, nor do values that were drawn from an interval for
-    want of a stated one (these change with the seed).
+    Title, comments and operating point do not count, nor values left at their defaults, nor those that were drawn from
+    an interval for want of a stated one (these change with the seed).
     """
-    parts = []
-    for part in scenario.rig.parts:
-        values = {
-            each.name: "drawn" if f"{part.name}.{each.name}" in scenario.assumed else getattr(part, each.name)
-            for each in fields(part)
-        }
-        parts.append((type(part).__name__, values))
+    parts = [(type(part).__name__, _stated(part, scenario.assumed)) for part in scenario.rig.parts]
     said = _plain((parts, scenario.rig.measured, dict(scenario.uncertainties)))
     return hashlib.sha256(repr(said).encode()).hexdigest()
+
+
+def _stated(part: Part, assumed: Container[str]) -> dict[str, Any]:
+    """Return the values that are not the defaults, so that a new field of a part leaves the key as it is."""
+    values = {each.name: _plain(getattr(part, each.name)) for each in fields(part)}
+    defaults = {each.name: _plain(each.default) for each in fields(part)}
+    return {
+        name: "drawn" if f"{part.name}.{name}" in assumed else value
+        for name, value in values.items()
+        if value != defaults[name]
+    }
 
 
 @cache
