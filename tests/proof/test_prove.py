@@ -156,6 +156,24 @@ def test_practice_answers_are_told_in_the_contracts_words(tmp_path):
         practice_cases(tmp_path / "nowhere")
 
 
+@pytest.mark.usefixtures("_canned", "_no_recordings")
+def test_practice_rigs_and_the_same_laws_have_their_chapters(tmp_path):
+    rigs = tmp_path / "rigs"
+    for name in ("a", "b"):
+        (rigs / name).mkdir(parents=True)
+        (rigs / name / "run1.parquet").touch()
+    left = {"a": {"left_out": {}}, "b": {"left_out": {"blade_pass": {"blades": 6.0, "amplitude_Nm": 0.5}}}}
+    (rigs / "answers.yaml").write_text(yaml.safe_dump(left))
+    plan = plan_of(tmp_path / "out", cases=3, alone=True, same_laws=True, practice=rigs)
+    proved = prove(plan, tell=str, stage=lambda _: no_progress)
+    text = write_pages(proved).markdown.read_text()
+    assert "1 of 2 exactly right." in text.split("## Practice recordings")[1]
+    assert "blade\\_pass | adequate | missed" in text
+    assert "## With and without differing laws" in text
+    assert "Beside the baselines" not in text  # they were not run
+    assert "--same-laws" in text
+
+
 @pytest.fixture
 def proved(tmp_path) -> Proved:
     """Twelve cases of which one is right, one falsely named, one in the class, one without diagnosis."""
