@@ -11,7 +11,7 @@ from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.rig import Rig
 from torquerig.signals.run import Run
 
-_SPEEDS = (0.7, 1.3)  # of the speed that was run
+_SPEEDS = (0.72, 1.29)  # of the speed that was run; at 0.7 and 1.3 many whole orders fall on others
 _ROUNDED = 10.0  # [rpm]
 _SAME = 0.03  # a speed within this share of one that was run is no other speed
 _LOADS = 3
@@ -28,7 +28,7 @@ class CandidateRun:
 def candidate_runs(rig: Rig, runs: Sequence[Observed]) -> tuple[CandidateRun, ...]:
     """Return the runs that were not done yet, least effort first: speed, load, both, ramp, reversal.
 
-    Speeds lie 30 % below and above that of the fastest steady run; loads are those that the scenario states a mean for.
+    Speeds lie some 30 % below and above that of the fastest steady run; loads are those that the rig states a mean for.
     """
     base = max((one.run for one in runs), key=lambda run: (run.profile == "steady", run.speed or 0.0))
     speed, load = base.speed or 0.0, base.occupancy_percent

@@ -31,7 +31,7 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
         strong = [peak for peak in new if peak.excess >= _STRONG * new[0].excess]
         found += [replace(peak, place=_whole(peak, runs, ratio)) for peak in strong]
     found.sort(key=lambda peak: -peak.excess)
-    asked = [replace(peak, either=may_be_fixed(runs, peak, rig)) for peak in found[:_ASKED]]
+    asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in found[:_ASKED]]
     return (*asked, *found[_ASKED:])
 
 

@@ -6,15 +6,18 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import combinations
+from math import sqrt
 
 import numpy as np
 
+from torquerig.diagnose.calibration import Calibrated
 from torquerig.diagnose.candidate_runs import CandidateRun, candidate_runs
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.equivalence import difference
+from torquerig.diagnose.equivalence import CHANCE
 from torquerig.diagnose.expectation import Expectation, expected
 from torquerig.diagnose.features import Features, features
-from torquerig.diagnose.misfit import Misfit, misfit
+from torquerig.diagnose.knobs import turned
+from torquerig.diagnose.misfit import Misfit, misfit, robust
 from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.search import Trial
@@ -28,7 +31,9 @@ from torquerig.signals.stages.tone import Tone, folded
 from torquerig.simulate.simulate import simulate
 
 CERTAIN = 10.0  # spreads: what lies further apart is told as surely by either of two runs
-ENOUGH = 3.0  # less than this no run is advised for
+ENOUGH = 2 * CHANCE  # less would as soon as not leave the rivals alike
+_STEP = 0.1  # of a number's spread, for the slopes
+_RIDGE = 1e-9
 _LENGTH = 4.0  # [s] of a simulated candidate
 _SEED = 7
 _WORKERS = 2
@@ -51,9 +56,9 @@ def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
     """Return the run in which the two rivals that lie nearest lie furthest apart; None where no run would tell.
 
     T-optimality over a menu of runs (Atkinson & Fedorov 1975, Biometrika 62(1)): the distance of two models is the
-    root of the sum of squares of the differences of their expected features, each in units of its spread. Runs that
-    all tell for certain count the same; of these the one of least effort is advised. The rivals keep the numbers that
-    were fitted to what is there, so a distance that a new fit could close is overrated.
+    root of the sum of squares of the differences of their expected features, each in units of its spread, that is left
+    when one of them is fitted anew to what the other expects. Runs that all tell for certain count the same; of these
+    the one of least effort is advised, and no dearer one is tried.
     """
     if len(rivals) < 2:
         return None
@@ -71,16 +76,39 @@ def _judged(case: Case, rivals: Sequence[Trial], candidate: CandidateRun) -> Adv
     """Judge a run by the pair of rivals that it separates least."""
     rigs = [trial.model.rig for trial in rivals]
     places = _places(case, rigs, candidate.run)
-    nearest = Advice(candidate, np.inf, "")
+    nearest = Advice(candidate, float("inf"), "")
     for one, other in combinations(range(len(rigs)), 2):
         seen = features(_imagined(rigs[one], candidate.run, case.runs[0]), places, held=None)
         models = _expectations(rivals[one], rivals[other], seen)
-        own, its = misfit(seen, models[0]), misfit(seen, models[1])
-        distance = difference([own], [its]).apart
+        misfits = misfit(seen, models[0]), misfit(seen, models[1])
+        distance = _distance(rivals[other].model, seen, misfits)
         if distance < nearest.distance:
             names = rivals[one].candidate.mechanism, rivals[other].candidate.mechanism
-            nearest = Advice(candidate, distance, _because(names, seen, models, (own, its)))
+            said = _because(names, seen, models, misfits)
+            nearest = Advice(candidate, distance, f"{said}, {distance:.0f} times what chance puts between them")
     return nearest
+
+
+def _distance(refitted: Calibrated, seen: Features, misfits: tuple[Misfit, Misfit]) -> float:
+    """Return how far the residuals of two models lie apart when the second is fitted anew, as far as it may be.
+
+    With residuals that move by J per step of the model's numbers, known from the recordings to a covariance C, the
+    squares that a new fit leaves of a difference d are d'd - d'J (C^-1 + J'J)^-1 J'd (linear least squares with C as
+    prior).
+    """
+    gap = robust(misfits[1].all()) - robust(misfits[0].all())
+    if refitted.corrections:
+        return float(np.linalg.norm(gap))
+    here, step = robust(misfits[1].all()), np.zeros(len(refitted.knobs))
+    moves = np.zeros((gap.size, step.size))
+    for number in range(step.size):
+        step[:] = 0.0
+        step[number] = _STEP
+        moved = misfit(seen, expected(turned(refitted.rig, refitted.knobs, step), seen))
+        moves[:, number] = (robust(moved.all()) - here) / _STEP
+    held = np.linalg.pinv(refitted.covariance) + moves.T @ moves
+    closed = float(gap @ moves @ np.linalg.solve(held + _RIDGE * np.eye(step.size), moves.T @ gap))
+    return sqrt(max(float(gap @ gap) - closed, 0.0))
 
 
 def _expectations(one: Trial, other: Trial, seen: Features) -> tuple[Expectation, Expectation]:
@@ -116,9 +144,8 @@ def _because(
 ) -> str:
     """Say where the two differ most and what each expects there."""
     one, other = (name.replace("_", " ") for name in names)
-    apart = f"{difference([misfits[0]], [misfits[1]]).apart:.0f} times what chance puts between them"
     gaps = {
-        kind: np.abs(getattr(misfits[1], kind) - getattr(misfits[0], kind)).max(initial=0.0)
+        kind: float(np.abs(getattr(misfits[1], kind) - getattr(misfits[0], kind)).max(initial=0.0))
         for kind in ("lines", "bands", "level", "turning")
     }
     kind = max(gaps, key=lambda name: gaps[name])
@@ -127,12 +154,12 @@ def _because(
         column = int(np.argmax(apart_by))
         sizes = [1e3 * float(model.amplitude[:, column].mean()) for model in models]
         at = _where(seen, column)
-        return f"{at} {one} then expects {sizes[0]:.2g} mN m, {other} {sizes[1]:.2g} mN m, {apart}"
+        return f"{at} {one} then expects {sizes[0]:.2g} mN m, {other} {sizes[1]:.2g} mN m"
     if kind == "bands":
         band = int(np.argmax(np.abs(misfits[1].bands - misfits[0].bands)))
         ratio = 10 * float(np.log10(models[0].power[band] / models[1].power[band]))
-        return f"near {seen.band[band]:.0f} Hz {one} then expects {ratio:+.1f} dB against {other}, {apart}"
-    return f"the slow torque of {one} and {other} then differs, {apart}"
+        return f"near {seen.band[band]:.0f} Hz {one} then expects {ratio:+.1f} dB against {other}"
+    return f"the slow torque of {one} and {other} then differs"
 
 
 def _where(seen: Features, column: int) -> str:

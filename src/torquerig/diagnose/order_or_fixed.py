@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import Place, frequency
+from torquerig.diagnose.places import SAME_ORDER, Place, frequency
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
@@ -19,7 +19,6 @@ from torquerig.signals.speed_from_torque import motor_angle_from_torque
 DECIDED = 20.0  # twice the log-likelihood; chance over two fits of a frequency reaches 9 in one of a hundred
 ONE_SPEED = 0.03  # speeds nearer than this are one, relative
 _REACH = 3  # bins either way in which a line may be found
-_OWN = 0.02  # lines nearer than this share of an order would be taken for it
 _FLOOR = 40  # bins either way that make the local floor
 
 
@@ -37,13 +36,26 @@ def fixed_lines(case: Case) -> list[Peak]:
     return sorted([*fixed, *doubtful_lines(case)], key=lambda peak: -peak.excess)
 
 
-def may_be_fixed(runs: Sequence[Observed], peak: Peak, rig: Rig) -> bool:
-    """Whether steady runs know a line of an order at one speed alone, whose wander does not show that it turns."""
-    steady = [run for run in runs if run.steady]
-    if peak.place.domain == "frequency" or peak.speeds > 1 or len(speeds_of(steady)) > 1:
+def may_be_fixed(runs: Sequence[Observed], peak: Peak, known: Sequence[Place], rig: Rig) -> bool:
+    """Whether a line of an order, known at one speed alone, may keep its frequency as far as these runs tell.
+
+    Where its frequency falls on a line that the model has anyway, another speed tells nothing; where the speed wanders,
+    an angle that owes nothing to the line may tell.
+    """
+    shown = [run for run in runs if run.steady and run.name in peak.runs]
+    if peak.place.domain == "frequency" or peak.speeds > 1 or not shown:
         return False
-    shown = [_followed_without(run, peak.place, rig) for run in steady if run.name in peak.runs]
-    return evidence(shown, peak.place) < DECIDED
+    speed, fixed = shown[0].mean_speed, peak.place.frequency(shown[0].mean_speed)
+    others = [run for run in runs if run.steady and abs(run.mean_speed / speed - 1) > ONE_SPEED]
+    if not all(_hidden(fixed, run, known) for run in others):
+        return False
+    return evidence([followed_by(known, run, rig) for run in shown], peak.place) < DECIDED
+
+
+def _hidden(fixed: float, run: Observed, known: Sequence[Place]) -> bool:
+    """Whether a tone at ``fixed`` [Hz] would stand in a line that the model has anyway."""
+    near = _REACH / run.recording.duration
+    return any(abs(place.frequency(run.mean_speed) - fixed) < near for place in known)
 
 
 def rather_fixed(runs: Sequence[Observed], place: Place) -> bool:
@@ -52,21 +64,18 @@ def rather_fixed(runs: Sequence[Observed], place: Place) -> bool:
     return bool(measured) and evidence(measured, place) < -DECIDED
 
 
-def _followed_without(run: Observed, place: Place, rig: Rig) -> Observed:
-    """Return the run with an angle that owes nothing to the line at ``place``, which would else follow itself."""
+def followed_by(known: Sequence[Place], run: Observed, rig: Rig) -> Observed:
+    """Return the run with its measured angle, or one that is followed by the lines at ``known`` alone.
+
+    Followed in the whole comb of the kinematics, a line that nobody asked for would follow itself.
+    """
     if run.angle_measured:
         return run
-    lines = [line for line in kinematics_of(rig).lines() if abs(line.motor_order - place.at) > _OWN * place.at]
+    asked = [place.at for place in known if place.domain == "order"]
+    lines = [
+        line for line in kinematics_of(rig).lines() if any(abs(line.motor_order - at) < SAME_ORDER for at in asked)
+    ]
     return replace(run, angle=motor_angle_from_torque(run.recording, lines).values)
-
-
-def speeds_of(runs: Sequence[Observed]) -> list[float]:
-    """Return the different speeds [rad/s] of the runs."""
-    speeds: list[float] = []
-    for run in runs:
-        if not any(abs(run.mean_speed / other - 1) < ONE_SPEED for other in speeds):
-            speeds.append(run.mean_speed)
-    return speeds
 
 
 def evidence(runs: Sequence[Observed], place: Place) -> float:
