@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from torquerig.decide.verdict import Word
 from torquerig.errors import InputError
 from torquerig.report import study_report
 from torquerig.report.study_answers import limits
@@ -102,8 +103,8 @@ def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
 
 
 def test_a_study_that_nothing_survives_has_a_page_too(runs, decided, answer):
-    page = study_page(runs, decided, replace(answer, winner="", word="nothing survives", open_facts=()))
-    assert "<dd>nothing survives</dd>" in page
+    page = study_page(runs, decided, replace(answer, winner="", word=Word.NOBODY, facts=()))
+    assert "<dd>nobody meets the demands</dd>" in page
     assert "Nothing is open." in page
 
 

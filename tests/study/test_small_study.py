@@ -12,19 +12,22 @@ import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.decide.verdict import Word
 from torquerig.document import read_document
 from torquerig.errors import InputError, TorquerigError
+from torquerig.metrics.figure import Figure
 from torquerig.rig.parts import Gear, Motor, SpeedController
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import gears_to_sensor
 from torquerig.scenario.overrides import overridden
-from torquerig.study.candidates import candidates, scenario_of
+from torquerig.study.asked import in_words
+from torquerig.study.candidates import Candidate, candidates, scenario_of
 from torquerig.study.points import points_of
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import decide
 from torquerig.study.study import Study, open_study
-from torquerig.study.verdict import _word, verdict
+from torquerig.study.verdict import verdict
 from torquerig.study.what_if import changes
 
 SMALL = (
@@ -207,40 +210,72 @@ def test_the_best_is_ranked_first_and_named_by_the_verdict() -> None:
     assert answer.winner in ranked
     assert answer.winner.split(" | ")[0] in answer.sentence
     assert answer.word in answer.sentence
-    assert 0 <= answer.p_best <= answer.p_best_drive <= 1 + 1e-12
+    assert 0 <= answer.p_best <= answer.chances["together"] <= 1 + 1e-12
+    assert [fact.gain for fact in answer.facts] == sorted((fact.gain for fact in answer.facts), reverse=True)
+
+
+def test_all_filters_of_a_drive_share_a_draw_and_one_fact() -> None:
+    """What the catalog lacks of a motor is lacking once, whatever filter stands behind the sensor."""
+    matrix = decide(small()).matrix
+    for one in small().drives:
+        cells = [
+            matrix.cell(name, "reading error") for name in matrix.alternatives if name.startswith(one.candidate.name)
+        ]
+        facts = {cell.fact for cell in cells if not cell.known}
+        assert len(facts) <= 1
+        if facts and "motor.ripple.cogging_native" in one.assumed:
+            assert facts == {f"measured cogging and ripple of {one.candidate.motor}"}
+
+
+def test_what_is_missing_is_asked_for_in_a_buyer_s_words() -> None:
+    one = Candidate(motor="M1", gearbox="G1", ratio=5.0)
+    told = in_words("motor.inertia, gearbox.stiffness, gearbox.input_inertia", one)
+    assert told == "inertia of M1, stiffness, input inertia of G1"
+    assert in_words("motor.inertia, motor.ripple.cogging_native", one) == "measured cogging and ripple of M1"
+    assert in_words("price of M1, price of G1", one) == "price of M1, price of G1"
+    assert in_words("", one) == ""
 
 
 def test_a_study_without_a_better_filter_says_to_leave_things_as_they_are() -> None:
     runs = tiny("study.gearboxes=[reference-5-1]", "study.filters.names=[none]", "study.duration=0.5 s")
-    assert verdict(decide(runs)).sentence.startswith("Keep bldc-12n14p 5:1 as it is, with the filter none: ")
+    asked = "If what a demand still asks is answered well (whether bldc-12n14p is a servo motor), "
+    told = "eep bldc-12n14p 5:1 as it is, with the filter none: "
+    assert verdict(decide(runs)).sentence.startswith(f"{asked}k{told}")
+    assert verdict(decide(answered(runs))).sentence.startswith(f"K{told}")
 
 
 def test_where_no_drive_meets_the_demands_nothing_survives() -> None:
     harder = overridden(small().study.document, [*SMALL, "continuous torque.min=1000"])
     runs = replace(small(), study=open_study(harder, small().study.catalog))
     answer = verdict(decide(runs))
-    assert (answer.word, answer.winner) == ("nothing survives", "")
+    assert (answer.word, answer.winner) == (Word.NOBODY, "")
 
 
 def test_two_names_of_one_motor_tie() -> None:
     """REF is an alias of the rig's motor: equal drives, equal totals; no draw can part them."""
-    runs = run_study(study_with((*TINY, "study.motors=[bldc-12n14p, REF]", "study.gearboxes=[reference-5-1]")))
-    assert verdict(decide(runs)).word == "tie"
+    edits = ("study.motors=[bldc-12n14p, REF]", "study.gearboxes=[reference-5-1]", "study.draws=0")
+    runs = run_study(study_with((*TINY, *edits)))
+    assert verdict(decide(answered(runs))).word is Word.TIE
 
 
-@pytest.mark.parametrize(
-    ("total", "rival", "chance", "word"),
-    [
-        (4.0, 3.0, 0.95, "robust"),
-        (4.0, 3.0, 0.90, "robust"),
-        (4.0, 3.9, 0.70, "fragile"),
-        (4.0, 3.99, 0.30, "undecidable for lack of information"),
-        (4.0, 4.0, 0.95, "tie"),
-        (4.0, None, 1.0, "robust"),
-    ],
-)
-def test_the_word_of_the_verdict(total: float, rival: float | None, chance: float, word: str) -> None:
-    assert _word(total, rival, chance) == word
+def answered(runs: StudyRuns) -> StudyRuns:
+    """The same runs, had the maker said that the rig's motor is a servo motor."""
+    said = {"servo": Figure(value=1.0)}
+    drives = (
+        replace(one, margins={**one.margins, **said}) if one.margins["servo"].unknown else one for one in runs.drives
+    )
+    return replace(runs, drives=tuple(drives))
+
+
+def test_an_open_demand_on_the_winner_is_undecidable_until_it_is_answered() -> None:
+    before = verdict(decide(small()))
+    assert before.word is Word.UNDECIDABLE
+    asked = [fact for fact in before.facts if fact.fact == "whether bldc-12n14p is a servo motor"]
+    assert asked[0].decisive
+    assert any("ask the maker whether bldc-12n14p is a servo motor: " in told for told in before.open_facts)
+    after = verdict(decide(answered(small())))
+    assert after.word is not Word.UNDECIDABLE
+    assert after.chances == pytest.approx(before.chances)
 
 
 def test_what_if_shows_each_drive_before_and_after() -> None:

@@ -71,7 +71,7 @@ class MissingFact:
 
     def sentence(self) -> str:
         """Return what to ask, and why, as one sentence."""
-        asked = f"ask the maker for the {self.fact}" if self.cells else self.fact
+        asked = f"ask the maker {'' if self.fact.startswith('whether ') else 'for the '}{self.fact}"
         if not self.turns:
             return f"{asked}: alone it cannot change the winner"
         told = ", ".join(

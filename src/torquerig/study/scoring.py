@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
@@ -12,6 +12,7 @@ from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.decide.pugh import PughResult, pugh
 from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
+from torquerig.study.asked import in_words
 from torquerig.study.criteria import criteria_of, demands_of
 from torquerig.study.results import DriveResult, StudyRuns
 
@@ -70,7 +71,7 @@ def decide(runs: StudyRuns) -> Decided:
         alternatives=tuple(drive.candidate.name for drive in runs.drives),
         criteria=demands_of(runs.study),
         cells={
-            (drive.candidate.name, name): cell_of(figure_of(drive, None, row.metric))
+            (drive.candidate.name, name): _cell(drive, None, row.metric)
             for drive in runs.drives
             for name, row in settings.demands.items()
         },
@@ -89,7 +90,7 @@ def decide(runs: StudyRuns) -> Decided:
         alternatives=tuple(alternatives),
         criteria=criteria_of(runs.study),
         cells={
-            (made.name, name): cell_of(figure_of(made.drive, made.chain, row.metric))
+            (made.name, name): _cell(made.drive, made.chain, row.metric)
             for made in alternatives.values()
             for name, row in settings.criteria.items()
         },
@@ -121,6 +122,15 @@ def _present(runs: StudyRuns) -> DriveResult:
             "another present drive that reaches the speed"
         )
     return next((drive for drive in same if drive.candidate.gearbox == present.gearbox), same[0])
+
+
+def _cell(drive: DriveResult, chain: str | None, metric: str) -> Cell:
+    """Return a figure's cell that rests on what the figure misses: one draw for all filters of a drive."""
+    figure = figure_of(drive, chain, metric)
+    cell = cell_of(replace(figure, missing=in_words(figure.missing, drive.candidate)))
+    if cell.known:
+        return cell
+    return replace(cell, fact=cell.unknown_reason or f"{metric.replace('_', ' ')} of {drive.candidate.name}")
 
 
 def figure_of(drive: DriveResult, chain: str | None, metric: str) -> Figure:

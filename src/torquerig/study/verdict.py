@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
-from torquerig.decide.eliminate import Decision
-from torquerig.decide.robustness import best_shares
+import numpy as np
+
+from torquerig.decide.eliminate import Decision, eliminate
+from torquerig.decide.kesselring import TEACHING, kesselring
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.missing import MissingFact, missing_facts
+from torquerig.decide.robustness import Acceptability, robustness
+from torquerig.decide.verdict import DECIDED, MatrixVerdict, Word, verdict_of
 from torquerig.study.results import DriveResult
 from torquerig.study.scoring import Decided
-
-ROBUST = 0.9  # [1] probability of being best from which a verdict is called robust
-UNDECIDED = 0.5  # [1] below it the missing data decide, not the study
-NEIGHBOURS = 5  # drives whose missing data are asked for
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,21 +27,36 @@ class Verdict:
         Name of the alternative; empty where nothing survives.
     sentence : str
         One sentence for the reader.
-    word : str
-        robust, fragile, tie, undecidable for lack of information, or nothing survives.
+    word : Word
+        Of the drives, each with its best filter; as :func:`torquerig.decide.verdict.verdict_of` counts.
     p_best : float
-        How often the combination is best when every interval is drawn; ``p_best_drive`` the same for its drive with
-        any filter.
-    open_facts : tuple of str
-        What to ask for, the best drives first.
+        How often the combination is best in joint draws of data, points and weights [1].
+    chances : mapping of str to float
+        How often its drive is best with any filter, by what is drawn: ``intervals``, ``scores``, ``weights``,
+        ``together`` [1].
+    facts : tuple of MissingFact
+        Every open datum of the drives that somebody can be asked for, those first that improve the choice most; what
+        only differs between simulated copies is none.
     """
 
     winner: str
     sentence: str
-    word: str
+    word: Word
     p_best: float
-    p_best_drive: float
-    open_facts: tuple[str, ...]
+    chances: Mapping[str, float]
+    facts: tuple[MissingFact, ...]
+
+    @property
+    def open_facts(self) -> tuple[str, ...]:
+        """What to ask for, as sentences: the data that alone can change the winner, the best first."""
+        return tuple(fact.sentence() for fact in self.facts if fact.decisive)
+
+    @property
+    def open_besides(self) -> tuple[str, ...]:
+        """What is open too, and cannot change the winner alone; each datum once."""
+        listed = (fact.fact.split(", ") for fact in self.facts if not fact.decisive)
+        each = (data if all(" of " in one for one in data) else [", ".join(data)] for data in listed)
+        return tuple(dict.fromkeys(one for data in each for one in data))
 
 
 def verdict(decided: Decided) -> Verdict:
@@ -46,83 +64,109 @@ def verdict(decided: Decided) -> Verdict:
     out = set(decided.chart.with_decision(Decision.ELIMINATE))
     names = [name for name in decided.ranked() if decided.alternatives[name].drive.candidate.name not in out]
     if not names:
+        nobody = verdict_of(decided.chart, None, {})
         return Verdict(
-            winner="", word="nothing survives", p_best=0.0, p_best_drive=0.0, open_facts=(),
+            winner="", word=nobody.word, p_best=0.0, chances={}, facts=(),
             sentence="No drive meets the demands; the elimination says which demand each one misses.",
         )  # fmt: skip
-    shares = best_shares(decided.matrix.only(alternatives=names))
-    chance = dict(zip(shares.alternatives, shares.p_best.tolist(), strict=True))
-    winner = names[0]
-    drive = decided.alternatives[winner].drive
-    by_drive = sum(chance[name] for name in names if decided.alternatives[name].drive is drive)
-    totals = dict(zip(decided.overall.alternatives, decided.overall.total.tolist(), strict=True))
-    rivals = [name for name in names if decided.alternatives[name].drive is not drive]
-    word = _word(totals[winner], totals[rivals[0]] if rivals else None, by_drive)
+    drives = _drives(decided, names)
+    rated = _with_demands(decided, tuple(drives))
+    found = robustness(decided.matrix.only(alternatives=names))
+    made = verdict_of(
+        eliminate(rated),
+        kesselring(rated, profile=TEACHING),
+        {name: _of_drives(one, drives) for name, one in found.items()},
+    )
+    winner = made.winners[0]
     return Verdict(
-        winner=winner, word=word, p_best=chance[winner], p_best_drive=by_drive,
-        sentence=_sentence(decided, winner, rivals[0] if rivals else "", word=word, by_drive=by_drive),
-        open_facts=_open_facts(decided, names),
+        winner=winner, word=made.word, p_best=found["together"].chance(winner), chances=made.chances,
+        sentence=_sentence(decided, made),
+        facts=tuple(one for one in missing_facts(rated) if rated.cell(*one.cells[0]).unknown_reason),
     )  # fmt: skip
 
 
-def _word(total: float, rival: float | None, by_drive: float) -> str:
-    if rival is not None and abs(total - rival) < 1e-9:
-        return "tie"
-    if by_drive < UNDECIDED:
-        return "undecidable for lack of information"
-    return "robust" if by_drive >= ROBUST else "fragile"
+def _drives(decided: Decided, names: list[str]) -> dict[str, list[str]]:
+    """Return the combinations of each drive by the best of them, the best drive first."""
+    by_drive: dict[str, list[str]] = {}
+    for name in names:
+        by_drive.setdefault(decided.alternatives[name].drive.candidate.name, []).append(name)
+    return {listed[0]: listed for listed in by_drive.values()}
 
 
-def _sentence(decided: Decided, winner: str, rival: str, *, word: str, by_drive: float) -> str:
-    made = decided.alternatives[winner]
-    error = made.drive.chains[made.chain].truth_error
-    now = decided.alternatives[decided.datum]
-    today = now.drive.chains[now.chain].truth_error
-    action = (
-        f"Keep {made.drive.candidate.name} as it is, with"
-        if winner == decided.datum
-        else _action(made.drive, now.drive)
+def _with_demands(decided: Decided, names: tuple[str, ...]) -> DecisionMatrix:
+    """Return the criteria's matrix of these combinations with the demands on their drives beside."""
+    known = {criterion.name for criterion in decided.matrix.criteria}
+    demands = {
+        one.name: f"{one.name} (demanded)" if one.name in known else one.name for one in decided.demands.criteria
+    }
+    cells = {
+        (name, shown): decided.demands.cell(decided.alternatives[name].drive.candidate.name, demand)
+        for name in names
+        for demand, shown in demands.items()
+    }
+    kept = decided.matrix.only(alternatives=names)
+    return replace(
+        kept,
+        criteria=(*kept.criteria, *(replace(one, name=demands[one.name]) for one in decided.demands.criteria)),
+        cells={**kept.cells, **cells},
     )
-    if word.startswith("undecidable"):
-        action = f"Nothing can be called best yet; in front is {made.drive.candidate.name} with"
+
+
+def _of_drives(found: Acceptability, drives: Mapping[str, list[str]]) -> Acceptability:
+    """Return how often each drive is best with any of its filters, under the name of its best combination."""
+    best = [sum(found.chance(name) for name in listed) for listed in drives.values()]
+    rows = [found.alternatives.index(name) for name in drives]
+    return replace(found, alternatives=tuple(drives), shares=np.array(best)[:, None], mean_share=found.mean_share[rows])
+
+
+def _sentence(decided: Decided, made: MatrixVerdict) -> str:
+    winner = decided.alternatives[made.winners[0]]
+    now = decided.alternatives[decided.datum]
+    error, today = (one.drive.chains[one.chain].truth_error for one in (winner, now))
     reading = (
         f"it reads the load to {error.value:.3f} N m rms, where {now.drive.candidate.name} with the filter {now.chain} "
         f"is off by {today.value:.3f}"
     )
-    newest = next((name for name in decided.ranked() if _bought(decided, name, now.drive)), "")
-    beside = f"; the best new motor is {newest.replace(' | ', ' with ')}" if newest and newest != winner else ""
-    beside = beside or (f"; next is {rival.replace(' | ', ' with ')}" if rival else "")
-    row = next(row for row in decided.chart.rows if row.alternative == made.drive.candidate.name)
-    doubts = [remark.missing for remark in row.remarks if remark.missing]
-    still = f" Still open: {', '.join(doubts)}." if doubts else ""
     return (
-        f"{action} the filter {made.chain}: {reading}{beside}. The verdict is {word}: this drive is best in "
-        f"{100 * by_drive:.0f} % of draws over what the catalog leaves open (weights and points kept).{still}"
+        f"{_action(decided, made)} the filter {winner.chain}: {reading}{_beside(decided, made)}. The verdict is "
+        f"{made.word}: this drive is best in {made.chances['together']:.0%} of joint draws over open data, points and "
+        f"weights ({made.chances['intervals']:.0%} over the data alone)."
     )
 
 
-def _action(chosen: DriveResult, now: DriveResult) -> str:
+def _action(decided: Decided, made: MatrixVerdict) -> str:
+    winner, now = (decided.alternatives[name].drive for name in (made.winners[0], decided.datum))
+    action = "keep {} as it is, with" if made.winners[0] == decided.datum else _change(winner, now)
+    action = action.format(winner.candidate.name)
+    opened = ", ".join(dict.fromkeys(told.partition(": ")[2] for told in made.conditions))
+    if made.chances["intervals"] < DECIDED and made.word is Word.UNDECIDABLE:
+        still = f" (still open besides: {opened})" if opened else ""
+        return f"Nothing can be called best yet{still}; in front is {winner.candidate.name} with"
+    if opened:
+        return f"If what a demand still asks is answered well ({opened}), {action}"
+    return action[0].upper() + action[1:]
+
+
+def _change(chosen: DriveResult, now: DriveResult) -> str:
     if chosen.margins["new_parts"].value == 0:
-        return f"Keep {chosen.candidate.name} and add"
+        return "keep {} and add"
     if chosen.candidate.motor == now.candidate.motor:
-        return f"Keep the motor {now.candidate.motor}, put it on a gearbox of {chosen.candidate.ratio:g}:1 and add"
-    return f"Buy {chosen.candidate.name} with"
+        return f"keep the motor {now.candidate.motor}, put it on a gearbox of {chosen.candidate.ratio:g}:1 and add"
+    return "buy {} with"
+
+
+def _beside(decided: Decided, made: MatrixVerdict) -> str:
+    """Return who stands beside or behind the winner: the best new motor, else the next."""
+    if len(made.winners) > 1:
+        return f"; as good is {made.winners[1].replace(' | ', ' with ')}"
+    now = decided.alternatives[decided.datum].drive
+    newest = next((name for name in decided.ranked() if _bought(decided, name, now)), "")
+    if newest and newest != made.winners[0]:
+        return f"; the best new motor is {newest.replace(' | ', ' with ')}"
+    return f"; next is {made.runner_up.replace(' | ', ' with ')}" if made.runner_up else ""
 
 
 def _bought(decided: Decided, name: str, now: DriveResult) -> bool:
     drive = decided.alternatives[name].drive
     out = decided.chart.with_decision(Decision.ELIMINATE)
     return drive.candidate.motor != now.candidate.motor and drive.candidate.name not in out
-
-
-def _open_facts(decided: Decided, names: list[str]) -> tuple[str, ...]:
-    drives = list(dict.fromkeys(id(decided.alternatives[name].drive) for name in names))[:NEIGHBOURS]
-    known = {id(made.drive): made.drive for made in decided.alternatives.values()}
-    facts = []
-    for drive in (known[key] for key in drives):
-        asked = [key.split(".")[-1].replace("_", " ") for key in drive.assumed if key.startswith("motor.")]
-        if asked:
-            facts.append(f"{', '.join(dict.fromkeys(asked))} of {drive.candidate.motor}")
-        margins = [figure.missing for figure in drive.margins.values() if figure.missing]
-        facts += list(dict.fromkeys(margins))
-    return tuple(dict.fromkeys(facts))

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, Profile, kesselring
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.missing import MissingFact, missing_facts
+from torquerig.decide.missing import missing_facts
 from torquerig.decide.robustness import robustness
 from torquerig.decide.sheet import Method
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
 from torquerig.study.redone.beside import TableBeside
-from torquerig.study.redone.figures import in_words
 from torquerig.study.redone.plan import Plan, real_name
 from torquerig.study.scoring import Alternative, Decided
 
@@ -107,7 +106,7 @@ def answer(plan: Plan, tables: tuple[TableBeside, ...], decided: Decided) -> Ans
         table={name: found for one in rated for name, found in _rated(plan, one).items()},
         conditions=_conditions(decided, made),
         asked=tuple(
-            f"{_asked(one, fronts)} (over its interval another new motor is in front in {one.p_change:.0%})"
+            f"{one.fact} (over its interval another new motor is in front in {one.p_change:.0%})"
             for one in (missing_facts(matrix.only(alternatives=new)) if new else ())[:MOST_ASKED]
             if one.decisive
         ),
@@ -150,12 +149,6 @@ def _rated(plan: Plan, one: TableBeside) -> dict[str, MatrixVerdict]:
     if len(new) < len(matrix.alternatives):
         found[f"{whole}, new motors only"] = _verdict(matrix.only(alternatives=new), sheet.profile)
     return found
-
-
-def _asked(fact: MissingFact, fronts: Mapping[str, Alternative]) -> str:
-    """Return what to ask for, in the words of a buyer."""
-    motor = fronts[fact.cells[0][0]].drive.candidate.motor
-    return in_words(fact.fact, motor=motor)
 
 
 def _published(plan: Plan, rated: list[TableBeside]) -> tuple[str, str]:

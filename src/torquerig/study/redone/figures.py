@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.motor_facts import FACT_UNITS, motor_facts
+from torquerig.study.asked import in_words
 from torquerig.study.redone.plan import KNOWN_UNITS, real_name
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import figure_of
@@ -27,17 +28,10 @@ class Known:
         if drive is None:
             return Figure(unit=KNOWN_UNITS[metric], missing=f"a simulation of {motor} on {gearbox}")
         found = figure_of(drive, study.settings.present.filter, metric)
-        return replace(found, missing=in_words(found.missing, motor=drive.candidate.motor))
+        return replace(found, missing=in_words(found.missing, drive.candidate))
 
     def drive(self, motor: str, gearbox: str) -> DriveResult | None:
         """Return the drive of a motor on a gearbox; None where the study has none."""
         name = real_name(self.runs.study.catalog, motor)
         found = (one for one in self.runs.drives if one.candidate.motor == name and one.candidate.gearbox == gearbox)
         return next(found, None)
-
-
-def in_words(missing: str, *, motor: str) -> str:
-    """Return what is missing as a buyer can ask for it: the lines of a simulated motor hang on many data at once."""
-    if "motor.ripple." in missing:
-        return f"the measured cogging and ripple of {motor}"
-    return missing.replace("motor.", f"{motor}: ").replace("gearbox.", "gearbox: ").replace("_", " ")
