@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import exp, log
 
-# a logistic curve over three numbers; coefficients as fitted by `torquerig prove` on development seeds
+# a logistic curve over three numbers; coefficients set by hand on a few dozen rigs, not yet fitted by `torquerig prove`
 _OFFSET, _GAIN, _SHARE, _RIVAL = -2.2, 0.9, 4.0, -3.0
 
 
