@@ -125,7 +125,7 @@ def orders() -> None:
         print("  rest of the lines, dB, and error as a share of the noise")
         stages = {"order band-stop, encoder": OrderBandstop(lines=lines)}
         for name, stage in stages.items():
-            speed, answer = best_of(lambda s=stage: s.apply(source).torque(), samples, 3)
+            speed, answer = best_of(lambda s=stage, given=source: s.apply(given).torque(), samples, 3)
             tell(name, speed, answer - load, disturbance, inner)
         if samples == 1_000_000:
             angle = source.channels["encoder_count"].in_si()

@@ -9,8 +9,8 @@ from torquerig.catalog.entry import estimates
 from torquerig.catalog.lines import ripple_lines
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
-from torquerig.machines.winding import has_winding, winding_pairs
 from torquerig.errors import InputError
+from torquerig.machines.winding import has_winding, winding_pairs
 from torquerig.parameter import Estimate
 
 CATALOG = load_catalog(shipped_folder())

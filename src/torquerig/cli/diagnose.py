@@ -38,8 +38,6 @@ def command(
 
     Exit code 0 means that a diagnosis was reached, whatever it says.
     """
-    from threadpoolctl import threadpool_limits
-
     from torquerig.cli.progress import stages
     from torquerig.diagnose.diagnose import diagnose
     from torquerig.diagnose.diagnosis import as_json
@@ -51,8 +49,7 @@ def command(
     read = [read_recording(path) for path in recordings]
     if len({recording.name for recording in read}) < len(read):
         raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
-    # small matrices: more threads than one only spin against the simulations beside them
-    with stages("diagnose") as progress, threadpool_limits(limits=1, user_api="blas"):
+    with stages("diagnose") as progress:
         outcome = diagnose(made, read, seed=seed, progress=progress)
     data = as_json(outcome.diagnosis)
     if outcome.diagnosis.findings:

@@ -35,7 +35,7 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
 
 @contextmanager
 def stages(title: str) -> Iterator[Callable[[str], None]]:
-    """Give a function that names the stage a command is at, on a terminal only: elsewhere standard error stays empty."""
+    """Give a function that names the stage a command is at, on a terminal only; elsewhere nothing is printed."""
     from rich.console import Console
 
     console = Console(file=sys.stderr)

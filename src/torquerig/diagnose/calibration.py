@@ -65,13 +65,15 @@ def calibrated(
 ) -> Calibrated:  # fmt: skip
     """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior)."""
     from scipy.optimize import least_squares
+    from threadpoolctl import threadpool_limits
 
     def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
         each = misfits_of(turned(rig, knobs, positions), seen, corrections)
         return np.concatenate([*(robust(one.all()) for one in each), positions])
 
     first = np.zeros(len(knobs)) if start is None else np.clip(start, -0.99 * _LIMIT, 0.99 * _LIMIT)
-    found = least_squares(residuals, first, bounds=(-_LIMIT, _LIMIT), max_nfev=evaluations, ftol=1e-3, xtol=1e-3)
+    with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
+        found = least_squares(residuals, first, bounds=(-_LIMIT, _LIMIT), max_nfev=evaluations, ftol=1e-3, xtol=1e-3)
     fitted = turned(rig, knobs, found.x)
     misfits = misfits_of(fitted, seen, corrections)
     covariance = np.linalg.pinv(found.jac.T @ found.jac)

@@ -103,7 +103,8 @@ def _sizes(results: SeedResults, speed: float) -> Picture:
 
 
 def _steps(results: SeedResults) -> list[Picture]:
-    made, before = [], 0.0
+    made: list[Picture] = []
+    before = 0.0
     for number, chain in zip((8, 9, 10), seed_steps(results.rig.kinematics), strict=True):
         after = chain.apply(results.low)
         cut = chain_effect(results.low, after, ratio=results.rig.kinematics.ratio).std_reduction_percent

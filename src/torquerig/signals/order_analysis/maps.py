@@ -71,8 +71,13 @@ def speed_map(values: Floats, turns: Floats, rate: float, *, highest: float) -> 
     size = max(min(int(_PER_TIME_BLOCK * rate), values.size // 3), 16)
     starts = np.arange(0, max(values.size - size, 0) + 1, max(size // _OVERLAP, 1))
     spectra = [frequency_spectrum(values[at : at + size], rate, highest=highest) for at in starts]
-    speeds = (turns[np.minimum(starts + size, turns.size - 1)] - turns[starts]) / size * rate
-    return _rows(spectra[0].places, np.array([one.amplitudes for one in spectra]), speeds, (starts + size / 2) / rate)
+    speeds = np.asarray((turns[np.minimum(starts + size, turns.size - 1)] - turns[starts]) / size * rate)
+    return _rows(
+        spectra[0].places,
+        np.array([one.amplitudes for one in spectra]),
+        speeds,
+        np.asarray((starts + size / 2) / rate, dtype=np.float64),
+    )
 
 
 def _rows(places: Floats, amplitudes: Floats, speeds: Floats, times: Floats) -> LineMap:
