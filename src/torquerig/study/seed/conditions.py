@@ -76,7 +76,7 @@ class SeedRig:
         return self.scenario.rig.run.particle_size or 0.5e-3
 
 
-def _scaled(part: object, scale: float) -> object:
+def _scaled(part: Part, scale: float) -> Part:
     if not isinstance(part, ParticleLoad):
         return part
     return replace(part, hit_rms=part.hit_rms * scale, slow_rms=part.slow_rms * scale)
