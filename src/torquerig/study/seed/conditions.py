@@ -9,6 +9,7 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.errors import InputError
 from torquerig.mechanisms import ParticleLoad
+from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.overrides import overridden
