@@ -27,7 +27,7 @@ def near_zero_stays(observed: Observed) -> Floats:
     lengths = np.concatenate([lengths[lengths > _SHORTEST], [_SHORTEST]])
     duration = observed.torque.size / observed.rate
     numbers = [lengths.size / duration, float(lengths.sum()) / duration, *np.quantile(lengths, _SHARES)]
-    return np.log(np.array(numbers))
+    return np.asarray(np.log(np.array(numbers)))
 
 
 def near_zero_misfit(measured: Floats, model: Floats) -> Floats:

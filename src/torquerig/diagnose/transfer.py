@@ -76,10 +76,11 @@ def _structure(terms: Sequence[Term]) -> tuple[Term, ...]:
 def _solve(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
     system, s = matrices(lower(rig, 0)), 2j * pi * GRID
     wide = s[:, None, None]
-    dynamic = wide**2 * system.mass + wide * system.damping + system.stiffness
+    dynamic = np.asarray(wide**2 * system.mass + wide * system.damping + system.stiffness, dtype=np.complex128)
     row = {name: index for index, name in enumerate(system.nodes)}
     for lossy in (term for term in terms if isinstance(term, Spring) and term.efficiency < 1):
-        back = (1 / lossy.efficiency - 1) / lossy.ratio * (lossy.stiffness + s * lossy.damping)
+        share = (1 / lossy.efficiency - 1) / lossy.ratio
+        back = np.asarray(share * (lossy.stiffness + s * lossy.damping), dtype=np.complex128)
         dynamic[:, row[lossy.a], row[lossy.a]] += back / lossy.ratio
         dynamic[:, row[lossy.a], row[lossy.b]] -= back
     for drive in (term for term in terms if isinstance(term, Drive)):
