@@ -54,6 +54,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "unknown entry": (("catalog", "HDS6A-0104B"), "or 'HDS6A-0104A' or"),
     "speed without unit": (("orders", "--speed", "1000"), "--speed: '1000' has no unit; write '1000 rad/s'"),
     "ratio 0": (("orders", "--ratio", "0"), "ratio"),
+    "planets without sun": (("orders", "--planets", "3"), "--planets belongs to --sun and --ring"),
     "ring without sun": (("orders", "--ring", "84"), "--sun and --ring belong together"),
     "not a number": (("filter", "nan.csv", "--motor", "REF", "--ratio", "5"), "nan.csv: torque_V has 1 sample not a finite number, the first at sample 1"),
     "no samples": (("info", "none.csv"), "none.csv: "),

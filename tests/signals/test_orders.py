@@ -8,6 +8,7 @@ from torquerig.errors import InputError
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.orders import orders_report
 from torquerig.signals.orders_telling import ORDERS_HEADER, better_speed_sentence, orders_rows, orders_sentences
+from torquerig.signals.teeth import Planetary, Spur
 
 RPM = pi / 30
 SEED_MOTOR = Kinematics(pole_pairs=7, slots=12, ratio=5)
@@ -36,6 +37,25 @@ def test_sentences_name_mains_equal_orders_better_speed_and_what_is_unknown():
     assert "A better test speed is" in told
     assert "Equal orders stay equal at any speed." in told
     assert "No gear mesh lines: tooth counts unknown." in told
+
+
+@pytest.mark.parametrize(
+    ("teeth", "gone"),
+    [
+        (Planetary(21, 84, 3), ()),  # 21/3 is whole: in phase, all are left
+        (Planetary(22, 62, 3), ("gear mesh", "gear mesh x2", "gear mesh x4")),
+        (Planetary(22, 62), ()),  # nobody counted the planets
+        (Spur(20, 50), ()),
+    ],
+)
+def test_mesh_lines_that_the_planets_cancel_are_marked(teeth, gone):
+    """Parker 2000, JSV 236(4): harmonic l is left where l z_sun / n is whole."""
+    report = orders_report(Kinematics(ratio=teeth.ratio, teeth=(teeth,)), 1000 * RPM)
+    marked = [row[3].removesuffix(", cancelled") for row in orders_rows(report) if row[3].endswith(", cancelled")]
+    assert tuple(marked) == gone
+    told = [sentence for sentence in orders_sentences(report) if "planets cancel" in sentence]
+    assert bool(told) == bool(gone)
+    assert not gone or ", ".join(gone) in told[0]
 
 
 def test_a_clear_speed_is_said_to_be_clear():

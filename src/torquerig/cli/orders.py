@@ -11,7 +11,7 @@ from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.signals.kinematics import Kinematics
 from torquerig.signals.orders import orders_report
-from torquerig.signals.orders_telling import ORDERS_HEADER, orders_rows, orders_sentences
+from torquerig.signals.orders_telling import ORDERS_HEADER, name_of, orders_rows, orders_sentences
 from torquerig.signals.teeth import Planetary
 from torquerig.units import parse_quantity
 
@@ -22,13 +22,14 @@ from torquerig.units import parse_quantity
 @click.option("--ratio", type=float, default=None, help="Motor turns per output turn, instead of a gearbox.")
 @click.option("--sun", type=int, default=None, help="Teeth of a planetary stage's sun, with --ring.")
 @click.option("--ring", type=int, default=None, help="Teeth of its ring.")
+@click.option("--planets", type=int, default=None, help="Number of its planets: which mesh lines they cancel.")
 @click.option("--speed", default="1000 rpm", show_default=True, help="Speed of the motor, with its unit.")
 @click.option("--harmonics", type=click.IntRange(1, 20), default=4, show_default=True, help="Lines of each family.")
 @click.option("--mains", default="50 Hz", show_default=True, help="Frequency of the grid.")
 @catalog_option
 def command(
-    *, motor: str, gearbox: str | None, ratio: float | None, sun: int | None, ring: int | None, speed: str,
-    harmonics: int, mains: str, catalogs: tuple[Path, ...],
+    *, motor: str, gearbox: str | None, ratio: float | None, sun: int | None, ring: int | None,
+    planets: int | None, speed: str, harmonics: int, mains: str, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Show each line's frequency, its order on motor and output shaft, its cause, and what it coincides with."""
     catalog = catalog_beside(None, catalogs)
@@ -36,8 +37,10 @@ def command(
     teeth: tuple[Planetary, ...] = ()
     if (sun is None) != (ring is None):
         raise InputError("--sun and --ring belong together; write both, for example --sun 21 --ring 84")
+    if planets is not None and sun is None:
+        raise InputError("--planets belongs to --sun and --ring; write all three, for example 21, 84 and 3")
     if sun is not None and ring is not None:
-        teeth = (Planetary(sun, ring),)
+        teeth = (Planetary(sun, ring, planets),)
     box = catalog.gearbox(gearbox) if gearbox else None
     sets = box.tooth_sets() if box else ()
     known_ratio = ratio if ratio is not None else teeth[0].ratio if teeth else box.ratio if box else 5.0
@@ -49,9 +52,9 @@ def command(
     rows = [list(row) for row in orders_rows(report)]
     place = ORDERS_HEADER.index("cause")
     click.echo(grid([list(ORDERS_HEADER[:place]), *[row[:place] for row in rows]]) + "\n")
-    causes = {row[place - 1]: f"{row[place]} [{row[place + 1]}]" for row in rows if " x" not in row[place - 1]}
-    for family, cause in causes.items():
-        click.echo(wrapped(f"{family}: {cause}"))
+    for line in report.lines:
+        if line.harmonic == 1:
+            click.echo(wrapped(f"{name_of(line)}: {line.cause} [{line.source}]"))
     click.echo()
     for sentence in orders_sentences(report):
         click.echo(wrapped(sentence))

@@ -8,7 +8,7 @@ from math import isfinite, lcm, pi, prod
 from typing import Literal, get_args
 
 from torquerig.errors import InputError
-from torquerig.signals.teeth import Teeth
+from torquerig.signals.teeth import Planetary, Teeth
 
 Family = Literal[
     "shaft",
@@ -121,6 +121,8 @@ class KinematicLine:
         Periods per turn of the motor and of the output shaft [1/rev].
     cause, source : str
         Why it is there, and the equation or handbook section that says so.
+    cancelled : bool
+        Whether equal planets leave nothing of it in torque; what is unequal about them brings it back.
     """
 
     family: Family
@@ -129,6 +131,7 @@ class KinematicLine:
     output_order: float
     cause: str
     source: str
+    cancelled: bool = False
 
     def frequency(self, motor_speed: float) -> float:
         """Return where the line stands [Hz] at a motor speed [rad/s] of either sign."""
@@ -166,15 +169,19 @@ def kinematic_lines(
         raise InputError(f"{harmonics} harmonics cannot be; write 1 for the fundamental alone")
     kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=ratio, teeth=teeth)
     return tuple(
-        KinematicLine(family, harmonic, harmonic * motor, harmonic * output, cause, CAUSES[family][1])
-        for family, motor, output, cause in _fundamentals(kinematics)
+        KinematicLine(
+            family, harmonic, harmonic * motor, harmonic * output, cause, CAUSES[family][1],
+            cancelled=isinstance(stage, Planetary) and harmonic not in stage.torque_harmonics(harmonics),
+        )
+        for family, motor, output, cause, stage in _fundamentals(kinematics)
         for harmonic in range(1, harmonics + 1)
-    )
+    )  # fmt: skip
 
 
-def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str]]:
+def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str, Teeth | None]]:
+    """Yield family, motor order, output order and cause of each, and of a mesh its stage."""
     ratio, p, slots = kinematics.ratio, kinematics.pole_pairs, kinematics.slots
-    yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0]
+    yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], None
     motor_orders: dict[Family, int | None] = {
         "motor": 1,
         "cogging_as_published": lcm(slots, 2 * p) // (2 * p) if p and slots else None,
@@ -186,11 +193,11 @@ def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float
     }
     for family, order in motor_orders.items():
         if order is not None:
-            yield family, float(order), order * ratio, CAUSES[family][0]
+            yield family, float(order), order * ratio, CAUSES[family][0], None
     for position, stage in enumerate(kinematics.teeth):
         before = prod(earlier.ratio for earlier in kinematics.teeth[:position])
         after = prod(later.ratio for later in kinematics.teeth[position + 1 :])
         cause = f"{CAUSES['gear_mesh'][0]}: {stage.spoken}"
-        yield "gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause
+        yield "gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause, stage
     if p and slots:
-        yield "unknown_as_published", p * slots / ratio, float(p * slots), CAUSES["unknown_as_published"][0]
+        yield "unknown_as_published", p * slots / ratio, float(p * slots), CAUSES["unknown_as_published"][0], None

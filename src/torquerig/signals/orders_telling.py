@@ -18,7 +18,7 @@ def orders_rows(report: OrdersReport) -> tuple[tuple[str, ...], ...]:
             f"{line.frequency(report.motor_speed):.2f}",
             f"{line.motor_order:.6g}",
             f"{line.output_order:.6g}",
-            name_of(line),
+            name_of(line) + ", cancelled" * line.cancelled,
             line.cause,
             line.source,
         )
@@ -27,10 +27,11 @@ def orders_rows(report: OrdersReport) -> tuple[tuple[str, ...], ...]:
 
 
 def orders_sentences(report: OrdersReport) -> tuple[str, ...]:
-    """Return what is to be said beside the table: cogging, mains, equal orders, the better speed, what is unknown."""
+    """Return what is to be said beside the table: cogging, planets, mains, equal orders, better speed, the unknown."""
     left_out = tuple(f"No {family.replace('_', ' ')} lines: {reason}." for family, reason in report.left_out.items())
     return (
         *cogging_sentence(report),
+        *cancelled_sentence(report),
         *mains_sentences(report),
         *equal_order_sentences(report),
         better_speed_sentence(report),
@@ -55,6 +56,18 @@ def cogging_sentence(report: OrdersReport) -> tuple[str, ...]:
         f"{textbook.motor_order:g} of {report.kinematics.slots} slots and {magnets} magnets per motor turn; the seed's "
         f"eq. 3.3 divides it by the magnets and prints {printed.frequency(report.motor_speed):.2f} Hz "
         f"(motor order {printed.motor_order:g}), which counts the positions per magnet and is no cogging line."
+    )
+    return (sentence,)
+
+
+def cancelled_sentence(report: OrdersReport) -> tuple[str, ...]:
+    """Return the sentence on the mesh lines that equal planets cancel; nothing where there is none."""
+    gone = [name_of(line) for line in report.lines if line.cancelled]
+    if not gone:
+        return ()
+    sentence = (
+        f"Equal planets cancel {', '.join(gone)} in torque (they shake the gearbox sideways); planets of unequal share "
+        "leave something of them, with side lines."
     )
     return (sentence,)
 
