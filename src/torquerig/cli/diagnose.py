@@ -39,19 +39,26 @@ def command(
     Exit code 0 means that a diagnosis was reached, whatever it says.
     """
     from torquerig.cli.progress import stages
-    from torquerig.diagnose.diagnose import diagnose
+    from torquerig.diagnose.diagnose import Outcome, diagnose
     from torquerig.diagnose.diagnosis import as_json
+    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
 
     for path in (report, model, None if out == "-" else Path(out)):
         if path is not None and not path.parent.is_dir():
             raise InputError(f"{path}: there is no folder {path.parent}; make it first")
     made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    if report is not None and under_measured_motion(made.rig):
+        raise InputError("there is no page for rigs under measured motion; leave --report out, the JSON has it all")
     read = [read_recording(path) for path in recordings]
     if len({recording.name for recording in read}) < len(read):
         raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
+    outcome: Outcome | MotionOutcome
     with stages("diagnose") as progress:
-        outcome = diagnose(made, read, seed=seed, progress=progress)
-    data = as_json(outcome.diagnosis)
+        if under_measured_motion(made.rig):
+            outcome = diagnose_motion(made, read, seed=seed, progress=progress)
+        else:
+            outcome = diagnose(made, read, seed=seed, progress=progress)
+    data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
     if outcome.diagnosis.findings:
         target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
         text = scenario_text(
@@ -61,7 +68,7 @@ def command(
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
     text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
-    if report is not None:
+    if report is not None and isinstance(outcome, Outcome):
         from torquerig.report.diagnosis_page import diagnosis_page
 
         again = _command(recordings, scenario, settings=settings, seed=seed)

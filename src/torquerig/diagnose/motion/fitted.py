@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.knobs import Knob, turned
 from torquerig.diagnose.motion.evidence import root_mean_square, samples_that_count
-from torquerig.diagnose.motion.moved import Mask, Moved
+from torquerig.diagnose.motion.moved import BAND, Mask, Moved
 from torquerig.diagnose.motion.predicted import predicted
 from torquerig.rig.rig import Rig
 
 Floats = NDArray[np.float64]
 
 ZERO_SPREAD = 0.03  # of the rms effort: how far the zero of the effort's channel may stand off, one sigma
+_THIN = int(0.4 / BAND)  # nothing stands above the band, so every fourth sample holds it all
 _LIMIT = 6.0  # a knob goes no further than this many of its spreads
 _PRECISE, _AS_IF = 0.05, 400.0  # against the knobs' spreads: so precise [1] and so many samples, until colour is known
 
@@ -79,15 +80,15 @@ def fitted(
     from scipy.optimize import least_squares
 
     chosen = [run.seen for run in runs] if masks is None else list(masks)
-    pairs = [(run, mask) for run, mask in zip(runs, chosen, strict=True) if mask.any()]
-    typical = root_mean_square([run.effort[mask] for run, mask in pairs])
-    count = sum(int(mask.sum()) for _, mask in pairs)
+    pairs = [(run, np.flatnonzero(mask)[::_THIN]) for run, mask in zip(runs, chosen, strict=True) if mask.any()]
+    typical = root_mean_square([run.effort[kept] for run, kept in pairs])
+    count = sum(kept.size for _, kept in pairs)
     weight = np.sqrt(min(1.0, _AS_IF / count)) / (_PRECISE * typical)
 
     def rest(positions: Floats) -> list[Floats]:
         made = turned(rig, knobs, positions[:-1])
         zero = positions[-1] * ZERO_SPREAD * typical
-        return [(run.effort - predicted(made, run))[mask] - zero for run, mask in pairs]
+        return [(run.effort - predicted(made, run))[kept] - zero for run, kept in pairs]
 
     def cost(positions: Floats) -> Floats:
         return np.concatenate([*(weight * each for each in rest(positions)), positions])

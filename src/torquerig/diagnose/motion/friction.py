@@ -22,7 +22,7 @@ from torquerig.rig.terms import Friction
 
 Floats = NDArray[np.float64]
 
-_SMOOTHED, _SMOOTHED_BEHIND = 2e-3, 2e-2  # of the top speed; behind a spring a sharper sign asks for tiny steps
+_SMOOTHED, _SMOOTHED_BEHIND = 2e-3, 0.1  # of the top speed; behind a spring a sharper sign asks for tiny steps
 _BENDS = (0.01, 0.05, 0.2)  # of the stroke: how far the bristles bend before they slide
 _DAMPED = 2e-3  # [s] of the bristles, s1 over s0
 _NO_PEAK = 1e-6  # of the top speed: a Stribeck speed that no sample sees

@@ -15,6 +15,7 @@ Floats = NDArray[np.float64]
 
 SIGNIFICANT = 1e-6  # chance that so strong a line stands anywhere among all that were looked at
 _MOST = 12
+_LEAST_PLACES = 48  # fewer make no floor
 _NEIGHBOURS = 40  # places on either side that make the floor
 _CLEAR = 3  # nearest places left out of the floor: a line's own skirt
 _LOWEST = 6  # cycles that a line must have over the run; slower is not told from a slow course
@@ -172,7 +173,7 @@ def _strongest(pairs: Sequence[_Pair], domain: str) -> Line | None:
     step = 1 / max(spans)
     first, last = _LOWEST * step, min(tops)
     count = min(round((last - first) / step * _PER_PLACE), _POINTS)
-    if count < 4 * _NEIGHBOURS:
+    if count < _LEAST_PLACES:
         return None
     grid = np.linspace(first, last, count)
     power, terms = _power(pairs, domain, grid * scale)
@@ -226,7 +227,7 @@ def _floor(power: Floats, terms: int) -> Floats:
     """Mean of chance at each place, from the median of its neighbours, a line's own skirt left out."""
     from scipy.ndimage import median_filter
 
-    reach = _NEIGHBOURS * _PER_PLACE
+    reach = min(_NEIGHBOURS * _PER_PLACE, power.size // 4)
     wide = np.ones(2 * reach + 1, dtype=bool)
     wide[reach - _CLEAR * _PER_PLACE : reach + _CLEAR * _PER_PLACE + 1] = False
     middle = np.log(2) if terms == 1 else (terms - 1 / 3) / terms  # median over mean of a sum of exponentials
