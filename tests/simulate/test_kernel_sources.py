@@ -5,10 +5,11 @@ from __future__ import annotations
 import inspect
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from torquerig.simulate.kernel import loop, sources
+from torquerig.simulate.kernel import loop, side_by_side, sources
 
 
 def test_a_change_of_any_file_changes_the_key(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -21,6 +22,7 @@ def test_a_change_of_any_file_changes_the_key(tmp_path: Path, monkeypatch: pytes
         before = sources.sources_key()
 
 
-def test_the_loop_closes_over_the_key() -> None:
+@pytest.mark.parametrize("compiled", [loop.advance, side_by_side.advance_together])
+def test_both_loops_close_over_the_key(compiled: Any) -> None:
     """Numba's documented rule: what a function closes over is part of the key of its cache on disk."""
-    assert inspect.getclosurevars(loop.advance.py_func).nonlocals["key"] == sources.sources_key()
+    assert inspect.getclosurevars(compiled.py_func).nonlocals["key"] == sources.sources_key()
