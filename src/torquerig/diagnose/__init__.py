@@ -16,6 +16,7 @@ Fitting
     knobs           what may be turned                     calibration  the nominal model with its numbers fitted
     case            where a diagnosis stands               hypotheses/  how each mechanism would explain what is left
     search          the hypotheses fitted, best first      loaded_part  which part the load acts on
+    motion/         rigs whose motion was measured: no loop, no random load, so sample by sample
 Deciding
     findings        effect after effect                    equivalence  rivals that cannot be told apart
     next_run        which run would tell                   candidate_runs  the menu of runs

@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
 
+from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.cli.diagnose import command
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
@@ -100,6 +101,14 @@ def test_friction_by_direction_is_named_with_its_numbers() -> None:
     assert told["viscous_Nms_forward"] == pytest.approx(8.0, rel=0.1)
     assert told["viscous_Nms_backward"] == pytest.approx(20.0, rel=0.1)
     assert outcome.diagnosis.fit.improvement[1] > 0.8
+
+
+def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    for gone in ("StribeckFriction", "LugreFriction"):
+        monkeypatch.delattr(mechanisms, gone)
+    outcome = diagnosed(carriage(friction))
+    assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
+    assert outcome.diagnosis.mismatch[0].domain == "speed"
 
 
 @pytest.mark.parametrize(

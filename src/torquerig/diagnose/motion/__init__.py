@@ -9,5 +9,6 @@ lines        periodic in the angle or fixed in frequency               neutral  
 friction     dry friction, by direction, presliding                    gap        play in a gear or link
 cogging      lines of slots and magnets                                others     drag, drift, a branch: the rivals
 completing   the best hypothesis, and again                            places     what still stands out, where
-told         a finding in the contract's words                         diagnose_motion   all of it in order
+level        where over the speed the mean is wrong                told       a finding in the contract's words
+diagnose_motion   all of it in order
 """

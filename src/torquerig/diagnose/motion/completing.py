@@ -12,11 +12,13 @@ from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.motion import cogging, friction, gap, others
 from torquerig.diagnose.motion.evidence import LEAST_GAIN, gained, root_mean_square, samples_that_count
 from torquerig.diagnose.motion.fitted import FittedMotion, fitted
+from torquerig.diagnose.motion.level import level_is_off
 from torquerig.diagnose.motion.moved import STRETCHES, Mask, Moved
 from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
 LEAST_FALL = 0.03  # of the rms residual: a smaller gain is no physics worth naming
+_OF_THE_LEVEL = ("quadratic_drag", "sensor_drift")
 _ALONE = 8  # evaluations while the model's own numbers are held
 _WORTHWHILE = 0.25  # of the best gain alone: less is not caught up by fitting all numbers
 _ROOMS = (friction, gap, cogging, others)
@@ -121,6 +123,8 @@ def _holds(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], runs
     """Whether a gain is worth a name, and also lowers stretches that its own numbers were not fitted to."""
     if one.gain < LEAST_GAIN or one.fall < LEAST_FALL:
         return False
+    if one.candidate.mechanism in _OF_THE_LEVEL and level_is_off(one.model, runs):
+        return False  # it bends the level the right way and stands for something else
     fit, check = _halves(runs)
     start = np.concatenate([model.positions, np.zeros(len(one.candidate.knobs))])
     knobs = (*own, *one.candidate.knobs)

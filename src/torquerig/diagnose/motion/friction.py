@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ from torquerig.rig.terms import Friction
 
 Floats = NDArray[np.float64]
 
+_KINDS = ("stribeck_friction", "lugre_friction")
 _SMOOTHED, _SMOOTHED_BEHIND = 2e-3, 0.1  # of the top speed; behind a spring a sharper sign asks for tiny steps
 _BENDS = (0.01, 0.05, 0.2)  # of the stroke: how far the bristles bend before they slide
 _DAMPED = 2e-3  # [s] of the bristles, s1 over s0
@@ -39,9 +40,7 @@ def carrier(rig: Rig) -> str | None:
 def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     """Yield dry friction the same both ways, by direction, and with presliding, at starting values from regression."""
     at = carrier(model.rig)
-    if at is None or any(
-        isinstance(p, mechanisms.StribeckFriction | mechanisms.LugreFriction) for p in model.rig.parts
-    ):
+    if at is None or not hasattr(mechanisms, "StribeckFriction") or any(p.kind in _KINDS for p in model.rig.parts):
         return
     ahead, back, drag_ahead, drag_back = _regressed(model, runs)
     top = max(float(np.abs(run.speed).max()) for run in runs)
@@ -59,6 +58,8 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     share = _SHARED * sum(viscous_at(model.rig, at))  # where the part has some already, a share to tell them apart by
     sliding: dict[str, Any] = {"viscous": max(drag_ahead, share), "viscous_backward": max(drag_back, share)}
     yield _candidate(replace(part, **both, **sliding), ("coulomb", "coulomb_backward", *sliding), "by_direction")
+    if not hasattr(mechanisms, "LugreFriction"):
+        return
     stroke = max(float(np.ptp(run.position)) for run in runs)
     for bend in _BENDS:
         stiffness = max(ahead, back) / (bend * stroke)
@@ -71,9 +72,10 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
 
 def without_peak(part: Part) -> Part:
     """Return a friction whose static value no sample saw with the sliding one in its place."""
-    if not isinstance(part, mechanisms.StribeckFriction | mechanisms.LugreFriction):
+    if part.kind not in _KINDS:
         return part
-    return replace(part, static=part.coulomb, static_backward=part.coulomb_backward)
+    values: Any = part
+    return cast("Part", replace(values, static=values.coulomb, static_backward=values.coulomb_backward))
 
 
 def viscous_at(rig: Rig, at: str) -> tuple[float, float]:

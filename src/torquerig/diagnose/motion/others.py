@@ -18,6 +18,11 @@ from torquerig.rig.terms import Inertia
 
 Floats = NDArray[np.float64]
 
+_CLASSES = {
+    "quadratic_drag": "QuadraticDrag",
+    "sensor_drift": "SensorDrift",
+    "torsional_mode": "TorsionalMode",
+}
 _BRANCHES = (0.05, 0.2, 0.6)  # of the compared band's edge
 _SHARE, _DAMPING = 0.1, 0.05
 _TRACE = 1e-4
@@ -27,6 +32,7 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     """Yield drag, linear drift and branches of three frequencies."""
     at = carrier(model.rig)
     present = {part.kind for part in model.rig.parts}
+    present |= {kind for kind, name in _CLASSES.items() if not hasattr(mechanisms, name)}
     size = float(np.sqrt(np.mean(np.concatenate(model.of(runs)) ** 2)))
     if at is not None and "quadratic_drag" not in present:
         found = _slope(model, runs, [run.speed * np.abs(run.speed) for run in runs])

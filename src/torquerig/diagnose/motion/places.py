@@ -3,23 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 from math import erfc, log10, pi, sqrt
 
-import numpy as np
-from numpy.typing import NDArray
-
 from torquerig.diagnose.leftover import Mismatch
-from torquerig.diagnose.motion.evidence import samples_that_count
 from torquerig.diagnose.motion.fitted import FittedMotion
+from torquerig.diagnose.motion.level import BINS, level_off
 from torquerig.diagnose.motion.lines import Line, in_a_line, lines_in, moving
 from torquerig.diagnose.motion.moved import Moved
-
-Floats = NDArray[np.float64]
-
-_BINS = 12
-_OUT = 6.0  # standard deviations of a bin's mean
-_TOLERANCE = 0.03  # of the rms effort: what nobody models
 
 
 def mismatches(model: FittedMotion, runs: Sequence[Moved]) -> tuple[Mismatch, ...]:
@@ -41,26 +31,14 @@ def _of_line(line: Line, model: FittedMotion, runs: Sequence[Moved]) -> Mismatch
 
 
 def _of_speed(model: FittedMotion, runs: Sequence[Moved]) -> list[Mismatch]:
-    """Return the band of speed at which the residual's mean is furthest from zero, if it is."""
-    left, count = model.of(runs), samples_that_count(model.of(runs))
-    every = np.concatenate(left)
-    speed = np.concatenate([run.speed[run.seen] for run in runs])
-    typical = float(np.sqrt(np.mean(np.concatenate([run.effort[run.seen] for run in runs]) ** 2)))
-    edges = np.quantile(speed, np.linspace(0, 1, _BINS + 1))
-    rows = [np.flatnonzero((speed >= low) & (speed <= high)) for low, high in pairwise(edges)]
-    means = np.array([every[row].mean() if row.size else 0.0 for row in rows])
-    spread = np.array([every[row].std() / sqrt(max(row.size * count / every.size, 1.0)) if row.size else 1.0
-                       for row in rows]) + 1e-300  # fmt: skip
-    worst = int(np.argmax(np.abs(means)))
-    out = abs(means[worst]) / spread[worst]
-    if out < _OUT or abs(means[worst]) < _TOLERANCE * typical:
+    off = level_off(model, runs)
+    if off is None:
         return []
     unit = 1.0 if in_a_line(runs) else 30 / pi
     return [Mismatch(
-        domain="speed", axis="m/s" if in_a_line(runs) else "rpm", at=float(np.median(speed[rows[worst]])) * unit,
-        width=float(np.ptp(speed[rows[worst]])) * unit, recordings=_names(runs), excess_dB=20 * log10(out),
-        share_of_misfit=min(1.0, float((means**2 * np.array([row.size for row in rows])).sum() / (every @ every))),
-        p_value=min(1.0, _BINS * erfc(out / sqrt(2))),
+        domain="speed", axis="m/s" if in_a_line(runs) else "rpm", at=off.at * unit, width=off.width * unit,
+        recordings=_names(runs), excess_dB=20 * log10(off.deviations), share_of_misfit=off.share,
+        p_value=min(1.0, BINS * erfc(off.deviations / sqrt(2))),
     )]  # fmt: skip
 
 
