@@ -9,6 +9,7 @@ from itertools import combinations
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.calibration import Calibrated
 from torquerig.diagnose.candidate_runs import CandidateRun, candidate_runs
@@ -17,7 +18,7 @@ from torquerig.diagnose.equivalence import CHANCE
 from torquerig.diagnose.expectation import Expectation, expected
 from torquerig.diagnose.features import Features, features
 from torquerig.diagnose.knobs import turned
-from torquerig.diagnose.misfit import Misfit, misfit, robust
+from torquerig.diagnose.misfit import Misfit, misfit
 from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.search import Trial
@@ -30,8 +31,10 @@ from torquerig.signals.run import Run
 from torquerig.signals.stages.tone import Tone, folded
 from torquerig.simulate.simulate import simulate
 
-CERTAIN = 10.0  # spreads: what lies further apart is told as surely by either of two runs
-ENOUGH = 2 * CHANCE  # less would as soon as not leave the rivals alike
+# a rival D spreads away fits worse by D^2 give or take 2 D, so it is excluded as often as not at twice CHANCE
+ENOUGH, CERTAIN = 2 * CHANCE, 3 * CHANCE  # beyond the second, nine times in ten
+Floats = NDArray[np.float64]
+
 _STEP = 0.1  # of a number's spread, for the slopes
 _RIDGE = 1e-9
 _LENGTH = 4.0  # [s] of a simulated candidate
@@ -73,50 +76,55 @@ def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
 
 
 def _judged(case: Case, rivals: Sequence[Trial], candidate: CandidateRun) -> Advice:
-    """Judge a run by the pair of rivals that it separates least."""
-    rigs = [trial.model.rig for trial in rivals]
-    places = _places(case, rigs, candidate.run)
+    """Judge a run, simulated with the first rival, by the pair of rivals that it separates least."""
+    places = _places(case, [trial.model.rig for trial in rivals], candidate.run)
+    seen = features(_imagined(rivals[0].model.rig, candidate.run, case.runs[0]), places, held=None)
+    models = _expectations(rivals, seen)
+    misfits = [misfit(seen, model) for model in models]
+    slopes = [np.zeros((0, 0)), *(_slopes(trial.model, seen) for trial in rivals[1:])]
     nearest = Advice(candidate, float("inf"), "")
-    for one, other in combinations(range(len(rigs)), 2):
-        seen = features(_imagined(rigs[one], candidate.run, case.runs[0]), places, held=None)
-        models = _expectations(rivals[one], rivals[other], seen)
-        misfits = misfit(seen, models[0]), misfit(seen, models[1])
-        distance = _distance(rivals[other].model, seen, misfits)
+    for one, other in combinations(range(len(rivals)), 2):
+        gap = misfits[other].all() - misfits[one].all()
+        distance = _left(gap, slopes[other], rivals[other].model.covariance)
         if distance < nearest.distance:
             names = rivals[one].candidate.mechanism, rivals[other].candidate.mechanism
-            said = _because(names, seen, models, misfits)
+            said = _because(names, seen, (models[one], models[other]), (misfits[one], misfits[other]))
             nearest = Advice(candidate, distance, f"{said}, {distance:.0f} times what chance puts between them")
     return nearest
 
 
-def _distance(refitted: Calibrated, seen: Features, misfits: tuple[Misfit, Misfit]) -> float:
-    """Return how far the residuals of two models lie apart when the second is fitted anew, as far as it may be.
-
-    With residuals that move by J per step of the model's numbers, known from the recordings to a covariance C, the
-    squares that a new fit leaves of a difference d are d'd - d'J (C^-1 + J'J)^-1 J'd (linear least squares with C as
-    prior).
-    """
-    gap = robust(misfits[1].all()) - robust(misfits[0].all())
-    if refitted.corrections:
-        return float(np.linalg.norm(gap))
-    here, step = robust(misfits[1].all()), np.zeros(len(refitted.knobs))
-    moves = np.zeros((gap.size, step.size))
-    for number in range(step.size):
-        step[:] = 0.0
+def _slopes(model: Calibrated, seen: Features) -> Floats:
+    """Return how the residuals move per spread of each number of a model; none where the twin does not hold it."""
+    if model.corrections:
+        return np.zeros((0, 0))
+    here = misfit(seen, expected(model.rig, seen)).all()
+    columns = []
+    for number in range(len(model.knobs)):
+        step = np.zeros(len(model.knobs))
         step[number] = _STEP
-        moved = misfit(seen, expected(turned(refitted.rig, refitted.knobs, step), seen))
-        moves[:, number] = (robust(moved.all()) - here) / _STEP
-    held = np.linalg.pinv(refitted.covariance) + moves.T @ moves
-    closed = float(gap @ moves @ np.linalg.solve(held + _RIDGE * np.eye(step.size), moves.T @ gap))
+        moved = turned(model.rig, model.knobs, step)
+        columns.append((misfit(seen, expected(moved, seen)).all() - here) / _STEP)
+    return np.array(columns).T.reshape(here.size, len(columns))
+
+
+def _left(gap: Floats, slopes: Floats, covariance: Floats) -> float:
+    """Return how far residuals that lie apart by ``gap`` stay apart when one of the models is fitted anew.
+
+    With slopes J and numbers known from the recordings to a covariance C, the squares that a new fit leaves of a gap d
+    are d'd - d'J (C^-1 + J'J)^-1 J'd (linear least squares with C as prior).
+    """
+    if not slopes.size:
+        return float(np.linalg.norm(gap))
+    held = np.linalg.pinv(covariance) + slopes.T @ slopes + _RIDGE * np.eye(slopes.shape[1])
+    closed = float(gap @ slopes @ np.linalg.solve(held, slopes.T @ gap))
     return sqrt(max(float(gap @ gap) - closed, 0.0))
 
 
-def _expectations(one: Trial, other: Trial, seen: Features) -> tuple[Expectation, Expectation]:
-    """By the linear twin; by simulation where an effect is beyond it."""
-    if one.model.corrections or other.model.corrections:
-        first, second = (expected_by_simulation(trial.model.rig, [seen], seeds=(_SEED + 1,)) for trial in (one, other))
-        return first[0], second[0]
-    return expected(one.model.rig, seen), expected(other.model.rig, seen)
+def _expectations(rivals: Sequence[Trial], seen: Features) -> list[Expectation]:
+    """By the linear twin; all by simulation where an effect is beyond it."""
+    if any(trial.model.corrections for trial in rivals):
+        return [expected_by_simulation(trial.model.rig, [seen], seeds=(_SEED + 1,))[0] for trial in rivals]
+    return [expected(trial.model.rig, seen) for trial in rivals]
 
 
 def _imagined(rig: Rig, run: Run, like: Observed) -> Observed:

@@ -87,18 +87,22 @@ def evidence(runs: Sequence[Observed], place: Place) -> float:
     """
     total = 0.0
     for run in runs:
-        turned, still = _powers(run, place)
+        turned, still = _powers(run, place.at, place.frequency(run.mean_speed))
         total += 2 * (turned - still)
     return total
 
 
-def _powers(run: Observed, place: Place) -> tuple[float, float]:
-    """Power over the floor of the line as one that turns, and as one that stays."""
+def _powers(run: Observed, order: float, at: float) -> tuple[float, float]:
+    """Power over the floor of the line as one that turns, and as one that stays.
+
+    Where it stands on the whole is known from itself; only how the speed strays from its mean is asked of the angle.
+    """
     seen = [stretch for stretch in run.stretches if not stretch.held]
     part = slice(seen[0].start, seen[-1].stop)
     torque, angle = run.torque[part] - run.torque[part].mean(), run.angle[part]
-    even = np.linspace(angle[0], angle[-1], angle.size)
-    return _peak(torque, place.at * angle), _peak(torque, place.at * even)
+    strays = order * (angle - np.linspace(angle[0], angle[-1], angle.size))
+    still = np.asarray(2 * np.pi * at / run.rate * np.arange(angle.size), dtype=np.float64)
+    return _peak(torque, np.asarray(still + strays)), _peak(torque, still)
 
 
 def _peak(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
