@@ -118,6 +118,9 @@ def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mappi
     for part in rig.parts:
         with _placed(document, "rig", owners[part.name]):
             part.terms(rig)
+    # a stage may ask the whole rig, so that each part has answered for its own physics before
+    for part in rig.parts:
+        with _placed(document, "rig", owners[part.name]):
             part.stages(rig)
     with _placed(document, "rig"):
         rig.terms()
