@@ -80,14 +80,16 @@ def aside_table(outcome: Outcome) -> Table:
 
 def held_out_table(runs: Sequence[Compared]) -> Table:
     """Return the misfit of each run's held-out stretches."""
-    rows = [
-        (*words(one.held.observed.name), number(str(one.before.misfit.seen)), number(plain(one.before.mean_square)),
-         number(plain(one.after.mean_square)))
-        for one in runs
-    ]  # fmt: skip
+    alone = all(one.after is one.before for one in runs)
+    rows = []
+    for one in runs:
+        sides = [one.before] if alone else [one.before, one.after]
+        found = (number(plain(side.mean_square)) for side in sides)
+        rows.append((*words(one.held.observed.name), number(str(one.before.misfit.seen)), *found))
+    head = ("recording", "features", "calibrated model") + (() if alone else ("with what was found",))
     return Table(
         caption="Mean square of the residuals on held-out stretches, run by run, against one simulation of each model",
-        head=("recording", "features", "calibrated model", "with what was found"), rows=tuple(rows),
+        head=head, rows=tuple(rows),
         note="About 1 for a true model. The figures of the diagnosis take all runs together and two simulations each.",
     )  # fmt: skip
 
