@@ -12,10 +12,11 @@ from torquerig.diagnose.correction import Correction, corrected
 from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.knobs import Knob, turned
+from torquerig.diagnose.least_squares import minimum
 from torquerig.diagnose.misfit import Misfit, misfit, misfit_sum, robust
 from torquerig.rig.rig import Rig
 
-_MOST_EVALUATIONS = 12
+_MOST_DERIVATIVES = 6  # sets of them
 _LIMIT = 5.0  # a knob goes no further than this many of its spreads
 
 
@@ -61,22 +62,21 @@ def misfits_of(
 
 def calibrated(
     rig: Rig, seen: Sequence[Features], knobs: Sequence[Knob], *, start: NDArray[np.float64] | None = None,
-    evaluations: int = _MOST_EVALUATIONS, corrections: Sequence[Correction] | None = None,
+    derivatives: int = _MOST_DERIVATIVES, corrections: Sequence[Correction] | None = None,
 ) -> Calibrated:  # fmt: skip
     """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior)."""
-    from scipy.optimize import least_squares
     from threadpoolctl import threadpool_limits
 
     def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
         each = misfits_of(turned(rig, knobs, positions), seen, corrections)
-        return np.concatenate([*(robust(one.all()) for one in each), positions])
+        return np.concatenate([robust(one.all()) for one in each])
 
-    first = np.zeros(len(knobs)) if start is None else np.clip(start, -0.99 * _LIMIT, 0.99 * _LIMIT)
+    first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
-        found = least_squares(residuals, first, bounds=(-_LIMIT, _LIMIT), max_nfev=evaluations, ftol=1e-3, xtol=1e-3)
-    fitted = turned(rig, knobs, found.x)
+        found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives)
+        covariance = np.linalg.inv(found.jacobian.T @ found.jacobian + np.eye(len(knobs)))
+    fitted = turned(rig, knobs, found.positions)
     misfits = misfits_of(fitted, seen, corrections)
-    covariance = np.linalg.pinv(found.jac.T @ found.jac)
-    cost = misfit_sum(misfits) + float(found.x @ found.x)
+    cost = misfit_sum(misfits) + float(found.positions @ found.positions)
     held = () if corrections is None else tuple(corrections)
-    return Calibrated(fitted, tuple(knobs), found.x, covariance, misfits, cost, held)
+    return Calibrated(fitted, tuple(knobs), found.positions, covariance, misfits, cost, held)

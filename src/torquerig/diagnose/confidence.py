@@ -20,6 +20,6 @@ def confidence(*, gain: float, share: float, rival: float) -> float:
     rival : float
         Gain of the best other mechanism.
     """
-    behind = max(rival, 0.0) / max(gain, 1e-9)
+    behind = min(max(rival, 0.0) / max(gain, 1e-9), 2.0)
     score = _OFFSET + _GAIN * log(max(gain, 1.0) / 40.0 + 1) + _SHARE * (share - 0.5) + _RIVAL * behind**4
     return min(0.99, 1 / (1 + exp(-score)))

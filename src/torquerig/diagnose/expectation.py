@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import pi
 
 import numpy as np
@@ -39,6 +39,8 @@ class Expectation:
         [N m], [(N m)^2].
     turning : ndarray, shape (blocks,), or None
         Torque of the blocks of a run that turns back [N m].
+    load_share : ndarray, shape (bands,)
+        Part of ``power`` that random loads make [1].
     power_tolerance, amplitude_tolerance : float or ndarray
         What chance in an effect beyond the twin may add: of the density's logarithm [1], of an amplitude [N m].
     """
@@ -49,6 +51,7 @@ class Expectation:
     level: Floats
     level_variance: Floats
     turning: Floats | None = None
+    load_share: Floats = field(default_factory=lambda: np.zeros(0))
     power_tolerance: float | Floats = 0.0
     amplitude_tolerance: float | Floats = 0.0
 
@@ -61,7 +64,8 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     if seen.turning is not None:
         return _turning(twin, seen, seen.turning)
     added = added_signals(twin, seen)
-    power = twin.load_power(seen.band) + _noise(placed, seen) + added.power
+    load = twin.load_power(seen.band)
+    power = load + _noise(placed, seen) + added.power
     points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
     stretches = len(seen.level)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
@@ -80,6 +84,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
         power, tolerance = power + rounding, np.hypot(tolerance, doubt)
     return Expectation(
         power=power,
+        load_share=load / power,
         power_tolerance=tolerance if added.codes and observed.steady else 0.0,
         amplitude=amplitude,
         variance=amplitude_variance(seen, power),

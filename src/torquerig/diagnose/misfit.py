@@ -16,6 +16,8 @@ Floats = NDArray[np.float64]
 
 # what a model may be wrong by before it counts [relative]: details of a real rig that nobody models
 BAND_TOLERANCE, LINE_TOLERANCE, RAMP_LINE_TOLERANCE, LEVEL_TOLERANCE = 0.05, 0.04, 0.06, 0.01
+# [1] of the density's logarithm: the pulses of a random load leave dips at frequencies of their own, but no peaks
+DIP_TOLERANCE = 1.0
 LEVEL_FLOOR = 0.002  # [N m]
 TURNING_FLOOR, TURNING_TOLERANCE = 0.015, 0.05  # [N m], [1] near standstill no two rigs are alike
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
@@ -63,8 +65,9 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
     if seen.turning is not None and model.turning is not None:
         return _turning(seen.turning, model.turning)
     if seen.power.size:
-        spread = np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + np.square(model.power_tolerance))
-        bands = np.nan_to_num(np.log(seen.power / model.power) / spread)
+        excess = np.nan_to_num(np.log(seen.power / model.power))
+        beyond = np.square(model.power_tolerance) + np.where(excess < 0, DIP_TOLERANCE * model.load_share, 0.0) ** 2
+        bands = excess / np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + beyond)
     else:
         bands = np.array([])
     lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)

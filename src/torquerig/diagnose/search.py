@@ -20,7 +20,7 @@ PER_KNOB = 5.0  # what a further number must gain, beside the square of its own 
 LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
-_JOINT_EVALUATIONS = 20
+_JOINT_DERIVATIVES = 6
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
@@ -99,7 +99,7 @@ def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
 
 def _screened(case: Case, candidate: Candidate) -> Trial:
     rig = candidate.added_to(case.model.rig)
-    model = calibrated(rig, case.seen, candidate.knobs, evaluations=6, corrections=case.model.corrections or None)
+    model = calibrated(rig, case.seen, candidate.knobs, derivatives=2, corrections=case.model.corrections or None)
     before = case.model.cost - float(case.model.positions @ case.model.positions)
     return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs))
 
@@ -117,7 +117,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
         start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
         model = calibrated(
             placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
-            evaluations=_JOINT_EVALUATIONS, corrections=held,
+            derivatives=_JOINT_DERIVATIVES, corrections=held,
         )  # fmt: skip
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs))
 
@@ -125,7 +125,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
     if first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits):
         return first
     afresh = calibrated(
-        trial.candidate.added_to(base), case.seen, trial.candidate.knobs, evaluations=8, corrections=held
+        trial.candidate.added_to(base), case.seen, trial.candidate.knobs, derivatives=3, corrections=held
     )
     second = fitted(afresh.rig, np.zeros(len(case.model.knobs)))
     return max(first, second, key=lambda one: one.gain)

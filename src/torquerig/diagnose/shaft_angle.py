@@ -9,6 +9,7 @@ from statistics import median
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.angle import measured_motor_angle
@@ -30,7 +31,8 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftA
     """Return the angle of each run and the factor by which the rig's speeds differ from their set-points.
 
     The factor is the median over the runs whose angle was measured or followed: one drive has one error of scale. A
-    ramp or reversal without an encoder turns as the nominal rig does when its set-point is scaled by that factor.
+    ramp or reversal without an encoder turns as the nominal rig does when its set-point is scaled by that factor; its
+    ripple is left out, for nobody knows at which phase it moves the shaft.
     """
     kinematics = kinematics_of(rig)
     found: list[ShaftAngle | None] = []
@@ -50,6 +52,8 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftA
 
 def _simulated(recording: Recording, rig: Rig, factor: float) -> ShaftAngle:
     run = replace(recording.run, speed=(recording.run.speed or 0.0) * factor)
+    for ripple in rig.parts_of(TorqueRipple):
+        rig = rig.changed(replace(ripple, amplitudes={}))
     turned = simulate(rig.at(run), duration=recording.duration, seed=0, sample_rate=recording.sample_rate)
     return ShaftAngle(
         turned.channels["true_motor_angle_rad"].values, False, f"simulated from the set-point times {factor:.5f}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from math import isclose
 from typing import TypeVar
 
@@ -88,6 +89,10 @@ class Rig:
 
     def terms(self) -> tuple[Term, ...]:
         """Return the physics of all parts; InputError where a node has no inertia."""
+        return self._terms
+
+    @cached_property
+    def _terms(self) -> tuple[Term, ...]:
         terms = tuple(term for part in self.parts for term in part.terms(self))
         carried = {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
         for term in terms:

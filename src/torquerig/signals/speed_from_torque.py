@@ -10,6 +10,7 @@ import numpy as np
 
 from torquerig.errors import RecordingError
 from torquerig.signals.angle import MotorAngle
+from torquerig.signals.angle_within_a_turn import angle_within_a_turn
 from torquerig.signals.set_point import set_point_profile
 from torquerig.signals.smooth_course import second_difference_bands, times_bands
 from torquerig.signals.speed_course import speed_course
@@ -84,9 +85,11 @@ def _steady_angle(
     """Return the better of two: one factor and a slow wander, or a course that leaves the factor by per cents."""
     found = []
     if comb.stands_out:
-        wander, ends = _wander(torque, nominal * comb.factor, orders, comb.floor, rate)
+        scaled = nominal * comb.factor
+        scaled = scaled + angle_within_a_turn(torque, scaled, orders, comb.floor)
+        wander, ends = _wander(torque, scaled, orders, comb.floor, rate)
         told = f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines"
-        found.append((nominal * comb.factor + wander, told, ends))
+        found.append((scaled + wander, told, ends))
     course = speed_course(torque, nominal, orders, rate=rate)
     if course is not None:
         angle = np.cumsum(np.gradient(nominal) * course)
@@ -94,12 +97,14 @@ def _steady_angle(
         for _ in range(_COURSE_ROUNDS):
             wander, ends = _wander(torque, angle, orders, comb.floor, rate, acceleration=bend)
             angle = angle + wander
+            angle = angle + angle_within_a_turn(torque, angle, orders, comb.floor)
         found.append((angle, "from the course of the comb of lines around the set-point", ends))
     heights = [_coherence(torque, angle, orders, comb.floor) for angle, _, _ in found]
     if not found or max(heights) < _COHERENT:
         return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))
     # the plainer one, which comes first, unless the other is clearly better
     angle, told, ends = found[int(np.argmax([height - _PLAINER * row for row, height in enumerate(heights)]))]
+    angle = angle + angle_within_a_turn(torque, angle, orders, comb.floor)
     known = comb.sd if comb.stands_out else 0.0
     return MotorAngle(angle, told, max(known, ends / abs(float(angle[-1] - angle[0]))))
 
