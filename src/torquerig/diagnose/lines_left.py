@@ -9,6 +9,7 @@ from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.order_or_fixed import may_be_fixed, rather_fixed
 from torquerig.diagnose.peaks import Peak, peaks
 from torquerig.diagnose.places import Place, order
+from torquerig.diagnose.side_lines import without_side_lines
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
@@ -25,7 +26,8 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
     """
     ratio, found = kinematics_of(rig).ratio, list[Peak]()
     for _ in range(_PASSES):
-        new = peaks(runs, [*known, *(peak.place for peak in found)])
+        carriers = [*known, *(peak.place for peak in found)]
+        new = without_side_lines(peaks(runs, carriers), runs, carriers)
         if not new:
             break
         strong = [peak for peak in new if peak.excess >= _STRONG * new[0].excess]

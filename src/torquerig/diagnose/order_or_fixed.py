@@ -12,6 +12,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
 from torquerig.diagnose.places import SAME_ORDER, Place, frequency
+from torquerig.diagnose.steady_tone import sounds_all_along
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
@@ -31,9 +32,10 @@ def doubtful_lines(case: Case) -> Iterator[Peak]:
 
 
 def fixed_lines(case: Case) -> list[Peak]:
-    """Return the left lines of fixed frequency, the doubtful ones among them, clearest first."""
+    """Return the left lines of fixed frequency that sound all along, the doubtful ones among them, clearest first."""
     fixed = [peak for peak in case.left if peak.place.domain == "frequency"]
-    return sorted([*fixed, *doubtful_lines(case)], key=lambda peak: -peak.excess)
+    steady = [peak for peak in (*fixed, *doubtful_lines(case)) if sounds_all_along(peak, case.runs)]
+    return sorted(steady, key=lambda peak: -peak.excess)
 
 
 def may_be_fixed(runs: Sequence[Observed], peak: Peak, known: Sequence[Place], rig: Rig) -> bool:

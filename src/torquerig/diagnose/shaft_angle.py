@@ -17,6 +17,8 @@ from torquerig.signals.recording import Recording
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
 from torquerig.simulate.simulate import simulate
 
+_FOLLOWED = 0.003  # [1] uncertainty of the speed above which a run's own torque does not tell it
+
 
 @dataclass(frozen=True)
 class ShaftAngle:
@@ -31,7 +33,7 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftA
     """Return the angle of each run and the factor by which the rig's speeds differ from their set-points.
 
     The factor is the median over the runs whose angle was measured or followed: one drive has one error of scale. A
-    ramp or reversal without an encoder turns as the nominal rig does when its set-point is scaled by that factor; its
+    ramp or reversal without an encoder, or a run whose lines do not stand out, turns as the nominal rig does when its set-point is scaled by that factor; its
     ripple is left out, for nobody knows at which phase it moves the shaft.
     """
     kinematics = kinematics_of(rig)
@@ -42,6 +44,7 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftA
         measured = angle is not None
         if angle is None and recording.run.profile == "steady" and recording.run.speed:
             angle = motor_angle_from_torque(recording, kinematics.lines())
+            angle = angle if angle.speed_sd < _FOLLOWED else None  # no comb stands out: the other runs know more
         found.append(None if angle is None else ShaftAngle(angle.values, measured, angle.origin))
         if angle is not None and recording.run.profile == "steady" and recording.run.speed:
             factors.append(angle.mean_speed(recording.sample_rate) / recording.run.speed)

@@ -31,6 +31,7 @@ _PARTS = 8  # of a hop
 _OF_NOISE = 0.6  # mean of log(1 + x) of an exponential x of mean 1 (exactly 0.596)
 _COHERENT = 20.0  # by which a course's lines must stand out: noise alone, followed, has been seen at half of it
 _NONE_STANDS_OUT = "from the set-point alone: no comb of lines stands out"
+_LEADING = 300.0  # power over the noise beyond which a line has no more say
 _ORDER_CAPS = (8.0, 16.0, 32.0, 90.0, np.inf)  # slow lines first: they bear the largest error of angle
 
 
@@ -245,10 +246,12 @@ def _followed(
         mean = turned.mean(axis=1, keepdims=True)
         # the noise itself has a mean of power level / blocks; only what exceeds it is a line
         strength = np.maximum(np.abs(mean) ** 2 - 2 * level / course.size, 0.0)
-        information = float((strength * order**2 / level).sum()) * 2
+        # no line alone leads: the strongest may be hum that happens to stand at an order
+        heard = np.maximum(level, strength / _LEADING)
+        information = float((strength * order**2 / heard).sum()) * 2
         if information <= 0:
             break
-        pull = (2 * order * (np.conj(mean) * turned).imag * (strength > 0) / level).sum(axis=0)
+        pull = (2 * order * (np.conj(mean) * turned).imag * (strength > 0) / heard).sum(axis=0)
         curvature = stiffness + information * np.array([[0.0], [0.0], [1.0]])
         course = course + solveh_banded(curvature, pull - times_bands(stiffness, course))
         # beyond the outer blocks, and over as many as are averaged, the speed may bend: once at each end

@@ -1,0 +1,81 @@
+"""Which peaks are only the side lines that an uneven speed gives to the lines of a shaft."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.peaks import Peak
+from torquerig.diagnose.places import SAME_ORDER, Place
+
+Floats = NDArray[np.float64]
+
+_REACH = 2.05  # orders of the motor: what strays faster moves no shaft far
+_PASSED = 1.3  # times as large as its source may a side line be read: it passes a shaft that rings, its carrier less
+_FOLLOWED = 2.0  # the same for an angle that was followed in the torque, and is known less well
+_WIDTH = 1.5  # bins over which the straying at an offset is sought
+
+
+def without_side_lines(
+    peaks: Sequence[Peak], runs: Sequence[Observed], known: Sequence[Place]
+) -> tuple[Peak, ...]:
+    """Return the peaks that stand out in some run beyond what the speed's own unevenness puts there.
+
+    An angle that strays by ``Re(c exp(i m theta))`` gives a line ``A`` of order n side lines of ``n |c| A / 2`` at
+    n + m and n - m. Where the shafts pass those otherwise than the line itself, they are left even when the angle is
+    known, and no model of lines has them. Carriers are ``known`` and the peaks that are clearer.
+    """
+    kept: list[Peak] = []
+    steady = {run.name: _Straying(run) for run in runs if run.steady}
+    for peak in sorted(peaks, key=lambda each: -each.excess):
+        carriers = [*known, *(other.place for other in kept)]
+        shown = [steady[name] for name in peak.runs if name in steady]
+        if not shown or any(run.beyond(peak.place, carriers) for run in shown):
+            kept.append(peak)
+    return tuple(kept)
+
+
+class _Straying:
+    """One run's angle, and how far it strays at each offset."""
+
+    def __init__(self, run: Observed) -> None:
+        seen = [stretch for stretch in run.stretches if not stretch.held]
+        part = slice(seen[0].start, seen[-1].stop)
+        self.angle, torque = run.angle[part], run.torque[part]
+        self.time = np.arange(part.start, part.stop) / run.rate
+        self.window = np.hanning(self.angle.size)
+        self.torque = (torque - torque.mean()) * self.window
+        turned = np.linspace(self.angle[0], self.angle[-1], self.angle.size)
+        self.speed = float(np.ptp(turned)) / (self.time[-1] - self.time[0])
+        along = np.linspace(-1.0, 1.0, turned.size)
+        strayed = self.angle - turned
+        strayed = strayed - np.polynomial.polynomial.polyval(along, np.polynomial.polynomial.polyfit(along, strayed, 2))
+        self.straying = np.abs(np.fft.rfft(strayed * self.window)) * 2 / self.window.sum()
+        self.per_bin = 2 * np.pi / float(np.ptp(turned))  # [1/rev of the motor]
+        self.margin = _PASSED if run.angle_measured else _FOLLOWED
+        self.sizes: dict[Place, float] = {}
+
+    def beyond(self, place: Place, carriers: Sequence[Place]) -> bool:
+        """Whether the line at ``place`` is larger than all side lines of the carriers could make it there."""
+        at, bound = self._order(place), 0.0
+        for carrier in carriers:
+            order = self._order(carrier)
+            if SAME_ORDER < abs(at - order) < _REACH:
+                bound += 0.5 * order * self._strays(abs(at - order)) * self._size(carrier)
+        return self._size(place) > self.margin * bound
+
+    def _order(self, place: Place) -> float:
+        return place.at if place.domain == "order" else place.at * 2 * np.pi / self.speed
+
+    def _strays(self, offset: float) -> float:
+        low, high = int((offset / self.per_bin) - _WIDTH), int(np.ceil(offset / self.per_bin + _WIDTH)) + 1
+        return float(self.straying[max(low, 0) : high].max(initial=0.0))
+
+    def _size(self, place: Place) -> float:
+        if place not in self.sizes:
+            taken = self.torque @ np.exp(-1j * place.phase(self.angle, self.time))
+            self.sizes[place] = float(2 * abs(taken) / self.window.sum())
+        return self.sizes[place]
