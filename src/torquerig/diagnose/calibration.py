@@ -17,7 +17,7 @@ from torquerig.diagnose.misfit import Misfit, misfit, misfit_sum, robust
 from torquerig.rig.rig import Rig
 
 _MOST_DERIVATIVES = 6  # sets of them
-_LIMIT = 5.0  # a knob goes no further than this many of its spreads
+_LIMIT = 8.0  # a knob goes no further than this many of its spreads
 
 
 @dataclass(frozen=True)
@@ -39,6 +39,8 @@ class Calibrated:
         Sum of squares of robust residuals and of positions.
     corrections : tuple of Correction
         One per run where an effect is beyond the twin; else empty.
+    jacobian : ndarray, shape (features, knobs)
+        Of the robust residuals to the positions.
     """
 
     rig: Rig
@@ -48,6 +50,7 @@ class Calibrated:
     misfits: tuple[Misfit, ...]
     cost: float
     corrections: tuple[Correction, ...] = ()
+    jacobian: NDArray[np.float64] | None = None
 
 
 def misfits_of(
@@ -63,6 +66,7 @@ def misfits_of(
 def calibrated(
     rig: Rig, seen: Sequence[Features], knobs: Sequence[Knob], *, start: NDArray[np.float64] | None = None,
     derivatives: int = _MOST_DERIVATIVES, corrections: Sequence[Correction] | None = None,
+    jacobian: NDArray[np.float64] | None = None,
 ) -> Calibrated:  # fmt: skip
     """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior)."""
     from threadpoolctl import threadpool_limits
@@ -73,10 +77,10 @@ def calibrated(
 
     first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
-        found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives)
+        found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives, jacobian=jacobian)
         covariance = np.linalg.inv(found.jacobian.T @ found.jacobian + np.eye(len(knobs)))
     fitted = turned(rig, knobs, found.positions)
     misfits = misfits_of(fitted, seen, corrections)
     cost = misfit_sum(misfits) + float(found.positions @ found.positions)
     held = () if corrections is None else tuple(corrections)
-    return Calibrated(fitted, tuple(knobs), found.positions, covariance, misfits, cost, held)
+    return Calibrated(fitted, tuple(knobs), found.positions, covariance, misfits, cost, held, found.jacobian)

@@ -26,6 +26,7 @@ ARCMIN = pi / 180 / 60
 _GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
 _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
+_LEAST_GAIN = 20.0  # by which the stays near zero torque must speak for a gap
 _SEEDS = (1, 2)
 
 
@@ -47,8 +48,10 @@ def flanks_may_part(seen: Features) -> bool:
     return float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
 
 
-def fitted_gap(case: Case, base: Rig) -> tuple[Candidate, Calibrated]:
+def fitted_gap(case: Case, base: Rig) -> tuple[Candidate, Calibrated] | None:
     """Return the width whose simulations stay near zero torque as the recordings do, and the model fitted around it.
+
+    None where the model without a gap stays there as they do.
 
     The numbers of the model are first fitted to what a gap leaves alone: loaded runs, and the slow torque of all. The
     stays near zero then tell the width, and all features are fitted once more, corrected for what the gap changes.
@@ -57,6 +60,8 @@ def fitted_gap(case: Case, base: Rig) -> tuple[Candidate, Calibrated]:
     model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
     rigs = [with_phases_of(model.rig, features.observed) for features in case.seen]
     gap = _width(case, rigs)
+    if gap is None:
+        return None
     corrections = between(_expected(case, rigs, gap), _expected(case, rigs, 0.0))
     fitted = calibrated(base, case.seen, case.model.knobs, start=model.positions, corrections=corrections)
     return _with_gap(case, gap), fitted
@@ -76,20 +81,23 @@ def _expected(case: Case, rigs: Sequence[Rig], gap: float) -> tuple[Expectation,
     return expected_from(opened[0], case.seen, simulated_runs(opened, case.seen, seeds=_SEEDS[:1]))
 
 
-def _width(case: Case, rigs: Sequence[Rig]) -> float:
-    """Return the gap [rad] whose stays near zero torque come nearest to the recordings'."""
+def _width(case: Case, rigs: Sequence[Rig]) -> float | None:
+    """Return the gap [rad] whose stays near zero torque come nearest to the recordings'; None where none is needed."""
     parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
     seen = [case.seen[row] for row in parting]
     stays = [near_zero_stays(features.observed) for features in seen]
-    costs = []
-    for gap in _GAPS:
-        opened = [_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]
-        cost = 0.0
-        for measured, copies in zip(stays, simulated_runs(opened, seen, seeds=_SEEDS), strict=True):
-            modelled = np.mean([near_zero_stays(copy) for copy in copies], axis=0)
-            cost += float((robust(near_zero_misfit(measured, modelled)) ** 2).sum())
-        costs.append(cost)
-    return _minimum(_GAPS, np.array(costs))
+
+    def cost(rigs: Sequence[Rig]) -> float:
+        copies = simulated_runs(rigs, seen, seeds=_SEEDS)
+        modelled = [np.mean([near_zero_stays(copy) for copy in each], axis=0) for each in copies]
+        pairs = zip(stays, modelled, strict=True)
+        return float(sum((robust(near_zero_misfit(measured, model)) ** 2).sum() for measured, model in pairs))
+
+    closed = cost([rigs[row] for row in parting])
+    if closed < _LEAST_GAIN:
+        return None
+    costs = [cost([_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS]
+    return _minimum(_GAPS, np.array(costs)) if min(costs) < closed - _LEAST_GAIN else None
 
 
 def _minimum(gaps: NDArray[np.float64], costs: NDArray[np.float64]) -> float:

@@ -16,7 +16,7 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
-_NOISE_COLOUR = 0.15  # no amplifier's noise is quite white
+_NOISE_COLOUR = 0.11  # no amplifier's noise is quite white
 HIT_RISE = 1e-4  # [s] no pulse rises at once; so short a rise cannot be seen, and a longer one is to be found
 _HIT_RISE_SPREAD = 1.2
 _LOAD_SPECTRUM = {"hit_rms": 0.3, "hit_decay": 0.2, "slow_rms": 0.4, "slow_cutoff": 0.3}

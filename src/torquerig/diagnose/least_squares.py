@@ -26,8 +26,12 @@ class Minimum:
     cost: float
 
 
-def minimum(residuals: Residuals, start: Floats, *, limit: float, derivatives: int) -> Minimum:
+def minimum(
+    residuals: Residuals, start: Floats, *, limit: float, derivatives: int, jacobian: Floats | None = None
+) -> Minimum:
     """Return where ``|residuals|^2 + |positions|^2`` is least, within ``limit`` either way.
+
+    A ``jacobian`` of the first knobs, known from an earlier fit near ``start``, saves making theirs at the beginning.
 
     Levenberg-Marquardt steps; between fresh difference quotients, of which there are at most ``derivatives`` sets, the
     derivatives follow by Broyden's rank-one update.
@@ -37,7 +41,10 @@ def minimum(residuals: Residuals, start: Floats, *, limit: float, derivatives: i
     """
     here, found = np.clip(start, -limit, limit), None
     found = residuals(here)
-    slopes, made, fresh = _slopes(residuals, here, found), 1, True
+    kept = 0 if jacobian is None else jacobian.shape[1]
+    slopes, made, fresh = _slopes(residuals, here, found, first=kept), int(kept == 0), kept == 0
+    if jacobian is not None:
+        slopes[:, :kept] = jacobian
     cost, damping = _cost(found, here), _DAMPING
     while damping < _MOST_DAMPING:
         there = np.clip(here + _move(slopes, found, here, damping=damping, limit=limit), -limit, limit)
@@ -69,9 +76,10 @@ def _cost(found: Floats, here: Floats) -> float:
     return float(found @ found + here @ here)
 
 
-def _slopes(residuals: Residuals, here: Floats, found: Floats) -> Floats:
-    answer = np.empty((found.size, here.size))
-    for column in range(here.size):
+def _slopes(residuals: Residuals, here: Floats, found: Floats, *, first: int = 0) -> Floats:
+    """Return the difference quotients of the knobs from ``first`` on, the columns before left 0."""
+    answer = np.zeros((found.size, here.size))
+    for column in range(first, here.size):
         beside = here.copy()
         beside[column] += _STEP if here[column] <= 0 else -_STEP
         answer[:, column] = (residuals(beside) - found) / (beside[column] - here[column])

@@ -14,7 +14,7 @@ from torquerig.errors import RecordingError
 from torquerig.signals.recording import Recording
 from torquerig.signals.run import Run
 
-UNMEASURED = 0.006  # an angle followed in the torque strays by so much from turn to turn [1]
+UNMEASURED = 0.012  # an angle followed in the torque strays by so much from turn to turn [1]
 SHORTEST = 2.0  # [s] less holds no turn of a slow shaft and no spectrum of the load
 _STEADY_STRETCHES = 6  # the last third of a steady run is held out
 _TURNS_PER_STRETCH = 1.5  # of the output shaft, in a ramp: neighbouring orders can just be told apart

@@ -20,7 +20,7 @@ PER_KNOB = 5.0  # what a further number must gain, beside the square of its own 
 LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
-_JOINT_DERIVATIVES = 6
+_JOINT_DERIVATIVES = 4
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
@@ -63,9 +63,11 @@ def trials(case: Case) -> Tried:
             finalists.append(trial)
     fitted = [_joint(case, trial) for trial in finalists]
     if gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
-        candidate, model = fitted_gap(case, _nominal_with_accepted(case))
-        gain = case.model.cost - model.cost - PER_KNOB
-        fitted.append(Trial(candidate, simulated_model(candidate, model), gain))
+        found = fitted_gap(case, _nominal_with_accepted(case))
+        if found is not None:
+            candidate, model = found
+            gain = case.model.cost - model.cost - PER_KNOB
+            fitted.append(Trial(candidate, simulated_model(candidate, model), gain))
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(screened))
 
@@ -112,16 +114,16 @@ def _joint(case: Case, trial: Trial) -> Trial:
     names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
     base = _nominal_with_accepted(case)
 
-    def fitted(own: Rig, nuisance: NDArray[np.float64]) -> Trial:
+    def fitted(own: Rig, nuisance: NDArray[np.float64], jacobian: NDArray[np.float64] | None = None) -> Trial:
         placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
         start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
         model = calibrated(
             placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
-            derivatives=_JOINT_DERIVATIVES, corrections=held,
+            derivatives=_JOINT_DERIVATIVES, corrections=held, jacobian=jacobian,
         )  # fmt: skip
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs))
 
-    first = fitted(trial.model.rig, case.model.positions)
+    first = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
     if first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits):
         return first
     afresh = calibrated(

@@ -13,7 +13,7 @@ from torquerig.diagnose.places import SAME_ORDER, Place
 
 Floats = NDArray[np.float64]
 
-_REACH = 2.05  # orders of the motor: what strays faster moves no shaft far
+_REACH = 7.05  # orders of the motor: what strays faster moves no shaft far
 _PASSED = 1.3  # times as large as its source may a side line be read: it passes a shaft that rings, its carrier less
 _FOLLOWED = 2.0  # the same for an angle that was followed in the torque, and is known less well
 _WIDTH = 1.5  # bins over which the straying at an offset is sought

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Phasors = NDArray[np.complex128]
 
-_SLOW = 2.05  # orders of the motor up to here turn slowly enough to move it
+_SLOW = 7.05  # orders of the motor up to here turn slowly enough to move it
+_SLOWEST_CARRIER = 2.5  # [1/rev] what is slower moves the shaft more than it shows it
 _APART = 0.03  # a side line nearer than this to a known line tells nothing
 _CLEAR = 30.0  # power over the floor that makes a line a carrier
 _ROUNDS = 3  # the angle found sharpens the carriers that it is found by
@@ -38,6 +39,8 @@ def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Fl
     -----
     True while ``n |c|`` stays below about 1. What moves the shaft at other orders than the slow known ones stays.
     """
+    from torquerig.signals.filters.kernel import orders_put_in
+
     slow = orders[orders < _SLOW]
     if not slow.size:
         return np.zeros_like(angle)
@@ -49,16 +52,15 @@ def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Fl
         found = _fitted(windowed, angle + strayed, orders, noise, slow)
         if found is None:
             break
-        turned = angle + strayed
-        for order, c in zip(slow.tolist(), found.tolist(), strict=True):
-            strayed = strayed + np.real(c * np.exp(1j * order * turned))
+        sizes = np.repeat(np.stack([found.real, -found.imag])[:, :, None], 2, axis=2)
+        orders_put_in(strayed, (angle + strayed) / (2 * np.pi), slow, np.array([0, angle.size]), sizes, 1.0)
     return np.asarray(strayed)
 
 
 def _fitted(windowed: Floats, angle: Floats, orders: Floats, noise: Floats, slow: Floats) -> Phasors | None:
     """Return the complex amplitude of the angle at each slow order [rad], or None where nothing tells it."""
     lines = _phasors(windowed, angle, orders)
-    carries = (np.abs(lines) ** 2 > _CLEAR * noise) & (orders > slow.max()) & np.isfinite(noise)
+    carries = (np.abs(lines) ** 2 > _CLEAR * noise) & (orders > _SLOWEST_CARRIER) & np.isfinite(noise)
     if not carries.any():
         return None
     carriers, sizes = orders[carries], lines[carries]

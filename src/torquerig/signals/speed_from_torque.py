@@ -32,6 +32,7 @@ _OF_NOISE = 0.6  # mean of log(1 + x) of an exponential x of mean 1 (exactly 0.5
 _COHERENT = 20.0  # by which a course's lines must stand out: noise alone, followed, has been seen at half of it
 _NONE_STANDS_OUT = "from the set-point alone: no comb of lines stands out"
 _LEADING = 300.0  # power over the noise beyond which a line has no more say
+_LIVELIER = (1.0, 3.0, 10.0)  # times the acceleration: a random load may shake the speed more than the drive does
 _ORDER_CAPS = (8.0, 16.0, 32.0, 90.0, np.inf)  # slow lines first: they bear the largest error of angle
 
 
@@ -96,7 +97,7 @@ def _steady_angle(
         angle = np.cumsum(np.gradient(nominal) * course)
         bend = max(_ACCELERATION, float(np.abs(np.diff(course)).max()) * rate)
         for _ in range(_COURSE_ROUNDS):
-            wander, ends = _wander(torque, angle, orders, comb.floor, rate, acceleration=bend)
+            wander, ends = _wander(torque, angle, orders, comb.floor, rate, acceleration=bend, livelier=(1.0,))
             angle = angle + wander
             angle = angle + angle_within_a_turn(torque, angle, orders, comb.floor)
         found.append((angle, "from the course of the comb of lines around the set-point", ends))
@@ -176,6 +177,7 @@ def _wander(
     rate: float,
     *,
     acceleration: float = _ACCELERATION,
+    livelier: tuple[float, ...] = _LIVELIER,
 ) -> tuple[NDArray[np.float64], float]:
     """Follow the slow deviation of the angle [rad], shape (samples,), by the common phase of lines that stand alone.
 
@@ -193,15 +195,36 @@ def _wander(
     phasors = _phasors(torque, angle, seen, hop, blocks)
     noise = floor[usable]
     bend = acceleration * abs(speed) * (hop / rate) ** 2
-    course, ends = np.zeros(blocks), 0.0
-    for cap in _ORDER_CAPS:
-        low = seen <= cap
-        course, ends = _followed(phasors[low], seen[low], noise[low], course=course, bend=bend)
+    found = [_course(phasors, seen, noise, bend=bend * each) for each in livelier]
+    course, ends = max(found, key=lambda each: each.evidence).course, found[0].ends
     centres = (np.arange(blocks) + 1) * hop
     at = np.arange(angle.size)
     first, last = (course[1] - course[0]) / hop, (course[-1] - course[-2]) / hop
     outer = first * np.minimum(at - centres[0], 0) + last * np.maximum(at - centres[-1], 0)
     return np.asarray(np.interp(at, centres, course - course.mean()) + outer), ends
+
+
+@dataclass(frozen=True)
+class _Followed:
+    """A course of the angle [rad], shape (blocks,), how sure its ends are [rad], and the evidence for its liveliness.
+
+    The evidence is the logarithm of the marginal likelihood, up to a constant.
+    """
+
+    course: NDArray[np.float64]
+    ends: float
+    evidence: float
+
+
+def _course(
+    phasors: NDArray[np.complex128], orders: NDArray[np.float64], noise: NDArray[np.float64], *, bend: float
+) -> _Followed:
+    """Follow the angle in the slow lines first, then in more and more of them."""
+    followed = _Followed(np.zeros(phasors.shape[1]), 0.0, 0.0)
+    for cap in _ORDER_CAPS:
+        low = orders <= cap
+        followed = _followed(phasors[low], orders[low], noise[low], course=followed.course, bend=bend)
+    return followed
 
 
 def _phasors(
@@ -229,18 +252,15 @@ def _followed(
     *,
     course: NDArray[np.float64],
     bend: float,
-) -> tuple[NDArray[np.float64], float]:
-    """Take Gauss-Newton steps on the common angle, shape (blocks,), with its second difference held small.
-
-    The second value is the standard uncertainty of the angle between the first and the last block.
-    """
-    from scipy.linalg import solveh_banded
+) -> _Followed:
+    """Take Gauss-Newton steps on the common angle, shape (blocks,), with its second difference held small."""
+    from scipy.linalg import cholesky_banded, solveh_banded
 
     stiffness = second_difference_bands(course.size) / bend**2
     order, level = orders[:, None], noise[:, None]
     across = np.zeros(course.size)
     across[[0, -1]] = -1.0, 1.0
-    ends = 0.0
+    ends, evidence = 0.0, -np.inf
     for _ in range(4):
         turned = phasors * np.exp(-1j * order * course)
         mean = turned.mean(axis=1, keepdims=True)
@@ -257,4 +277,7 @@ def _followed(
         # beyond the outer blocks, and over as many as are averaged, the speed may bend: once at each end
         bent = bend * max(1.0, 1 / (bend * np.sqrt(information)))
         ends = float(np.sqrt(np.vdot(across, solveh_banded(curvature, across)) + 2 * bent**2))
-    return course, ends
+        fit = course.size * float((np.abs((phasors * np.exp(-1j * order * course)).mean(axis=1)) ** 2 / heard[:, 0]).sum())
+        prior = 0.5 * float(course @ times_bands(stiffness, course)) + (course.size - 2) * np.log(bend)
+        evidence = fit - prior - float(np.log(cholesky_banded(curvature)[2]).sum())
+    return _Followed(course, ends, evidence)
