@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.calibration import Calibrated, misfits_of
 from torquerig.diagnose.expectation import expected
@@ -65,6 +66,8 @@ class Case:
         Lines that the model does not have.
     accepted : tuple of Candidate
         What was added to the nominal rig, in this order.
+    apart : ndarray, shape (knobs,), or None
+        Positions of the model's own knobs when the left lines are not looked at: what is missing bends the others.
     """
 
     nominal: Rig
@@ -73,6 +76,7 @@ class Case:
     model: Calibrated
     left: tuple[Peak, ...]
     accepted: tuple[Candidate, ...] = field(default=())
+    apart: NDArray[np.float64] | None = None
 
     def misfit_of(self, rig: Rig) -> float:
         """Return the misfit sum of another rig, with what no twin can hold as it stands in the model."""

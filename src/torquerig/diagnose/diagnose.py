@@ -16,14 +16,12 @@ from torquerig.diagnose.held_out import held_out
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.leftover import Mismatch, mismatches
-from torquerig.diagnose.lines_left import lines_left
+from torquerig.diagnose.lines_left import known_places, lines_left, strong_orders
 from torquerig.diagnose.observed import Observed, observed
-from torquerig.diagnose.places import order
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS, explanation
 from torquerig.diagnose.shaft_angle import shaft_angles
-from torquerig.diagnose.twin import Twin
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
@@ -74,6 +72,9 @@ def diagnose(
     faults = sample_findings(recordings, nominal)
     progress("following the shaft")
     runs = _runs(recordings, faults.recordings, nominal)
+    strong = strong_orders(runs, nominal)
+    if strong:
+        runs = _runs(recordings, faults.recordings, nominal, also=strong)
     contradicted = list(off_set_points(recordings, runs))
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
@@ -100,9 +101,11 @@ def diagnose(
     return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=held, left=left)
 
 
-def _runs(recordings: Sequence[Recording], mended: Sequence[Recording], rig: Rig) -> tuple[Observed, ...]:
+def _runs(
+    recordings: Sequence[Recording], mended: Sequence[Recording], rig: Rig, *, also: Sequence[float] = ()
+) -> tuple[Observed, ...]:
     """Return the runs with the torque of the mended recordings, and their samples as they were recorded."""
-    angles, factor = shaft_angles(mended, rig)
+    angles, factor = shaft_angles(mended, rig, also=also)
     ratio = kinematics_of(rig).ratio
     runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(mended, angles, strict=True)]
     return tuple(replace(run, recording=replace(raw, run=run.run)) for run, raw in zip(runs, recordings, strict=True))
@@ -113,7 +116,7 @@ def _opened(
 ) -> tuple[Case, tuple[Features, ...]]:
     """Return the case with the nominal model calibrated, and the held-out features."""
     fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
-    known = sorted({order(line.order) for run in fitted for line in Twin(nominal.at(run.run)).lines()})
+    known = known_places(fitted, nominal)
     left = lines_left(fitted, known, rig=nominal)
     places = [*known, *(peak.place for peak in left)]
     seen = tuple(features(run, places) for run in fitted)
@@ -121,7 +124,9 @@ def _opened(
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
     knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
     rig = _with(nominal, [c for c in faults.candidates if c.mechanism == "quantization"])
-    return Case(nominal=rig, runs=fitted, seen=seen, model=calibrated(rig, seen, knobs), left=left), held
+    apart = calibrated(rig, [each.without([peak.place for peak in left]) for each in seen], knobs).positions
+    model = calibrated(rig, seen, knobs, start=apart)
+    return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart), held
 
 
 def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Finding]:

@@ -13,6 +13,7 @@ from torquerig.diagnose.features import POINTS, Features
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
+from torquerig.diagnose.skirts import skirts
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.turning import Turning
 from torquerig.diagnose.twin import LineSource, Twin
@@ -78,16 +79,18 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     for tone, volts in added.tones:
         _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
     level = balance.sensor + added.level
-    tolerance = np.zeros(power.size)
+    beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
+    power = power + beside
+    tolerance = beside / power
     for step in added.codes:
         rounding, doubt = _rounded(step, seen, power, amplitude)
         power, tolerance = power + rounding, np.hypot(tolerance, doubt)
     return Expectation(
         power=power,
         load_share=load / power,
-        power_tolerance=tolerance if added.codes and observed.steady else 0.0,
+        power_tolerance=tolerance,
         amplitude=amplitude,
-        variance=amplitude_variance(seen, power),
+        variance=amplitude_variance(seen, _floor(seen, power)),
         level=level,
         level_variance=_level_variance(twin, seen, amplitude),
     )
@@ -134,6 +137,13 @@ def _noise(rig: Rig, seen: Features) -> Floats:
         if isinstance(stage, WhiteNoise):
             power += unit**2 * stage.density(seen.band, seen.observed.rate)
     return power
+
+
+def _floor(seen: Features, power: Floats) -> Floats:
+    """Return the density that lines stand in: as measured, or a model that lacks a line would raise its noise for it."""
+    if seen.power.size != power.size:
+        return power
+    return np.asarray(np.where(np.isfinite(seen.power), seen.power, power))
 
 
 def amplitude_variance(seen: Features, power: Floats) -> Floats:

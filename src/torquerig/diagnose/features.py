@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import pi
 
@@ -91,6 +91,12 @@ class Features:
         at = np.array([place.at for place in self.places])
         revolutions = np.abs(self.speed)[:, None, :] / (2 * pi)
         return np.asarray(np.where(turning[None, :, None], at[None, :, None] * revolutions, at[None, :, None]))
+
+    def without(self, places: Sequence[Place]) -> Features:
+        """Return the same features, the lines at ``places`` not shown."""
+        amplitude = self.amplitude.copy()
+        amplitude[:, [index for index, place in enumerate(self.places) if place in places]] = np.nan
+        return replace(self, amplitude=amplitude, _routes={})
 
     def route(self, place: Place) -> Route:
         """Return where a line shows: in which place of each stretch, else in which band."""

@@ -7,16 +7,39 @@ from dataclasses import replace
 
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.order_or_fixed import may_be_fixed, rather_fixed
-from torquerig.diagnose.peaks import Peak, peaks
+from torquerig.diagnose.peaks import SHIFTED, Peak, peaks
 from torquerig.diagnose.places import Place, order
 from torquerig.diagnose.side_lines import without_side_lines
+from torquerig.diagnose.twin import Twin
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
 _PASSES = 3
 _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
 _ASKED = 5  # of the clearest: whether they may keep their frequency
+_LEADING = 150.0  # power over the floor of a line that a shaft is better followed by
 _WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
+
+
+def known_places(runs: Sequence[Observed], rig: Rig) -> list[Place]:
+    """Return where the lines of ``rig`` stand in these runs."""
+    return sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
+
+
+def strong_orders(runs: Sequence[Observed], rig: Rig) -> list[float]:
+    """Return the strong orders of the motor that ``rig`` lacks, where an angle was followed without them.
+
+    An angle that is followed by the weaker lines alone would smear them. Only orders that stand in runs of several
+    speeds count, or a line of fixed frequency would be followed.
+    """
+    if all(run.angle_measured for run in runs if run.steady):
+        return []
+    left = lines_left(runs, known_places(runs, rig), rig=rig)
+    return [
+        peak.place.at
+        for peak in left
+        if peak.place.domain == "order" and peak.speeds > 1 and peak.excess > _LEADING
+    ]
 
 
 def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) -> tuple[Peak, ...]:
@@ -27,11 +50,14 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
     ratio, found = kinematics_of(rig).ratio, list[Peak]()
     for _ in range(_PASSES):
         carriers = [*known, *(peak.place for peak in found)]
-        new = without_side_lines(peaks(runs, carriers), runs, carriers)
+        new = without_side_lines(peaks(runs, carriers), runs, carriers, rig=rig)
         if not new:
             break
         strong = [peak for peak in new if peak.excess >= _STRONG * new[0].excess]
-        found += [replace(peak, place=_whole(peak, runs, ratio)) for peak in strong]
+        for peak in strong:
+            place = _whole(peak, runs, ratio)
+            if place not in {other.place for other in found}:
+                found.append(replace(peak, place=place))
     found.sort(key=lambda peak: -peak.excess)
     asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in found[:_ASKED]]
     return (*asked, *found[_ASKED:])
@@ -47,8 +73,8 @@ def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:
         if peak.speeds > 1:
             return peak.place
         at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
-    whole = round(at * ratio) / ratio
-    if abs(at - whole) >= _WHOLE or whole <= 0:
+    whole, strays = round(at * ratio) / ratio, min((run.smearing for run in shown), default=0.0)
+    if abs(at - whole) >= max(_WHOLE, SHIFTED * strays * at) or whole <= 0:
         return peak.place
     stays = peak.place.domain == "frequency" and rather_fixed(shown, order(whole))
     return peak.place if stays else order(whole)

@@ -20,6 +20,7 @@ Floats = NDArray[np.float64]
 CLEAR, SUPPORTING = 22.0, 9.0
 _NEIGHBOURS = 60  # bins either way that make the local floor
 _MOST = 40
+SHIFTED = 0.25  # of the width over which an unmeasured angle smears a line: how far off its peak may stand
 _LOWEST = 3.0  # [Hz] slower than this the load's own drift rules
 
 
@@ -59,12 +60,13 @@ class _Spectrum:
     frequency_step: float
 
     def excess(self, place: Place) -> float:
-        """Largest excess within a bin of the place; 0 outside the spectrum."""
+        """Largest excess within a bin of the place, or within what an unmeasured angle shifts it; 0 outside."""
         values, step = (
             (self.by_order, self.order_step) if place.domain == "order" else (self.by_frequency, self.frequency_step)
         )
         at = round(place.at / step)
-        return float(values[max(at - 1, 0) : at + 2].max(initial=0.0)) if 0 < at < values.size else 0.0
+        reach = max(1, round(SHIFTED * self.observed.smearing * at)) if place.domain == "order" else 1
+        return float(values[max(at - reach, 0) : at + reach + 1].max(initial=0.0)) if 0 < at < values.size else 0.0
 
 
 def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
@@ -155,7 +157,7 @@ def _judged(place: Place, spectra: Sequence[_Spectrum]) -> Peak:
 
 def _skirt(peak: Peak, known: Sequence[Place], accepted: Sequence[Peak], spectra: Sequence[_Spectrum]) -> bool:
     """Whether the peak stands, in every run that shows it, where an unmeasured angle spreads a stronger line."""
-    stronger = [*known, *(other.place for other in accepted if other.excess > peak.excess)]
+    stronger = [*known, *(other.place for other in accepted if other.excess >= peak.excess)]
     for spectrum in spectra:
         if spectrum.observed.name not in peak.runs:
             continue
@@ -174,5 +176,6 @@ def _same(peak: Peak, other: Peak, spectra: Sequence[_Spectrum]) -> bool:
             continue
         speed = spectrum.observed.mean_speed
         apart = abs(peak.place.frequency(speed) - other.place.frequency(speed))
-        near.append(apart < 3.0 * spectrum.frequency_step)
+        smeared = SHIFTED * spectrum.observed.smearing * other.place.frequency(speed)
+        near.append(apart < max(3.0 * spectrum.frequency_step, smeared))
     return bool(near) and all(near)

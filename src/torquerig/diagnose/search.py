@@ -12,6 +12,7 @@ from torquerig.diagnose.calibration import Calibrated, calibrated
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.hypotheses import proposals
+from torquerig.diagnose.knobs import turned
 from torquerig.diagnose.peaks import Peak
 from torquerig.rig.rig import Rig
 
@@ -84,7 +85,7 @@ def extended(case: Case, best: Trial) -> Case:
             misses.append(float(np.abs(np.atleast_2d(misfit.lines)[:, column]).max()))
         if max(misses, default=0.0) > _EXPLAINED:
             unexplained.append(peak)
-    return replace(case, model=best.model, accepted=(*case.accepted, best.candidate), left=tuple(unexplained))
+    return replace(case, model=best.model, accepted=(*case.accepted, best.candidate), left=tuple(unexplained), apart=None)
 
 
 def _excess(case: Case) -> float:
@@ -107,7 +108,7 @@ def _screened(case: Case, candidate: Candidate) -> Trial:
 
 
 def _joint(case: Case, trial: Trial) -> Trial:
-    """Fit all numbers together, from where the model stands and afresh from the nominal values; the better counts.
+    """Fit all numbers together, from where the model stands and from where it stands apart from lines it lacks.
 
     What is missing bends the numbers of the model that lacks it, sometimes too far to come back from.
     """
@@ -126,10 +127,10 @@ def _joint(case: Case, trial: Trial) -> Trial:
     first = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
     if first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits):
         return first
-    afresh = calibrated(
-        trial.candidate.added_to(base), case.seen, trial.candidate.knobs, derivatives=3, corrections=held
-    )
-    second = fitted(afresh.rig, np.zeros(len(case.model.knobs)))
+    apart = np.zeros(len(case.model.knobs)) if case.apart is None else case.apart
+    beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
+    alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)
+    second = fitted(alone.rig, apart)
     return max(first, second, key=lambda one: one.gain)
 
 

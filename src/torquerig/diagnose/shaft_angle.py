@@ -29,12 +29,16 @@ class ShaftAngle:
     origin: str
 
 
-def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftAngle], float]:
+def shaft_angles(
+    recordings: Sequence[Recording], rig: Rig, *, also: Sequence[float] = ()
+) -> tuple[list[ShaftAngle], float]:
     """Return the angle of each run and the factor by which the rig's speeds differ from their set-points.
 
+    ``also`` are orders of the motor that stand out beside those that the rig's kinematics know.
+
     The factor is the median over the runs whose angle was measured or followed: one drive has one error of scale. A
-    ramp or reversal without an encoder, or a run whose lines do not stand out, turns as the nominal rig does when its set-point is scaled by that factor; its
-    ripple is left out, for nobody knows at which phase it moves the shaft.
+    ramp or reversal without an encoder, or a run whose lines do not stand out, turns as the nominal rig does when its
+    set-point is scaled by that factor; its ripple is left out, for nobody knows at which phase it moves the shaft.
     """
     kinematics = kinematics_of(rig)
     found: list[ShaftAngle | None] = []
@@ -43,7 +47,7 @@ def shaft_angles(recordings: Sequence[Recording], rig: Rig) -> tuple[list[ShaftA
         angle = measured_motor_angle(recording, ratio=kinematics.ratio)
         measured = angle is not None
         if angle is None and recording.run.profile == "steady" and recording.run.speed:
-            angle = motor_angle_from_torque(recording, kinematics.lines())
+            angle = motor_angle_from_torque(recording, kinematics.lines(), also=also)
             angle = angle if angle.speed_sd < _FOLLOWED else None  # no comb stands out: the other runs know more
         found.append(None if angle is None else ShaftAngle(angle.values, measured, angle.origin))
         if angle is not None and recording.run.profile == "steady" and recording.run.speed:

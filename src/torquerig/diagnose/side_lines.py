@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
 from torquerig.diagnose.places import SAME_ORDER, Place
+from torquerig.diagnose.twin import Twin
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
 
 Floats = NDArray[np.float64]
 
@@ -20,16 +23,19 @@ _WIDTH = 1.5  # bins over which the straying at an offset is sought
 
 
 def without_side_lines(
-    peaks: Sequence[Peak], runs: Sequence[Observed], known: Sequence[Place]
+    peaks: Sequence[Peak], runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig
 ) -> tuple[Peak, ...]:
     """Return the peaks that stand out in some run beyond what the speed's own unevenness puts there.
 
     An angle that strays by ``Re(c exp(i m theta))`` gives a line ``A`` of order n side lines of ``n |c| A / 2`` at
     n + m and n - m. Where the shafts pass those otherwise than the line itself, they are left even when the angle is
-    known, and no model of lines has them. Carriers are ``known`` and the peaks that are clearer.
+    known, and no model of lines has them. A slow line of torque T also twists the sensor, of stiffness k, by T / k,
+    and with it the teeth that make faster lines. Carriers are ``known`` and the peaks that are clearer.
     """
+    spring = Twin(rig).springs.get(rig.measured)
+    twist = 0.0 if spring is None else kinematics_of(rig).ratio / spring.stiffness
     kept: list[Peak] = []
-    steady = {run.name: _Straying(run) for run in runs if run.steady}
+    steady = {run.name: _Straying(run, twist=twist) for run in runs if run.steady}
     for peak in sorted(peaks, key=lambda each: -each.excess):
         carriers = [*known, *(other.place for other in kept)]
         shown = [steady[name] for name in peak.runs if name in steady]
@@ -41,7 +47,7 @@ def without_side_lines(
 class _Straying:
     """One run's angle, and how far it strays at each offset."""
 
-    def __init__(self, run: Observed) -> None:
+    def __init__(self, run: Observed, *, twist: float) -> None:
         seen = [stretch for stretch in run.stretches if not stretch.held]
         part = slice(seen[0].start, seen[-1].stop)
         self.angle, torque = run.angle[part], run.torque[part]
@@ -56,6 +62,7 @@ class _Straying:
         self.straying = np.abs(np.fft.rfft(strayed * self.window)) * 2 / self.window.sum()
         self.per_bin = 2 * np.pi / float(np.ptp(turned))  # [1/rev of the motor]
         self.margin = _PASSED if run.angle_measured else _FOLLOWED
+        self.twist = twist  # [rad of the motor per N m]
         self.sizes: dict[Place, float] = {}
 
     def beyond(self, place: Place, carriers: Sequence[Place]) -> bool:
@@ -64,8 +71,13 @@ class _Straying:
         for carrier in carriers:
             order = self._order(carrier)
             if SAME_ORDER < abs(at - order) < _REACH:
-                bound += 0.5 * order * self._strays(abs(at - order)) * self._size(carrier)
+                strays = self._strays(abs(at - order)) + self._twists(abs(at - order), carriers)
+                bound += 0.5 * order * strays * self._size(carrier)
         return self._size(place) > self.margin * bound
+
+    def _twists(self, offset: float, carriers: Sequence[Place]) -> float:
+        slow = (carrier for carrier in carriers if abs(self._order(carrier) - offset) < SAME_ORDER)
+        return sum(self._size(carrier) for carrier in slow) * self.twist
 
     def _order(self, place: Place) -> float:
         return place.at if place.domain == "order" else place.at * 2 * np.pi / self.speed

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Phasors = NDArray[np.complex128]
 
-_SLOW = 7.05  # orders of the motor up to here turn slowly enough to move it
+_SLOW = 2.05  # orders of the motor up to here turn slowly enough to move it
 _SLOWEST_CARRIER = 2.5  # [1/rev] what is slower moves the shaft more than it shows it
 _APART = 0.03  # a side line nearer than this to a known line tells nothing
 _CLEAR = 30.0  # power over the floor that makes a line a carrier

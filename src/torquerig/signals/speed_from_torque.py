@@ -36,7 +36,9 @@ _LIVELIER = (1.0, 3.0, 10.0)  # times the acceleration: a random load may shake 
 _ORDER_CAPS = (8.0, 16.0, 32.0, 90.0, np.inf)  # slow lines first: they bear the largest error of angle
 
 
-def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]) -> MotorAngle:
+def motor_angle_from_torque(
+    recording: Recording, lines: Sequence[KinematicLine], *, also: Sequence[float] = ()
+) -> MotorAngle:
     """Return the motor's angle for which the comb of ``lines`` stands out most in the torque.
 
     The set-point profile is scaled by one factor within 1.5 %, found by the summed log power at all orders; in a
@@ -48,6 +50,8 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
         A steady run or a ramp, with the set-point speed in its run.
     lines : sequence of KinematicLine
         The lines to look for.
+    also : sequence of float
+        Further orders of the motor to look for [1/rev].
 
     Raises
     ------
@@ -71,7 +75,7 @@ def motor_angle_from_torque(recording: Recording, lines: Sequence[KinematicLine]
         raise RecordingError(f"{recording.name}: {recording.samples} samples hold no line; take a longer recording")
     nominal = np.cumsum(speed) / recording.sample_rate
     torque = recording.torque()
-    orders = np.array(sorted({float(f"{line.motor_order:.9g}") for line in lines}))
+    orders = np.array(sorted({float(f"{order:.9g}") for order in (*(line.motor_order for line in lines), *also)}))
     comb = _comb(torque, nominal, orders)
     if recording.run.profile != "steady":
         if not comb.stands_out:

@@ -70,7 +70,7 @@ def mechanical_range(case: Case) -> float:
     Counted are the shafts on which a motor, a load or friction acts: the sensor's own end passes on more, and nothing
     turns it but its neighbours.
     """
-    twin = Twin(case.model.rig)
+    twin = Twin(case.nominal)  # a model that lacks a strong line may be fitted far off
     acted = sorted(twin.turns.keys() & {getattr(term, "on", None) for term in twin.terms})
     passed = np.max([np.abs(twin.torque_on(node)(GRID)) for node in acted], axis=0)
     above = np.flatnonzero(passed > _PASSED)

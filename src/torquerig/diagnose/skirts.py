@@ -1,0 +1,51 @@
+"""What surrounds each line where the angle was not measured: a random load shakes the speed, and the lines with it."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.features import Features
+from torquerig.diagnose.twin import Twin
+from torquerig.rig.terms import Inertia
+
+Floats = NDArray[np.float64]
+
+_FOLLOWED = 2.0  # [Hz] slower than this the angle is followed
+_TAKEN_OUT = 0.5  # of the smearing width beside a line no bin counts
+
+
+def skirts(twin: Twin, seen: Features) -> Floats:
+    """Return the density [(N m)^2/Hz] in each band of what phase modulation puts beside the lines of a run.
+
+    A line of amplitude A and order n has ``A^2 / 4 n^2 S(f - f_n)`` beside it, S being the density of the motor's
+    angle: the random load over the turns to it, through the motor's impedance ``J s + kp + ki / s``, all shafts taken
+    as rigid. Nothing where the angle was measured, for then the lines are taken out along it.
+    """
+    answer = np.zeros(seen.band.size)
+    if seen.observed.angle_measured or not twin.drives:
+        return answer
+    shown = np.where(np.isfinite(seen.amplitude), np.abs(seen.amplitude) ** 2, 0.0)
+    power = shown.sum(axis=0) / np.maximum(np.isfinite(seen.amplitude).sum(axis=0), 1)
+    revolutions = abs(seen.observed.mean_speed) / (2 * pi)
+    for place, square in zip(seen.places, power.tolist(), strict=True):
+        if place.domain == "order" and square > 0:
+            at = place.at * revolutions
+            apart = np.maximum(np.abs(seen.band - at), max(_FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at))
+            answer += 0.25 * square * place.at**2 * _straying(twin, apart)
+    return answer
+
+
+def _straying(twin: Twin, frequencies: Floats) -> Floats:
+    """Density of the motor's angle [rad^2/Hz]."""
+    drive, s = twin.drives[0], 2j * pi * frequencies
+    inertia = sum(
+        term.inertia * twin.turns[term.node] ** 2
+        for term in twin.terms
+        if isinstance(term, Inertia) and term.node in twin.turns
+    )
+    turns = min(twin.turns.values())
+    impedance = inertia * s + drive.kp + drive.ki / s
+    return np.asarray(twin.load_power(frequencies) * turns**2 / np.abs(impedance * s) ** 2)
