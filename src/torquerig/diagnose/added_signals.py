@@ -17,17 +17,24 @@ from torquerig.signals.stages.rounding import Rounding
 from torquerig.signals.stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
+_MULTIPLE = 0.02  # [1/rev of the motor] so near a place stands on a multiple of the impacts
 _SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
 
 
 @dataclass(frozen=True)
 class AddedSignals:
-    """Density in each band, level in each stretch, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m]."""
+    """Density in each band, level in each stretch, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m].
+
+    ``impacts`` is the amplitude [N m] that impacts without slip would give the line at each place, ``ringing`` the
+    part of ``power`` that rings after them: beside its resonance no two modes are alike.
+    """
 
     power: Floats
     level: Floats
     tones: tuple[tuple[float, float], ...]
     codes: tuple[float, ...] = ()
+    impacts: Floats | float = 0.0
+    ringing: Floats | float = 0.0
 
 
 def added_signals(twin: Twin, seen: Features) -> AddedSignals:
@@ -37,6 +44,8 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
     power, level = np.zeros(bands), np.zeros(len(seen.level))
     tones: list[tuple[float, float]] = []
     codes: list[float] = []
+    struck: Floats | float = 0.0
+    ringing: Floats | float = 0.0
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):
             tones += [
@@ -49,8 +58,24 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
             impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
-            power += stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
-    return AddedSignals(power, level, tuple(tones), tuple(codes))
+            rung = stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
+            power, ringing = power + rung, ringing + rung
+            struck = np.hypot(struck, _struck(stage, twin, seen))
+    return AddedSignals(power, level, tuple(tones), tuple(codes), struck, ringing)
+
+
+def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
+    """Amplitude at each place that is a multiple of the impacts' order: all power between two multiples in one line."""
+    each = stage.order * stage.turns
+    revolutions = abs(seen.observed.mean_speed) / (2 * pi)
+    answer = np.zeros(len(seen.places))
+    for column, place in enumerate(seen.places):
+        at = place.frequency(abs(seen.observed.mean_speed))
+        beside = abs(at / revolutions - round(at / revolutions / each) * each) if revolutions else np.inf
+        if beside < _MULTIPLE:
+            density = stage.density(np.array([at]), each * revolutions) * np.abs(twin.amplifier(np.array([at]))) ** 2
+            answer[column] = np.sqrt(2 * float(density[0]) * each * revolutions)
+    return answer
 
 
 def _level(stage: Drift, seen: Features) -> Floats:

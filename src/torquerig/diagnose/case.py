@@ -78,6 +78,13 @@ class Case:
     accepted: tuple[Candidate, ...] = field(default=())
     apart: NDArray[np.float64] | None = None
 
+    def nominal_with_accepted(self) -> Rig:
+        """Return the scenario's rig with what was added, none of its numbers fitted."""
+        rig = self.nominal
+        for earlier in self.accepted:
+            rig = earlier.added_to(rig)
+        return rig
+
     def misfit_of(self, rig: Rig) -> float:
         """Return the misfit sum of another rig, with what no twin can hold as it stands in the model."""
         corrections = self.model.corrections or None

@@ -8,6 +8,7 @@ from functools import reduce
 
 from torquerig.diagnose.calibration import calibrated
 from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.combs import without_comb
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, UsedRecording, Verdict
 from torquerig.diagnose.features import Features, features
 from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
@@ -117,7 +118,7 @@ def _opened(
     """Return the case with the nominal model calibrated, and the held-out features."""
     fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
     known = known_places(fitted, nominal)
-    left = lines_left(fitted, known, rig=nominal)
+    left = without_comb(lines_left(fitted, known, rig=nominal))
     places = [*known, *(peak.place for peak in left)]
     seen = tuple(features(run, places) for run in fitted)
     held = tuple(features(run, places, held=True) for run in runs)

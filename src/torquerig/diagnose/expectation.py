@@ -23,6 +23,8 @@ from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
 
+_RINGING_SHAPE = 0.6  # [1] of the density's logarithm: a mode's reading may be a displacement, a speed or between
+
 
 @dataclass(frozen=True)
 class Expectation:
@@ -81,7 +83,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     level = balance.sensor + added.level
     beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
     power = power + beside
-    tolerance = beside / power
+    tolerance = np.hypot(beside / power, _RINGING_SHAPE * added.ringing / power)
     for step in added.codes:
         rounding, doubt = _rounded(step, seen, power, amplitude)
         power, tolerance = power + rounding, np.hypot(tolerance, doubt)
@@ -89,6 +91,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
         power=power,
         load_share=load / power,
         power_tolerance=tolerance,
+        amplitude_tolerance=added.impacts,
         amplitude=amplitude,
         variance=amplitude_variance(seen, _floor(seen, power)),
         level=level,

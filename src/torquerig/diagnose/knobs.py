@@ -16,6 +16,7 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
+_NOISE_SPREAD = 0.5  # an amplifier that is louder than its data sheet is no missing physics
 _NOISE_COLOUR = 0.11  # no amplifier's noise is quite white
 HIT_RISE = 1e-4  # [s] no pulse rises at once; so short a rise cannot be seen, and a longer one is to be found
 _HIT_RISE_SPREAD = 1.2
@@ -88,7 +89,8 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
     for name, estimate in uncertain.items():
         part, _, field = name.rpartition(".")
         if estimate.rel_sd and isinstance(getattr(rig.part(part), field), float):
-            knobs.append(Knob(part, field, estimate.rel_sd))
+            least = _NOISE_SPREAD if field == "noise_rms" else 0.0
+            knobs.append(Knob(part, field, max(estimate.rel_sd, least)))
     knobs += [Knob(sensor.name, "noise_colour", _NOISE_COLOUR, factor=False) for sensor in rig.parts_of(TorqueSensor)]
     for ripple in rig.parts_of(TorqueRipple):
         if ripple.amplitude_rel_sd:

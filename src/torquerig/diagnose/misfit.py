@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,8 @@ class Misfit:
     bands : ndarray, shape (bands,)
     lines : ndarray, shape (places,) in steady runs, (stretches, places) else
     level : ndarray, shape (stretches,)
+    price : ndarray, shape (stretches,)
+        What a model pays for calling its levels random: root of twice the logarithm of their spread over the floor.
     turning : ndarray, shape (blocks,)
         Only of runs that turn back.
     """
@@ -43,16 +45,20 @@ class Misfit:
     lines: Floats
     level: Floats
     turning: Floats = field(default_factory=lambda: np.zeros(0))
+    price: Floats = field(default_factory=lambda: np.zeros(0))
 
     def all(self) -> Floats:
         """Return every residual in one row, shape (features,)."""
-        return np.concatenate([self.bands, self.lines.ravel(), self.level, self.turning])
+        return np.concatenate([self.bands, self.lines.ravel(), self.level, self.turning, self.price])
 
     def scaled(self, factor: float) -> Misfit:
         """Return the residuals times ``factor``."""
         if factor == 1.0:
             return self
-        return Misfit(self.bands * factor, self.lines * factor, self.level * factor, self.turning * factor)
+        return replace(
+            self, bands=self.bands * factor, lines=self.lines * factor, level=self.level * factor,
+            turning=self.turning * factor,
+        )  # fmt: skip
 
     @property
     def seen(self) -> int:
@@ -71,8 +77,10 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
     else:
         bands = np.array([])
     lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)
-    spread = np.sqrt(model.level_variance + LEVEL_FLOOR**2 + (LEVEL_TOLERANCE * model.level) ** 2)
-    return Misfit(bands, lines, (seen.level - model.level) / spread)
+    least = LEVEL_FLOOR**2 + (LEVEL_TOLERANCE * model.level) ** 2
+    spread = np.sqrt(model.level_variance + least)
+    price = np.sqrt(np.log1p(model.level_variance / LEVEL_FLOOR**2))
+    return Misfit(bands, lines, (seen.level - model.level) / spread, price=price)
 
 
 def robust(residuals: Floats) -> Floats:

@@ -34,7 +34,8 @@ def doubtful_lines(case: Case) -> Iterator[Peak]:
 def fixed_lines(case: Case) -> list[Peak]:
     """Return the left lines of fixed frequency that sound all along, the doubtful ones among them, clearest first."""
     fixed = [peak for peak in case.left if peak.place.domain == "frequency"]
-    steady = [peak for peak in (*fixed, *doubtful_lines(case)) if sounds_all_along(peak, case.runs)]
+    known = case.seen[0].places
+    steady = [peak for peak in (*fixed, *doubtful_lines(case)) if sounds_all_along(peak, case.runs, known)]
     return sorted(steady, key=lambda peak: -peak.excess)
 
 

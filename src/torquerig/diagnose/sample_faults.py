@@ -17,6 +17,8 @@ _COARSER = 1.7  # a lattice must be so many converter steps wide
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
 _FLAT_SHARE, _FEWEST_FLAT = 2e-4, 20
 _JUMP = 12.0
+_SHORTEST = 8e-4  # [s] half a period of what rings is shorter
+_ONE_LEVEL = 6.0
 
 
 @dataclass(frozen=True)
@@ -117,7 +119,7 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
 
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
-    steps), the moment lasts 0.2 to 200 ms, and within it the signal keeps to its level as closely as noise lets it.
+    steps), the moment lasts 0.8 to 200 ms, and within it the signal keeps to its level as closely as noise lets it.
     """
     steps = np.diff(volts)
     sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
@@ -127,7 +129,7 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     found: list[tuple[int, int, float]] = []
     last = 0
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
-        if start < last or not 2e-4 * rate <= stop - start <= 0.2 * rate:
+        if start < last or not _SHORTEST * rate <= stop - start <= 0.2 * rate:
             continue
         inside, level = volts[start:stop], float(np.median(volts[start:stop]))
         outside = 0.5 * (volts[max(start - 2, 0)] + volts[min(stop + 1, volts.size - 1)])
@@ -135,7 +137,13 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         if away and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
             last = stop
-    return found
+    return found if _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma) else []
+
+
+def _at_one_level(levels: Sequence[float], *, within: float) -> bool:
+    """Whether most moments stand at one level: impacts that ring end where they happen to."""
+    away = np.abs(np.array(levels) - np.median(levels)) if levels else np.zeros(1)
+    return bool(np.mean(away < within) > 0.7)
 
 
 def bridged(recording: Recording) -> Recording:

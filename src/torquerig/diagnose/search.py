@@ -20,6 +20,7 @@ MOST_EFFECTS = 3
 PER_KNOB = 5.0  # what a further number must gain, beside the square of its own position
 LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
+_POLISHED = 2  # of the best, which are fitted on until nothing moves
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _JOINT_DERIVATIVES = 4
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
@@ -62,9 +63,10 @@ def trials(case: Case) -> Tried:
             and not _repeated(trial, finalists)
         ):
             finalists.append(trial)
-    fitted = [_joint(case, trial) for trial in finalists]
+    fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
+    fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
     if gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
-        found = fitted_gap(case, _nominal_with_accepted(case))
+        found = fitted_gap(case, case.nominal_with_accepted())
         if found is not None:
             candidate, model = found
             gain = case.model.cost - model.cost - PER_KNOB
@@ -113,7 +115,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
     What is missing bends the numbers of the model that lacks it, sometimes too far to come back from.
     """
     names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
-    base = _nominal_with_accepted(case)
+    base = case.nominal_with_accepted()
 
     def fitted(own: Rig, nuisance: NDArray[np.float64], jacobian: NDArray[np.float64] | None = None) -> Trial:
         placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
@@ -125,17 +127,21 @@ def _joint(case: Case, trial: Trial) -> Trial:
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs))
 
     first = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
-    if first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits):
+    well = first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits)
+    if well and trial.candidate.place is not None:  # without a line of its own it may share its torque with others
         return first
-    apart = np.zeros(len(case.model.knobs)) if case.apart is None else case.apart
+    apart = case.apart if case.left and case.apart is not None else np.zeros(len(case.model.knobs))
     beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
     alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)
     second = fitted(alone.rig, apart)
     return max(first, second, key=lambda one: one.gain)
 
 
-def _nominal_with_accepted(case: Case) -> Rig:
-    rig = case.nominal
-    for earlier in case.accepted:
-        rig = earlier.added_to(rig)
-    return rig
+def _polished(case: Case, trial: Trial) -> Trial:
+    """Fit on from where the joint fit stopped."""
+    rig = trial.candidate.added_to(case.nominal_with_accepted())
+    model = calibrated(
+        rig, case.seen, trial.model.knobs, start=trial.model.positions, corrections=case.model.corrections or None
+    )
+    better = model if model.cost < trial.model.cost else trial.model
+    return replace(trial, model=better, gain=trial.gain + trial.model.cost - better.cost)

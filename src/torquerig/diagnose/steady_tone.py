@@ -9,37 +9,45 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
+from torquerig.diagnose.places import Place
 
-Complex = NDArray[np.complex128]
+Floats = NDArray[np.float64]
 
-_BLOCK = 0.02  # [s] short against a burst
-_BESIDE = 3.0  # block widths away from the line, where its floor is taken
-_STEADY = 0.75  # share of its power that a steady tone keeps in one bin
+_LINE = 3  # bins either way that hold a steady line under a Hann window
+_BESIDE, _FLOOR = 12.0, 60.0  # [Hz] either way: where bursts of some hundredths of a second spread to, and the floor
+_CLEAR = 4.0  # standard deviations by which what is beside the line must exceed the floor
+_STEADY = 0.75  # share of its power that a steady tone keeps in one line
 
 
-def sounds_all_along(peak: Peak, runs: Sequence[Observed]) -> bool:
-    """Whether the line keeps nearly all its power in one bin, in the run that shows it best.
+def sounds_all_along(peak: Peak, runs: Sequence[Observed], known: Sequence[Place]) -> bool:
+    """Whether the line keeps nearly all its power in one line, in the run that shows it best.
 
     Of a tone of amplitude A that sounds for a share d of the time, ``d A^2`` is its power and ``d^2 A^2`` that of its
-    line; the rest is spread beside it. A tone whose frequency jumps or sweeps loses its line likewise.
+    line; the rest is spread beside it. A tone whose frequency jumps or sweeps loses its line likewise. What stands
+    beside the lines at ``known`` is theirs.
     """
-    shares = [_share_in_one_bin(run, peak.place.at) for run in runs if run.steady and run.name in peak.runs]
+    shares = [_share_in_line(run, peak.place.at, known) for run in runs if run.steady and run.name in peak.runs]
     return not shares or max(shares) > _STEADY
 
 
-def _share_in_one_bin(run: Observed, at: float) -> float:
+def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
     seen = [stretch for stretch in run.stretches if not stretch.held]
     torque = run.torque[seen[0].start : seen[-1].stop]
-    line = _blocks(torque, run.rate, at)
-    floor = [np.mean(np.abs(_blocks(torque, run.rate, at + side * _BESIDE / _BLOCK)) ** 2) for side in (1.0, -1.0)]
-    power = float(np.mean(np.abs(line) ** 2) - min(floor))
-    one = float(np.abs(np.fft.fft(line, 8 * line.size)).max() / line.size) ** 2
-    return one / power if power > 0 else 1.0
+    power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
+    step = run.rate / torque.size
+    frequency = step * np.arange(power.size)
+    far = np.abs(frequency - at)
+    free = far > _LINE * step
+    for place in known:
+        line = place.frequency(run.mean_speed)
+        if abs(line - at) > _LINE * step:
+            free &= np.abs(frequency - line) > max(_LINE * step, run.smearing * line)
+    beside, floor = free & (far < _BESIDE), _floor(power[free & (far < _FLOOR)])
+    line_power = float(np.maximum(power[far <= _LINE * step] - floor, 0.0).sum())
+    spread = float((power[beside] - floor).sum())
+    return line_power / (line_power + (spread if spread > _CLEAR * floor * np.sqrt(beside.sum()) else 0.0) + 1e-30)
 
 
-def _blocks(torque: NDArray[np.float64], rate: float, at: float) -> Complex:
-    """Return the line's complex amplitude in each block, shape (blocks,)."""
-    size = round(_BLOCK * rate)
-    count = torque.size // size
-    turned = torque[: count * size] * np.exp(-2j * np.pi * at / rate * np.arange(count * size))
-    return np.asarray((turned.reshape(count, size) * np.hanning(size)).mean(axis=1))
+def _floor(power: Floats) -> float:
+    """Return the mean that the lower quartile of an exponential stands for: bursts raise the median."""
+    return float(np.quantile(power, 0.25)) / float(np.log(4 / 3)) if power.size else 0.0

@@ -3,27 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.rig.rig import Rig
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
 
 
+
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield the friction curve that fits best among a few sizes, peaks and Stribeck speeds."""
+    """Yield the friction curve that fits best among a few sizes, peaks and Stribeck speeds, and its like by direction.
+
+    It is sought beside the model as fitted, whose other frictions may stand in for it, and beside the nominal one.
+    """
     at = loaded_part(case.nominal)
     if at is None:
         return
-    ranked: list[tuple[float, Candidate]] = []
+    yield from _best(case, at, case.model.rig)
+    yield from _best(case, at, case.nominal_with_accepted())
+
+
+def _best(case: Case, at: str, rig: Rig) -> Iterator[Candidate]:
+    ranked: list[tuple[float, mechanisms.StribeckFriction]] = []
     for coulomb, peak, speed in product(_COULOMB, _PEAKS, _SPEEDS):
         part = mechanisms.StribeckFriction(
             name="stribeck_friction", at=at, coulomb=coulomb, static=coulomb * peak, stribeck_speed=speed
         )
-        knobs = tuple(Knob(part.name, field, 0.8) for field in ("coulomb", "static", "stribeck_speed"))
-        candidate = Candidate(mechanism="stribeck_friction", parts=(part,), knobs=knobs)
-        ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
-    yield min(ranked, key=lambda item: item[0])[1]
+        ranked.append((case.misfit_of(rig + part), part))
+    part = min(ranked, key=lambda item: item[0])[1]
+    yield Candidate(mechanism="stribeck_friction", parts=(part,), knobs=_knobs(part))
+    if any(features.turning is not None for features in case.seen):
+        own = replace(part, coulomb_backward=part.coulomb, static_backward=part.static)
+        yield Candidate(mechanism="stribeck_friction", parts=(own,), knobs=_knobs(own), variant="by_direction")
+
+
+def _knobs(part: mechanisms.StribeckFriction) -> tuple[Knob, ...]:
+    fields = ("coulomb", "static", "stribeck_speed", "coulomb_backward", "static_backward")
+    return tuple(Knob(part.name, field, 0.8) for field in fields if getattr(part, field) is not None)
