@@ -1,4 +1,4 @@
-"""The compiled loops of the filters: cascades of biquads, edge states, order-following sums and the adaptive canceller.
+"""The compiled loops of the filters: cascades of biquads, their edge states, medians.
 
 A cascade is run as a wavefront: section k works ``SKEW`` samples behind section k - 1, so that all sections of a step
 are independent and fill the vector lanes; the buffers stay in the first-level cache. The operations and their order are
@@ -13,7 +13,6 @@ from numba import njit
 LANES = 24  # sections of one run; three vectors of eight, fewer are filled up with sections that do nothing
 SKEW = 32  # samples between neighbouring sections: long enough that a store is done before it is read
 _ROW = LANES + 8
-BLOCK = 512  # samples whose cosines and sines are held at a time
 SUMMED = {"reassoc", "contract", "nsz", "arcp"}
 
 
@@ -169,85 +168,6 @@ def energy(values):
     for i in range(values.size):
         total += values[i] * values[i]
     return total
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def _unit_vectors(turns, order, start, stop, cosine, sine):
-    """Fill cosine and sine of ``order`` times the turned angle; to 1e-8, by polynomials that fill the vector lanes."""
-    for i in range(start, stop):
-        cycles = order * turns[i]
-        t = np.pi * (cycles - np.floor(cycles + 0.5))  # half the angle, within a quarter turn
-        q = t * t
-        s = t * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156))))))
-        c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90 * (1 - q / 132)))))
-        cosine[i - start] = 1 - 2 * s * s
-        sine[i - start] = 2 * s * c
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def order_sums(values, turns, orders, edges):
-    """Return sum of values times cos and sin of each order over each hop, shape (2, orders, hops)."""
-    sums = np.zeros((2, orders.size, edges.size - 1))
-    cosine, sine = np.empty(BLOCK), np.empty(BLOCK)
-    for hop in range(edges.size - 1):
-        for start in range(edges[hop], edges[hop + 1], BLOCK):
-            stop = min(start + BLOCK, edges[hop + 1])
-            for k in range(orders.size):
-                _unit_vectors(turns, orders[k], start, stop, cosine, sine)
-                in_phase, quadrature = 0.0, 0.0
-                for i in range(stop - start):
-                    in_phase += values[start + i] * cosine[i]
-                    quadrature += values[start + i] * sine[i]
-                sums[0, k, hop] += in_phase
-                sums[1, k, hop] += quadrature
-    return sums
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def orders_put_in(out, turns, orders, edges, amplitudes, gain):
-    """Add ``gain`` times the lines to ``out``; ``amplitudes`` (2, orders, hops + 1) run straight from edge to edge."""
-    cosine, sine, block = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK)
-    for hop in range(edges.size - 1):
-        width = edges[hop + 1] - edges[hop]
-        for start in range(edges[hop], edges[hop + 1], BLOCK):
-            stop = min(start + BLOCK, edges[hop + 1])
-            block[:] = 0.0
-            for k in range(orders.size):
-                slope_a = gain * (amplitudes[0, k, hop + 1] - amplitudes[0, k, hop]) / width
-                slope_b = gain * (amplitudes[1, k, hop + 1] - amplitudes[1, k, hop]) / width
-                a = gain * amplitudes[0, k, hop] + slope_a * (start - edges[hop])
-                b = gain * amplitudes[1, k, hop] + slope_b * (start - edges[hop])
-                _unit_vectors(turns, orders[k], start, stop, cosine, sine)
-                for i in range(stop - start):
-                    block[i] += (a + slope_a * i) * cosine[i] + (b + slope_b * i) * sine[i]
-            for i in range(stop - start):
-                out[start + i] += block[i]
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def cancelled(values, turns, orders, step):
-    """Return the values less what adaptive amplitudes of the orders predict; each error moves them by ``step``.
-
-    What is left is the mean of the errors before and after the step, which leaves the gain at 0 Hz at 1.
-    """
-    size, count = values.size, orders.size
-    answer = np.empty(size)
-    cosine, sine = np.empty((count, BLOCK)), np.empty((count, BLOCK))
-    a, b = np.zeros(count), np.zeros(count)
-    for start in range(0, size, BLOCK):
-        stop = min(start + BLOCK, size)
-        for k in range(count):
-            _unit_vectors(turns, orders[k], start, stop, cosine[k], sine[k])
-        for i in range(stop - start):
-            predicted = 0.0
-            for k in range(count):
-                predicted += a[k] * cosine[k, i] + b[k] * sine[k, i]
-            error = values[start + i] - predicted
-            answer[start + i] = error * (1 - 0.5 * step * count)
-            for k in range(count):
-                a[k] += step * error * cosine[k, i]
-                b[k] += step * error * sine[k, i]
-    return answer
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

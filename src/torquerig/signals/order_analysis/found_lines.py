@@ -146,7 +146,7 @@ def _without(values: Floats, turns: Floats, rate: float, decided: Sequence[Found
         orders = seen_orders(places, hops.fastest)
         # the sums are taken line by line, so that lines nearer than a window would be subtracted twice
         for some in _apart(orders, 1 / _ENVELOPE):
-            sums = hop_sums(values - values.mean(), hops, some)
+            sums = hop_sums(values, hops, some)
             window = max(2 * round(0.5 * HOPS_PER_TURN * _ENVELOPE), 2)
             values = less_lines(values, hops, some, envelope(sums, hops.samples, window))
     return values
