@@ -9,6 +9,7 @@ import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, set_option
 from torquerig.cli.progress import drive_progress
+from torquerig.decide.telling_sure import tell_trace
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import grid
@@ -20,6 +21,7 @@ from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.study import Study, open_study
+from torquerig.study.trace import check_traced, traced_cell
 from torquerig.study.verdict import Verdict, verdict
 from torquerig.study.what_if import Change, changes
 
@@ -31,12 +33,16 @@ from torquerig.study.what_if import Change, changes
 @click.option(
     "--all-points", is_flag=True, help="Every occupancy and particle size that the study lists, one report each."
 )
+@click.option(
+    "--trace", "traced", nargs=2, multiple=True, metavar="DRIVE CRITERION",
+    help="Also tell how this cell came about: a criterion of 'DRIVE | FILTER', or a demand on DRIVE; may be repeated.",
+)  # fmt: skip
 @click.option("--workers", type=click.IntRange(1), default=None, help="Runs at a time; default: one per core.")
 @set_option
 @catalog_option
 def command(
     *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
-    catalogs: tuple[Path, ...],
+    catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
 ) -> None:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
@@ -47,7 +53,10 @@ def command(
     folder = out or Path("reports") / scenario.stem
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file; name a folder for the report with --out")
+    check_traced(study, traced)
     if all_points:
+        if traced:
+            raise InputError("--trace tells a cell of one study; leave --all-points out")
         _every_point(study, folder, workers)
         return
     runs = _run(study, "edited study" if settings else "study", workers)
@@ -57,6 +66,8 @@ def command(
         found = changes(unedited, runs)
     decided, answer = _tell(runs)
     _tell_changes(found, settings)
+    for pair in traced:
+        click.echo("\n" + tell_trace(traced_cell(decided, answer, *pair)))
     written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
     click.echo(f"\n{answer.sentence}\n\nreport: {written[0]}")
 
