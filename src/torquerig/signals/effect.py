@@ -169,7 +169,8 @@ def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64
 
 
 def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], recording: Recording) -> float:
-    return float(np.trapezoid(torque * output_speed) / recording.sample_rate)
+    power = torque * output_speed
+    return float((power.sum() - 0.5 * (power[0] + power[-1])) / recording.sample_rate)
 
 
 def _levels(

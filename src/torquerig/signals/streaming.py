@@ -22,7 +22,7 @@ from torquerig.signals.recording import Recording
 BLOCK = 20.0
 """What a block answers for [s], where its samples are not too many and the overlap is not larger."""
 
-_MOST_SAMPLES, _MOST_TOGETHER = 2**19, 2**21
+_MOST_SAMPLES, _MOST_TOGETHER = 2**19, 5 * 2**18
 # large blocks are worked on one at a time, because memory counts more than speed
 _WORKERS, _LARGE = 2, 2**20
 
@@ -70,7 +70,7 @@ def blocking_for(chains: Sequence[Chain], stream: RecordingStream, *, block: flo
     # whole multiples of a power of two, so that transforms of a block are fast
     unit = 2 ** int(log2(max(reach, 16) / 8))
     overlap = -(-reach // unit) * unit
-    least = 2 * overlap if 4 * overlap <= _MOST_TOGETHER else overlap
+    least = min(2 * overlap, max(_MOST_TOGETHER - 2 * overlap, overlap))
     samples = max(min(round(block * rate), _MOST_SAMPLES), least)
     return Blocking(samples=-(-samples // unit) * unit, overlap=overlap, unit=unit)
 

@@ -78,4 +78,6 @@ def without_bands(
     if values.size == 0:
         return values
     wanted = bins_within(values.size, rate, bands)
-    return np.asarray(values - signal_of(bins_at(values, wanted), wanted, values.size))
+    cut = signal_of(bins_at(values, wanted), wanted, values.size)
+    # long recordings: no more copies than needed
+    return np.subtract(values, cut, out=cut)

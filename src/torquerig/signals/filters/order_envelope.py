@@ -29,7 +29,8 @@ class Hops:
     @property
     def fastest(self) -> float:
         """The most that the motor turns from one sample to the next [turns]."""
-        return float(np.abs(np.diff(self.turns)).max(initial=0.0))
+        steps = np.diff(self.turns)
+        return float(max(steps.max(initial=0.0), -steps.min(initial=0.0)))
 
     @property
     def samples(self) -> Floats:
@@ -48,7 +49,10 @@ def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
         Motor turns per output turn [1].
     """
     turns = angle / (2 * np.pi)
-    turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(turns)))]) / ratio
+    turned = np.zeros(turns.size)
+    steps = np.diff(turns)
+    np.cumsum(np.abs(steps, out=steps), out=turned[1:])
+    turned /= ratio
     count = round(float(turned[-1]) * HOPS_PER_TURN)
     if count < 1:
         return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isnan
 from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError, RecordingError
@@ -10,6 +11,7 @@ from torquerig.signals.best_angle import best_motor_angle
 from torquerig.signals.filters.block_regression import at_edges, block_amplitudes, blocks_of
 from torquerig.signals.filters.order_envelope import hops_of, less_lines, seen_orders
 from torquerig.signals.filters.standing_out import weights
+from torquerig.signals.filters.turning.sums import put_in
 
 if TYPE_CHECKING:
     from torquerig.signals.kinematics import KinematicLine
@@ -58,6 +60,8 @@ class WeighedLines:
             return recording
         angle = best_motor_angle(recording, self.lines)
         hops = hops_of(angle.values, ratio=self.lines[0].output_order / self.lines[0].motor_order)
+        speed_sd = angle.speed_sd
+        del angle  # as long as the recording
         if hops is None:
             raise RecordingError(
                 f"{recording.name}: the shaft does not turn in this recording, so that no line can be fitted"
@@ -65,15 +69,16 @@ class WeighedLines:
         name = recording.torque_name()
         values = recording.channels[name].values
         orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
-        if angle.speed_sd == angle.speed_sd:  # where it is known at all how well the speed is known
+        if not isnan(speed_sd):  # where it is known at all how well the speed is known
             turns = abs(float(hops.turns[-1] - hops.turns[0]))
-            orders = orders[orders * turns * angle.speed_sd < _PLACED]
+            orders = orders[orders * turns * speed_sd < _PLACED]
         length = self.block if recording.run.profile == "steady" else self.changing_block
         blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
         fitted = block_amplitudes(values, hops, orders, blocks)
         rest = less_lines(values, hops, orders, at_edges(fitted, hops, blocks))
-        weighed = fitted * weights(rest, fitted, hops, orders, blocks)
-        return recording.with_values(name, less_lines(values, hops, orders, at_edges(weighed, hops, blocks)))
+        kept = fitted * (1 - weights(rest, fitted, hops, orders, blocks))
+        put_in(rest, hops.turns, orders, hops.edges, at_edges(kept, hops, blocks), gain=1.0)
+        return recording.with_values(name, rest)
 
     def reach(self, head: Recording) -> float:
         """Return half a block [s]: farther in, the amplitudes are fitted on as much as in the middle of a recording.
