@@ -52,7 +52,8 @@ def test_every_cell_has_its_way_and_every_rating_comes_from_the_catalog_or_says_
     for cell in cells:
         assert cell.told("metric"), cell
         assert cell.told("decision"), cell
-        assert cell.told("catalog") or cell.criterion in ("new parts", "price", "servo motor"), cell
+        assert cell.told("catalog") or cell.criterion in ("new parts", "price"), cell
+    assert of("bldc-12n14p 5:1", "servo motor").told("catalog") == ("whether bldc-12n14p is a servo motor: ?",)
 
 
 def test_a_simulated_figure_rests_on_every_catalog_value_of_the_rig_with_interval_evidence_and_source() -> None:

@@ -79,7 +79,7 @@ def scaled(estimate: Estimate, factor: float, *, unit: str, missing: str, invers
 def yes_no(fact: Fact | None, missing: str) -> Figure:
     """Return 1 or 0 for a fact of the catalog; unknown, with what to ask, where nobody states it."""
     if fact is None:
-        return Figure(missing=missing)
+        return Figure(missing=missing, rests_on=((missing, Estimate()),))
     value, source = float(fact.value), f"{fact.source} ({fact.evidence})"
     known = Estimate(value, evidence=fact.evidence, source=fact.source)
     return Figure(value=value, source=source, rests_on=((missing, known),))

@@ -50,8 +50,8 @@ def origins_of(drive: DriveResult, figure: Figure, metric: Metric) -> tuple[Orig
 
 def origin_of(name: str, known: Estimate) -> Origin:
     """Return a catalog value as the trace shows it."""
-    return Origin(name=name.removeprefix("the "), shown=_shown(name, known), evidence=known.evidence,
-                  source=known.source)  # fmt: skip
+    evidence = "" if known.unknown and not known.source else known.evidence
+    return Origin(name=name.removeprefix("the "), shown=_shown(name, known), evidence=evidence, source=known.source)
 
 
 def metric_in_words(metric: str, figure: Figure, *, chain: str | None, settings: Settings) -> str:

@@ -28,7 +28,7 @@ def over(
     figure : callable
         From values [SI] by the same names to the figure [unit].
     """
-    rests_on = tuple((name, known) for name, known in data.items() if known.source)
+    rests_on = tuple((name, known) for name, known in data.items() if known.source or known.unknown)
     unknown = [name for name, known in data.items() if known.unknown]
     if unknown:
         return Figure(unit=unit, source=source, missing=", ".join(unknown), rests_on=rests_on)
