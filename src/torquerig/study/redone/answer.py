@@ -60,11 +60,12 @@ class Answer:
     def sentences(self) -> tuple[str, ...]:
         """Return the answer: what the report did, what comes out, what if something must be bought."""
         action = f"keep the motor that stands there, as {self.chosen}" if self.keeps else f"buy {self.chosen}"
-        still = f" Still open for it: {'; '.join(self.conditions)}." if self.conditions else ""
+        if self.conditions:
+            action = f"if what a demand still asks is answered well ({'; '.join(self.conditions)}), {action}"
         return (
             f"The report buys {self.published} ({self.published_text}).",
             (f"Computed: {action}. The verdict is {self.overall.word}: best in {_chance(self.overall)}. In "
-            f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox.{still}"),
+            f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox."),
             self._bought_sentence(),
             *(f"{name}: {_told(one)}" for name, one in self.table.items()),
         )  # fmt: skip
