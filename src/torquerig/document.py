@@ -85,9 +85,9 @@ def parse_document(text: str, path: Path) -> Document:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = f":{mark.line + 1}" if mark else ""
+        problem = " ".join(str(getattr(error, "problem", error)).split())
         raise InputError(
-            f"{path}{line}: not YAML: {getattr(error, 'problem', error)}; check the indentation "
-            "and the colons of this line and the one above"
+            f"{path}{line}: not YAML: {problem}; check the indentation and the colons of this line and the one above"
         ) from None
     return Document(path, data, node)
 
@@ -116,16 +116,45 @@ def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, ad
     keys = (*within, *detail["loc"])
     kind, last = detail["type"], str(detail["loc"][-1]) if detail["loc"] else ""
     if kind == "misspelt":
-        return f"{document.place(keys)}: unknown key; did you mean {detail['meant']!r}?"
-    if kind in ("extra_forbidden", "unexpected_keyword_argument"):
-        return f"{document.place(keys)}: unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
-    if kind in ("missing", "missing_argument"):
-        return f"{document.place(keys)}: the key {last!r} is missing; add it"
-    if kind == "value_error":
-        return f"{document.place(keys)}: {detail['ctx']['error']}"
+        told = f"unknown key; did you mean {detail['meant']!r}?"
+    elif kind in ("extra_forbidden", "unexpected_keyword_argument"):
+        told = f"unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
+    elif kind in ("missing", "missing_argument"):
+        told = f"the key {last!r} is missing; add it"
+    elif kind == "value_error":
+        told = str(detail["ctx"]["error"])
+    else:
+        told = _told(kind, detail)
+    return f"{document.place(keys)}: {told}"
+
+
+def _told(kind: str, detail: Any) -> str:
+    """Return what is wrong with a value that stands at a known key, and what to write."""
     written = detail.get("input")
+    if kind in PLAIN_WORDS:
+        return f"{written!r} is {PLAIN_WORDS[kind]}"
+    if kind in BOUNDS:
+        word, key = BOUNDS[kind]
+        return f"{written!r} is out of range; it must be {word} {detail['ctx'][key]:g}"
+    if kind in ("literal_error", "enum") and isinstance(written, str):
+        return f"{written!r} is unknown; {did_you_mean(written, re.findall(QUOTED, detail['ctx']['expected']))}"
     shown = f" (it is {written!r})" if isinstance(written, str | int | float | bool) or written is None else ""
-    return f"{document.place(keys)}: {detail['msg'][0].lower()}{detail['msg'][1:]}{shown}"
+    return f"{detail['msg'][0].lower()}{detail['msg'][1:]}{shown}"
+
+
+PLAIN_WORDS: Mapping[str, str] = {
+    **dict.fromkeys(("float_parsing", "float_type"), "no number; write one, such as 0.5"),
+    **dict.fromkeys(("int_parsing", "int_type", "int_from_float"), "no whole number; write one, such as 3"),
+    **dict.fromkeys(("dict_type", "model_type"), "no mapping; write key: value pairs"),
+    **dict.fromkeys(("list_type", "tuple_type"), "no list; write [one, two]"),
+}
+"""What pydantic finds, in words that say what to write."""
+BOUNDS: Mapping[str, tuple[str, str]] = {
+    "greater_than_equal": ("at least", "ge"), "greater_than": ("above", "gt"),
+    "less_than_equal": ("at most", "le"), "less_than": ("below", "lt"),
+}  # fmt: skip
+"""Its bounds: the word for each, and where it keeps the number."""
+QUOTED = re.compile(r"'([^']*)'")
 
 
 def _without_misspelt(details: Iterable[Any]) -> list[Any]:

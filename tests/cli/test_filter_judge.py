@@ -14,11 +14,12 @@ def reading(tmp_path, monkeypatch):
     from torquerig.document import read_document
     from torquerig.scenario.reading import read_scenario
     from torquerig.simulate.simulate import simulate
+    from torquerig.simulate.true_lines import with_true_lines
 
     monkeypatch.chdir(tmp_path)
     scenario = Path(__file__).resolve().parents[2] / "scenarios" / "wear_rig.yaml"
     made = read_scenario(read_document(scenario), catalog_beside(scenario, ()), seed=1)
-    recording = simulate(made.rig, duration=3.0, seed=1, settling=0.5)
+    recording = with_true_lines(simulate(made.rig, duration=3.0, seed=1), made.rig, seed=1)
     write_recording(recording, tmp_path / "known.parquet")
     write_recording(recording.without_truth(), tmp_path / "measured.parquet")
     return tmp_path
@@ -37,6 +38,8 @@ def test_it_judges_by_truth_and_placebo_and_draws_four_panels(reading, capsys):
     assert "energy %" in told
     assert "largest hits" in told
     assert "A step put in" in told
+    assert "lines taken exactly" in told
+    assert "times that of perfect line removal" in told
     drawn = (reading / "known.seed_code.judged.svg").read_bytes()
     assert drawn.startswith(b"<?xml")
     run(capsys, "filter", "known.parquet", "--chain", "seed_code", "--judge", "--force")
@@ -48,6 +51,11 @@ def test_without_truth_it_says_so_and_still_sets_the_placebo_beside(reading, cap
     assert "true load is not known" in told
     assert "empty places" in told
     assert (reading / "mine.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_in_blocks_it_judges_a_stretch_from_the_middle(reading, capsys):
+    told = run(capsys, "filter", "known.parquet", "--chain", "none", "--block", "1 s", "--judge")
+    assert "none, judged on 1 s, a stretch from the middle:" in told
 
 
 def test_a_chain_without_lines_has_no_placebo(reading, capsys):

@@ -73,7 +73,7 @@ def edited(tmp_path, old, new):
 
 
 BAD = {
-    "negative weight": (("weight: 0.5", "weight: -0.5"), "criteria.ripple at the sensor: the weight -0.5"),
+    "negative weight": (("weight: 0.5", "weight: -0.5"), "criteria.ripple at the sensor.weight: the weight -0.5"),
     "scores outside the scale": (("[[0, 5]", "[[0, 7]"), "7 points are outside the scale 1..5"),
     "unknown criterion": (("    price: 400", "    prise: 400"), "motor B.prise: unknown criterion; did you mean"),
     "unknown motor": (("seed: 1 ", "motors: {servo A: HDS6A-0104B} "), "servo A: there is no motor 'HDS6A-0104B'"),

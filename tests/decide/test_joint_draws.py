@@ -12,7 +12,7 @@ from torquerig.decide.fillings import fillings
 from torquerig.decide.kesselring import Profile
 from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, ValueFunction
 from torquerig.decide.ranks import competition_ranks
-from torquerig.decide.robustness import CHUNK, best_shares, rank_acceptability, robustness
+from torquerig.decide.robustness import CHUNK, rank_acceptability, robustness
 from torquerig.errors import InputError
 
 BENT = ValueFunction(((0.0, 1.0), (2.0, 4.0), (3.0, 4.0), (8.0, 5.0)))
@@ -123,13 +123,12 @@ def test_cells_that_rest_on_one_fact_are_drawn_together():
     assert abs(np.corrcoef(apart)[0, 1]) < 0.5
 
 
-def test_threads_and_the_kernel_for_the_best_alone_change_nothing():
+def test_threads_change_nothing():
     matrix = matrix_of({"a": (Cell(low=1.0, high=3.0),) * 3, "b": (Cell(low=1.5, high=2.0),) * 3, "c": (Cell(),) * 3})
     draws = CHUNK + 1000
     ready = prepared(matrix, seed=4)
     totals = ready.totals(draws)
     best = (totals == totals.max(axis=0)).mean(axis=1)
-    assert best_shares(matrix, draws=draws, seed=4).p_best == pytest.approx(best)
     assert rank_acceptability(matrix, doubt=Doubt(scores=0, weights=0), draws=draws, seed=4).p_best == pytest.approx(
         best
     )
@@ -178,4 +177,4 @@ def test_a_doubt_that_makes_no_sense_is_refused(wrong):
 
 def test_no_draws_are_refused():
     with pytest.raises(InputError, match="tell nothing"):
-        best_shares(matrix_of({"a": (Cell(),) * 3}), draws=0)
+        rank_acceptability(matrix_of({"a": (Cell(),) * 3}), draws=0)

@@ -67,6 +67,24 @@ def test_an_open_demand_is_worth_asking_for_without_any_weight():
     assert "nobody wins from 10 to 12 N*m" in alone.sentence()
 
 
+def test_an_unknown_demand_without_weight_is_a_question_with_yes_or_no():
+    criteria = (
+        Criterion(name="servo", unit="yes/no", demand=Demand(low=1.0)),
+        Criterion(name="peak", unit="N*m", better=Better.LESS, demand=Demand(high=10.0)),
+        Criterion(name="x", value=LINE, weight=1.0),
+    )
+    known = (Cell(value=1.0), Cell(value=9.0), Cell(value=3.0))
+    asked = Cell(fact="whether a is a servo motor")
+    told = [
+        missing_facts(matrix_of({"a": row, "b": known}, criteria))[0].sentence()
+        for row in ((asked, Cell(value=9.0), Cell(value=4.0)), (Cell(value=1.0), Cell(), Cell(value=4.0)))
+    ]
+    assert told == [
+        "ask the maker whether a is a servo motor: if not, b wins",
+        "ask the maker for the peak of a: if it breaks the demand (peak <= 10 N*m), b wins",
+    ]
+
+
 def test_where_demands_leave_nobody_there_is_nothing_to_ask():
     criteria = (Criterion(name="x", value=LINE, weight=1.0, demand=Demand(low=9.0)),)
     assert missing_facts(matrix_of({"a": (Cell(value=3.0),)}, criteria)) == ()

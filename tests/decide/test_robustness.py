@@ -5,10 +5,11 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from torquerig.decide.draws import VALUES_ONLY
 from torquerig.decide.flips import flip_weights
 from torquerig.decide.kesselring import kesselring_from_points
 from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, ValueFunction
-from torquerig.decide.robustness import best_shares
+from torquerig.decide.robustness import rank_acceptability
 from torquerig.errors import InputError, UnknownNameError
 
 IDENTITY = ValueFunction(((1.0, 1.0), (5.0, 5.0)))
@@ -58,25 +59,29 @@ def matrix_of(table):
     )
 
 
+def shares_of(matrix, **drawn):
+    return rank_acceptability(matrix, doubt=VALUES_ONLY, **drawn)
+
+
 def test_overlapping_uniform_intervals_give_the_closed_form_share():
     # a uniform on 2..4, b on 3..5: a wins with probability 1/8
     matrix = matrix_of({"a": Cell(low=2.0, high=4.0), "b": Cell(low=3.0, high=5.0)})
-    shares = best_shares(matrix, draws=40_000, seed=5)
+    shares = shares_of(matrix, draws=40_000, seed=5)
     assert shares.p_best[0] == pytest.approx(1 / 8, abs=5 * np.sqrt(1 / 8 * 7 / 8 / 40_000))  # five sigma
     assert shares.p_best.sum() == pytest.approx(1)
 
 
 def test_a_tie_is_shared_and_an_unknown_is_drawn_over_the_scale():
-    tied = best_shares(matrix_of({"a": Cell(value=3.0), "b": Cell(value=3.0)}), draws=10)
+    tied = shares_of(matrix_of({"a": Cell(value=3.0), "b": Cell(value=3.0)}), draws=10)
     assert tied.p_best.tolist() == [0.5, 0.5]
-    unknown = best_shares(matrix_of({"a": Cell(value=2.0), "b": Cell()}), draws=40_000)
+    unknown = shares_of(matrix_of({"a": Cell(value=2.0), "b": Cell()}), draws=40_000)
     assert unknown.p_best[0] == pytest.approx(1 / 4, abs=5 * np.sqrt(1 / 4 * 3 / 4 / 40_000))  # five sigma
 
 
 def test_the_same_seed_gives_the_same_shares_and_a_hopeless_addition_changes_nothing():
     table = {"a": Cell(low=2.0, high=4.0), "b": Cell(low=2.5, high=3.8)}
-    once, again = (best_shares(matrix_of(table), draws=500, seed=9).p_best.tolist() for _ in range(2))
-    with_third = best_shares(matrix_of({**table, "c": Cell(low=1.0, high=1.5)}), draws=500, seed=9)
+    once, again = (shares_of(matrix_of(table), draws=500, seed=9).p_best.tolist() for _ in range(2))
+    with_third = shares_of(matrix_of({**table, "c": Cell(low=1.0, high=1.5)}), draws=500, seed=9)
     assert once == again
     assert with_third.p_best.tolist() == [*once, 0.0]
 

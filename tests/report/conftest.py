@@ -103,6 +103,7 @@ def _driven(study, candidate, *, ripple):
         torque_limit=2.0,
         kp=0.05,
         assumed=scenario.assumed,
+        taken=scenario.taken,
         shares=Shares(mean=1.0, load=0.3, cogging=0.4, electrical=0.0, mechanical=0.0),
         disturbance=Figure(value=ripple, low=ripple, high=2 * ripple, unit="N*m", source="by hand"),
         chains=chains,

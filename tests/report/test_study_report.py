@@ -1,4 +1,5 @@
 import csv
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -80,11 +81,25 @@ def test_the_page_answers_in_order(written, answer):
     page = written[0].read_text(encoding="utf-8")
     parts = [answer.word, "What was asked", "Ranked combinations", "How well each drive", "What the reading is made of",
              "What is out of reach", "Who meets the demands", "Better or worse", "Weighted points",
+             "Every cell from the catalog",
              "What the sensor reads", "What the filters do", "Assumed values", "What to ask", "Where this stops",
              "Sources", "How to make this page again", "torquerig compare wear_rig.yaml"]  # fmt: skip
     places = [page.find(part) for part in parts]
     assert -1 not in places
     assert places == sorted(places)
+
+
+def test_the_cells_of_the_matrices_lead_to_their_way(written):
+    page = written[0].read_text(encoding="utf-8")
+    targets = set(re.findall(r'href="#(way-[^"]+)"', page))
+    assert targets == {"way-bldc-12n14p-5-1", "way-HDS6A-0104A-5-1", "way-GP-71M-20-1"}
+    assert all(f'id="{target}"' in page for target in targets)
+    way = page[page.index('id="way-HDS6A-0104A-5-1"') :]
+    assert (
+        way.index("from the catalog to the points")
+        < way.index("rotor inertia of HDS6A-0104A")
+        < way.index("</details>")
+    )
 
 
 def test_the_page_says_what_is_out_of_reach_and_marks_unknowns(written):

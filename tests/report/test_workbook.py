@@ -8,15 +8,30 @@ from torquerig.report.workbook_kesselring import FIRST, IDEAL, NORMALISED, WEIGH
 
 
 @pytest.fixture(scope="module")
-def path(runs, decided, tmp_path_factory):
+def path(runs, decided, answer, tmp_path_factory):
     made = tmp_path_factory.mktemp("book") / "matrices.xlsx"
-    write_workbook(made, runs, decided)
+    write_workbook(made, runs, decided, answer)
     return made
 
 
 def test_the_sheets_stand_in_order(path):
     names = openpyxl.load_workbook(path).sheetnames
-    assert names == ["Ranking", "Shares", "Elimination", "Pugh", "Kesselring", "Assumptions"]
+    assert names == ["Ranking", "Shares", "Elimination", "Pugh", "Kesselring", "Assumptions", "Trace", "Catalog"]
+
+
+def test_the_trace_leads_from_each_catalog_value_to_the_points_of_each_cell(path, decided):
+    book = openpyxl.load_workbook(path)
+    rows = list(book["Trace"].iter_rows(values_only=True))
+    head, told = rows[0], {row[:2]: dict(zip(rows[0], row, strict=True)) for row in rows[1:]}
+    assert head[:3] == ("drive | filter", "criterion or demand", "catalog values")
+    assert len(told) == len(rows) - 1
+    result = decided.overall
+    for row, name in enumerate(result.alternatives):
+        for column, criterion in enumerate(result.criteria):
+            assert told[name, criterion]["points"].startswith(f"{result.middle[row, column]:.3g}")
+    values = list(book["Catalog"].iter_rows(values_only=True))
+    inertia = [row for row in values if row[1] == "rotor inertia of HDS6A-0104A"]
+    assert [(row[0], row[3], row[5]) for row in inertia] == [("HDS6A-0104A 5:1", "SC", "reading error, disturbance")]
 
 
 def test_the_stored_values_are_those_of_the_engine(path, decided):

@@ -12,11 +12,13 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
 from torquerig.decide.criterion import Better, Criterion, Demand
 from torquerig.decide.sheet import Method
+from torquerig.decide.verdict import Word
 from torquerig.document import parse_document, read_document
 from torquerig.errors import TorquerigError
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.motor_facts import FACT_UNITS, motor_facts
 from torquerig.report.redone_page import redone_markdown, redone_page
+from torquerig.report.redone_trace import trace_chapter
 from torquerig.study.redone.beside import table_beside
 from torquerig.study.redone.computed import computed_table
 from torquerig.study.redone.decision import redone
@@ -24,6 +26,7 @@ from torquerig.study.redone.figures import Known
 from torquerig.study.redone.plan import read_plan
 from torquerig.study.redone.reasons import Cause, Compared, reason_of_demand, reason_of_points, reason_of_sign
 from torquerig.study.results import StudyRuns
+from torquerig.study.verdict import verdict
 
 CATALOG = load_catalog(shipped_folder())
 SHIPPED = shipped_scenarios() / "seed_decision.yaml"
@@ -183,6 +186,26 @@ def test_a_small_decision_and_its_answer(small):
     assert set(answer.table) == {
         "Points computed with its printed weights", "Points computed with the lost 0.2 on ripple",
         "Points computed with the lost 0.2 on ripple, new motors only"}  # fmt: skip
+
+
+def test_the_answer_uses_the_words_of_the_study_and_keeps_its_demands_open(small):
+    """``compare`` on the same drives: one engine, so one word, one chance and one open demand."""
+    answer, of_study = small.answer, verdict(small.decided)
+    assert answer.overall.word is of_study.word is Word.UNDECIDABLE
+    assert answer.overall.chances == of_study.chances
+    assert answer.conditions == ("whether bldc-12n14p is a servo motor",)
+    assert of_study.facts[0].sentence().startswith("ask the maker whether bldc-12n14p is a servo motor: if not, ")
+
+
+def test_every_computed_cell_leads_back_to_the_catalog(small):
+    tables = {table.caption: table for table in trace_chapter(small).tables}
+    rows = {(row[0].text, row[1].text): row for row in tables["Points: from the catalog to the computed mark"].rows}
+    known = CATALOG.motor("HDS6A-0104A").rated_speed
+    assert rows["Speed", "HDS6A-0104A"][2].text == (
+        f"rated speed of HDS6A-0104A: {known.shown()} [{known.evidence}], from {known.source}"
+    )
+    values = {row[1].text for row in tables["The catalog values of each simulated drive"].rows}
+    assert {"rotor inertia of HDS6A-0104A", "stiffness of reference-5-1"} <= values
 
 
 def test_the_page_is_the_same_each_time_and_asks_nobody(small):

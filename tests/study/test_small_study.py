@@ -312,8 +312,8 @@ def test_points_are_occupancies_at_the_default_size_then_sizes_at_the_default_oc
         ("output_speed=1500 rpm", "the present motor 'bldc-12n14p' does not reach the speed"),
         ("study.motors=[foo]", "there is no motor 'foo' in the catalog"),
         ("present.gearbox=foo", r"study\.present\.gearbox: there is no gearbox 'foo'"),
-        ("reading error.weight=-1", "greater than or equal to 0"),
-        ("study.draws=-1", "greater than or equal to 0"),
+        ("reading error.weight=-1", "-1 is out of range; it must be at least 0"),
+        ("study.draws=-1", "-1 is out of range; it must be at least 0"),
         ("study.criteria={}", r"study\.criteria"),
     ],
 )

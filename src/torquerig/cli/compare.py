@@ -8,18 +8,24 @@ from pathlib import Path
 import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, set_option
+from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
+from torquerig.decide.telling_sure import tell_trace
+from torquerig.decide.working import work_out
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import grid
+from torquerig.report.matrix_files import write_matrix
 from torquerig.report.study_report import write_study_report
 from torquerig.report.study_text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden
+from torquerig.study.as_matrix import as_matrix
 from torquerig.study.points import Point, points_of
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.study import Study, open_study
+from torquerig.study.trace import check_traced, traced_cell
 from torquerig.study.verdict import Verdict, verdict
 from torquerig.study.what_if import Change, changes
 
@@ -31,12 +37,22 @@ from torquerig.study.what_if import Change, changes
 @click.option(
     "--all-points", is_flag=True, help="Every occupancy and particle size that the study lists, one report each."
 )
+@click.option(
+    "--trace", "traced", nargs=2, multiple=True, metavar="DRIVE CRITERION",
+    help="Also tell how this cell came about: a criterion of 'DRIVE | FILTER', or a demand on DRIVE; may be repeated.",
+)  # fmt: skip
+@click.option(
+    "--matrix", "matrices", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
+    help=f"Also write the drives, each with its best filter, as a matrix of one's own: {', '.join(ENDINGS)}.",
+)  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite what --matrix names.")
 @click.option("--workers", type=click.IntRange(1), default=None, help="Runs at a time; default: one per core.")
 @set_option
 @catalog_option
 def command(
     *, scenario: Path, out: Path | None, all_points: bool, workers: int | None, settings: tuple[str, ...],
-    catalogs: tuple[Path, ...],
+    catalogs: tuple[Path, ...], traced: tuple[tuple[str, str], ...],
+    matrices: tuple[Path, ...], force: bool,
 ) -> None:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
@@ -47,7 +63,12 @@ def command(
     folder = out or Path("reports") / scenario.stem
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file; name a folder for the report with --out")
+    check_traced(study, traced)
+    for path in matrices:
+        check_target(path, force=force)
     if all_points:
+        if traced or matrices:
+            raise InputError("--trace and --matrix are of one study; leave --all-points out")
         _every_point(study, folder, workers)
         return
     runs = _run(study, "edited study" if settings else "study", workers)
@@ -57,6 +78,11 @@ def command(
         found = changes(unedited, runs)
     decided, answer = _tell(runs)
     _tell_changes(found, settings)
+    for pair in traced:
+        click.echo("\n" + tell_trace(traced_cell(decided, answer, *pair)))
+    for path in matrices:
+        write_matrix(work_out(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
+        click.echo(f"wrote {path}", err=True)
     written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
     click.echo(f"\n{answer.sentence}\n\nreport: {written[0]}")
 

@@ -80,7 +80,8 @@ def command(
     if assumed:
         click.echo(f"assumed of {assumed}")
     if judge:
-        judge_chains(told[0], chains, kinematics, panels, force=force)
+        where = "" if blocking is None else ", a stretch from the middle"
+        judge_chains(told[0], chains, kinematics, panels, where=where, force=force)
     elif picture is not None:
         _draw(*told, chains[0], kinematics, picture, force=force)
 

@@ -39,16 +39,22 @@ def judged_pictures(path: Path, names: Sequence[str], picture: Path | None, *, f
 
 
 def judge_chains(
-    recording: Recording, chains: Sequence[Chain], kinematics: Kinematics, targets: dict[str, Path], *, force: bool
+    recording: Recording,
+    chains: Sequence[Chain],
+    kinematics: Kinematics,
+    targets: dict[str, Path],
+    *,
+    where: str,
+    force: bool,
 ) -> None:
-    """Judge each chain on ``recording``, tell it, and draw its panels."""
+    """Judge each chain on ``recording``, tell it and ``where`` in its file that is, and draw the panels."""
     from torquerig.report.judged_figure import judged_figure
     from torquerig.report.picture import write_picture
 
     known = kinematics.lines(KNOWN_HARMONICS)
     for chain in chains:
         made = judged(chain, recording, ratio=kinematics.ratio, known=known)
-        click.echo(f"{chain.name}, judged on {recording.duration:.4g} s:")
+        click.echo(f"{chain.name}, judged on {recording.duration:.4g} s{where}:")
         for part in (told_placebo(made), told_step(made.step), told_truth(made)):
             click.echo(part + "\n")
         write_picture(judged_figure(made), targets[chain.name], overwrite=force)
@@ -94,30 +100,46 @@ def told_truth(made: Judgement) -> str:
     if before is None or after is None:
         late = f" The filtered reading comes {_milli(made.delay.seconds)} behind the raw one." if made.delay else ""
         return wrapped("The true load is not known here, so that no error can be stated." + late)
-    rows = [["error to the true load", "before", "after", "the load itself"]]
-    rows.append(["rms N*m", f"{before.rms:.5f}", f"{after.rms:.5f}", ""])
-    rows.append(["mean N*m", f"{before.mean:.5f}", f"{after.mean:.5f}", ""])
-    for (low, high), was, now, own in zip(
-        before.bands, before.in_band, after.in_band, before.load_in_band, strict=True
-    ):
-        rows.append([f"{low:g}-{high:g} Hz N*m", f"{was:.5f}", f"{now:.5f}", f"{own:.5f}"])
-    rows.append(["energy %", *(_percent(one.energy_percent) for one in (before, after)), ""])
-    rows.append(["delay ms", *(_delay(one) for one in (before, after)), ""])
-    rows += _hits(before, after)
-    return grid(rows)
+    perfect = made.error_perfect
+    all_of = (before, after) if perfect is None else (before, after, perfect)
+    head = ["error to the true load", "before", "after", *(["lines taken exactly"] if perfect else [])]
+    rows = [[*head, "the load itself"]]
+    rows.append(["rms N*m", *(f"{one.rms:.5f}" for one in all_of), ""])
+    rows.append(["mean N*m", *(f"{one.mean:.5f}" for one in all_of), ""])
+    for place, (low, high) in enumerate(before.bands):
+        figures = (one.in_band[place] for one in all_of)
+        rows.append(
+            [f"{low:g}-{high:g} Hz N*m", *(f"{one:.5f}" for one in figures), f"{before.load_in_band[place]:.5f}"]
+        )
+    rows.append(["energy %", *(_percent(one.energy_percent) for one in all_of), ""])
+    rows.append(["delay ms", *(_delay(one) for one in all_of), ""])
+    rows += _hits(all_of)
+    return grid(rows) + ("" if perfect is None else _beside_perfect(before, after, perfect))
 
 
-def _hits(before: LoadError, after: LoadError) -> list[list[str]]:
-    if before.hits is None or after.hits is None:
+def _beside_perfect(before: LoadError, after: LoadError, perfect: LoadError) -> str:
+    """Return the error as a share of perfect line removal's; what is left of that is the load ringing the shaft."""
+    if not perfect.rms:
+        return ""
+    return "\n" + wrapped(
+        f"The error is {after.rms / perfect.rms:.3f} times that of perfect line removal (raw: "
+        f"{before.rms / perfect.rms:.3f} times)."
+    )
+
+
+def _hits(errors: Sequence[LoadError]) -> list[list[str]]:
+    hits = [one.hits for one in errors if one.hits is not None]
+    if len(hits) < len(errors):
         return []
-    first, last = before.hits, after.hits
     return [
-        [f"peak of {first.count} largest hits %", f"{100 * first.peak:.0f}", f"{100 * last.peak:.0f}", "100"],
-        ["a tenth under, a tenth over %", *(f"{100 * one.peak_low:.0f}..{100 * one.peak_high:.0f}"
-                                            for one in (first, last)), ""],
-        ["rise of these, 10 to 90 %, ms", f"{1e3 * first.rise:.2f}", f"{1e3 * last.rise:.2f}",
-         f"{1e3 * first.true_rise:.2f}"],
-    ]  # fmt: skip
+        [f"peak of {hits[0].count} largest hits %", *(f"{100 * one.peak:.0f}" for one in hits), "100"],
+        [
+            "a tenth under, a tenth over %",
+            *(f"{100 * one.peak_low:.0f}..{100 * one.peak_high:.0f}" for one in hits),
+            "",
+        ],
+        ["rise of these, 10 to 90 %, ms", *(f"{1e3 * one.rise:.2f}" for one in hits), f"{1e3 * hits[0].true_rise:.2f}"],
+    ]
 
 
 def _span(placebo: Placebo) -> str:

@@ -18,6 +18,7 @@ from torquerig.signals.files.blocks import Blocking
 from torquerig.signals.files.info import RecordingInfo
 from torquerig.signals.files.stream import RecordingStream
 from torquerig.signals.kinematics import KinematicLine, Kinematics
+from torquerig.signals.recording import Recording
 
 
 @click.command("info")
@@ -58,9 +59,7 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     from torquerig.signals.best_angle import best_motor_speed
 
     head = next(Blocking(samples=2**20).cut(stream)).answer()
-    # a channel with samples that are no numbers may not hide the one that tells the speed
-    sound = {name: one for name, one in head.channels.items() if np.isfinite(one.values).all()}
-    head = replace(head, channels=sound)
+    first, head = _sound_stretch(head)
     try:
         found = best_motor_speed(head, _lines(stream))
     except TorquerigError as error:
@@ -68,10 +67,30 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     rpm = found.value * 30 / pi
     spread = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
     whole = stream.samples is not None and stream.samples <= head.samples
-    where = "" if whole else f" over the first {head.duration:.3g} s"
+    where = "" if whole else f" over {_span(first, head)}"
     set_point = stream.run.speed_rpm
     beside = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
     return found.value, f"motor speed: {rpm:.6g} rpm{spread}{where} ({found.origin}{beside})"
+
+
+def _sound_stretch(head: Recording) -> tuple[int, Recording]:
+    """Return the longest stretch in which every channel that has numbers has them, and its first sample."""
+    finite = {name: np.isfinite(one.values) for name, one in head.channels.items()}
+    kept = {name: one for name, one in head.channels.items() if finite[name].any()}
+    sound = np.logical_and.reduce([finite[name] for name in kept]) if kept else np.zeros(head.samples, dtype=bool)
+    ends = np.flatnonzero(np.diff(np.concatenate([[0], sound.astype(np.int8), [0]])))
+    if not ends.size:
+        return 0, head
+    longest = int(np.argmax(ends[1::2] - ends[::2]))
+    first, last = int(ends[2 * longest]), int(ends[2 * longest + 1])
+    cut = {name: replace(one, values=one.values[first:last]) for name, one in kept.items()}
+    return first, replace(head, channels=cut)
+
+
+def _span(first: int, head: Recording) -> str:
+    if first == 0:
+        return f"the first {head.duration:.3g} s"
+    return f"samples {first}..{first + head.samples - 1}, the longest stretch without gaps"
 
 
 def _lines(stream: RecordingStream) -> tuple[KinematicLine, ...]:

@@ -44,7 +44,7 @@ def command(
         click.echo(tell_book(tables_from(document)), nl=False)
         return
     for path in outs:
-        _check_target(path, force=force)
+        check_target(path, force=force)
     worked = _worked_out(document)
     click.echo(_told(worked, traced, before), nl=False)
     for path in outs:
@@ -89,7 +89,8 @@ def _read(file: Path) -> Document:
     return document
 
 
-def _check_target(path: Path, *, force: bool) -> None:
+def check_target(path: Path, *, force: bool) -> None:
+    """Raise InputError where a matrix cannot be written to ``path``."""
     if path.suffix.lower() not in ENDINGS:
         raise InputError(f"{path}: a matrix is written as {', '.join(ENDINGS)}; choose one of these endings")
     if path.exists() and not force:

@@ -15,6 +15,7 @@ from torquerig.scenario.demand_check import check_demand
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.files import check_target, write_recording
 from torquerig.simulate.simulate import simulate
+from torquerig.simulate.true_lines import with_true_lines
 from torquerig.units import parse_quantity
 
 DURATION = 10.0  # [s]
@@ -29,7 +30,7 @@ DURATION = 10.0  # [s]
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes every random number.")
 @click.option("--out", type=click.Path(path_type=Path), default=Path("simulated.parquet"), show_default=True,
               help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
-@click.option("--truth", is_flag=True, help="Write the true load and the other truth channels too.")
+@click.option("--truth", is_flag=True, help="Write the true load, what lines add, and the other truth channels too.")
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording of that name.")
 @click.option("--prove-step", is_flag=True, help="Run again with half the step and say what that changes.")
 @profile_option
@@ -51,10 +52,10 @@ def command(
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     seconds = stated or _length(made)
     flags = check_demand(made, catalog, duration=seconds)
-    recording = simulate(
-        made.rig, duration=seconds, seed=seed, wander=made.operating_point.slow_speed_wander, scenario=made.title
-    )
-    written = write_recording(recording if truth else recording.without_truth(), out, overwrite=force)
+    wander = made.operating_point.slow_speed_wander
+    recording = simulate(made.rig, duration=seconds, seed=seed, wander=wander, scenario=made.title)
+    kept = with_true_lines(recording, made.rig, seed=seed, wander=wander) if truth else recording.without_truth()
+    written = write_recording(kept, out, overwrite=force)
     torque = recording.torque()
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     click.echo(

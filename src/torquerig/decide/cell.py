@@ -151,9 +151,9 @@ class Cell:
         if self.unknown:
             return "?"
         if self.known:
-            return f"{self.value:.4g}"
-        interval = f"{self.low:.3g}..{self.high:.3g}"
-        return interval if self.value is None else f"{self.value:.4g} ({interval})"
+            return _digits(self.value, 4)
+        interval = f"{_digits(self.low, 3)}..{_digits(self.high, 3)}"
+        return interval if self.value is None else f"{_digits(self.value, 4)} ({interval})"
 
     @classmethod
     def from_estimate(cls, estimate: Estimate, unit: str) -> Cell:
@@ -167,6 +167,12 @@ class Cell:
         return cls(
             value=value, low=low, high=high, evidence=estimate.evidence, source=estimate.source, note=estimate.note
         )
+
+
+def _digits(number: float | None, digits: int) -> str:
+    """Return so many digits, and a large number without an exponent."""
+    text = f"{number:.{digits}g}"
+    return f"{float(text):.0f}" if "e+0" in text else text
 
 
 UNKNOWN = Cell()

@@ -163,7 +163,7 @@ def _flip_weight(result: KesselringResult, best: int, rival: int, column: int) -
         winner=result.alternatives[best],
         rival=result.alternatives[rival],
         weight=weight,
-        flip=max(flip, 0.0) if flip is not None and flip >= -TIE else None,
+        flip=None if flip is None or flip < -TIE else 0.0 if flip <= TIE else flip,
     )
 
 

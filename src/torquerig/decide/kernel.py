@@ -86,8 +86,7 @@ def count_ranks(first, draws, cells, weights, scale, tie, counts, sums):
     ``cells`` holds, by alternative and criterion: key; start and width of the value (of its logarithm where
     ``logarithmic``); the points as ``base + slope v + sum of turns max(0, v - knots)`` over ``bends`` knots; and the
     half-width of the spread of the points, which stay within ``scale``. ``weights`` holds the given ones, their keys
-    and relative half-widths. ``sums`` adds up T over the sum of the weights. A tie shares its ranks equally. With one
-    column, ``counts`` is of the first rank only, which takes no comparison of all with all.
+    and relative half-widths. ``sums`` adds up T over the sum of the weights. A tie shares its ranks equally.
     """
     rows, columns = cells[1].shape
     upper, lower = np.empty(BLOCK, np.uint64), np.empty(BLOCK, np.uint64)
@@ -102,18 +101,6 @@ def count_ranks(first, draws, cells, weights, scale, tie, counts, sums):
             for at in range(count):
                 share += totals[row, at] / whole[at]
             sums[row] += share
-        if counts.shape[1] == 1:
-            for at in range(count):
-                best = totals[0, at]
-                for row in range(1, rows):
-                    best = max(best, totals[row, at])
-                same = 0
-                for row in range(rows):
-                    same += 1 if totals[row, at] >= best - tie else 0
-                for row in range(rows):
-                    if totals[row, at] >= best - tie:
-                        counts[row, 0] += 1.0 / same
-            continue
         above[:, :count] = 0
         for row in range(rows):
             for other in range(row):

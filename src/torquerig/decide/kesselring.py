@@ -34,6 +34,12 @@ class Profile:
     p_max: float
     high: float = 0.6
 
+    def refusal(self, points: float) -> str:
+        """Return the sentence for points that are outside the scale."""
+        return (
+            f"{points:g} points are outside the scale {self.p_min:g}..{self.p_max:g}; rescale them, or widen the scale"
+        )
+
     def __post_init__(self) -> None:
         if not self.p_min < self.p_max or self.p_max <= 0:
             raise InputError(
@@ -205,7 +211,7 @@ def kesselring_from_points(
             raise InputError(f"{name}: points for {len(given)} of {len(weights)} criteria; write ? for an unknown one")
         for one in given:
             if one is not None and not profile.p_min <= one <= profile.p_max:
-                raise InputError(f"{name}: {one:g} points are outside the scale {profile.p_min:g}..{profile.p_max:g}")
+                raise InputError(f"{name}: {profile.refusal(one)}")
     known = np.array([[np.nan if one is None else one for one in given] for given in points.values()], dtype=float)
     low, high = np.where(np.isnan(known), profile.p_min, known), np.where(np.isnan(known), profile.p_max, known)
     return KesselringResult(
@@ -231,9 +237,7 @@ def rated_criteria(matrix: DecisionMatrix, profile: Profile) -> tuple[Criterion,
             )
         for _, points in criterion.value.knots:
             if not profile.p_min <= points <= profile.p_max:
-                raise InputError(
-                    f"{criterion.name}: {points:g} points are outside the scale {profile.p_min:g}..{profile.p_max:g}"
-                )
+                raise InputError(f"{criterion.name}: {profile.refusal(points)}")
     return rated
 
 
@@ -246,7 +250,7 @@ def points_of_cell(cell: Cell, criterion: Criterion, profile: Profile) -> tuple[
     """Return the fewest, the most and the middle points of one cell; the whole scale where nothing is known."""
     if (given := cell.points_by_hand) is not None:
         if not profile.p_min <= given <= profile.p_max:
-            raise InputError(f"{given:g} points by hand are outside the scale {profile.p_min:g}..{profile.p_max:g}")
+            raise InputError(f"{profile.refusal(given)}")
         return given, given, given
     if cell.unknown or criterion.value is None:
         return profile.p_min, profile.p_max, (profile.p_min + profile.p_max) / 2

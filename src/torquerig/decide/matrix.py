@@ -41,6 +41,8 @@ class DecisionMatrix:
         for what, listed in (("alternative", self.alternatives), ("criterion", names)):
             if not listed:
                 raise InputError(f"{self.name}: there is no {what}; a matrix needs at least one")
+            if not all(one.strip() for one in listed):
+                raise InputError(f"{self.name}: the name of one {what} is empty; write one")
             twice = sorted({one for one in listed if listed.count(one) > 1})
             if twice:
                 raise InputError(f"{self.name}: the {what} {twice[0]!r} stands twice; give each its own name")

@@ -34,9 +34,14 @@ def matrix_from(document: Document, *, catalog: Catalog | None = None) -> Matrix
     """
     from pydantic import TypeAdapter
 
+    if not isinstance(document.data, dict):
+        raise InputError(f"{document.place()}: no matrix; write criteria: and alternatives:, as in matrix_example.yaml")
     file = validated(document, TypeAdapter(MatrixText))
     if not file.alternatives or not file.criteria:
         raise InputError(f"{document.place()}: a matrix needs criteria and alternatives; at least one of each")
+    for key in ("criteria", "alternatives"):
+        if any(not name.strip() for name in document.data[key]):
+            raise InputError(f"{document.place((key, ''))}: a name is empty; write one that tells what stands there")
     criteria = {name: _criterion(document, name, written) for name, written in file.criteria.items()}
     cells = {**_cells_of_motors(document, file, criteria, catalog), **written_cells(document, file, criteria)}
     matrix = DecisionMatrix(
@@ -106,7 +111,8 @@ def _criterion(document: Document, name: str, written: CriterionText) -> Criteri
             purpose=written.purpose,
         )
     except InputError as error:
-        raise InputError(f"{document.place(('criteria', name))}: {_unnamed(error, name)}") from None
+        told = _unnamed(error, name)
+        raise InputError(f"{document.place(('criteria', name, _key_of(told)))}: {told}") from None
 
 
 def _profile(document: Document, file: MatrixText, matrix: DecisionMatrix) -> Profile:
@@ -117,7 +123,7 @@ def _profile(document: Document, file: MatrixText, matrix: DecisionMatrix) -> Pr
         rated_criteria(matrix, profile)
     except InputError as error:
         name = next((one for one in file.criteria if str(error).startswith(f"{one}: ")), None)
-        keys: Keys = ("criteria",) if name is None else ("criteria", name)
+        keys: Keys = ("criteria",) if name is None else ("criteria", name, _key_of(_unnamed(error, name)))
         keys = ("scale",) if str(error).startswith("profile") else keys
         raise InputError(f"{document.place(keys)}: {_unnamed(error, name or matrix.name)}") from None
     return profile
@@ -127,10 +133,8 @@ def _check_points_by_hand(document: Document, cells: Cells, profile: Profile) ->
     for pair, cell in cells.items():
         given = cell.points_by_hand
         if given is not None and not profile.p_min <= given <= profile.p_max:
-            raise InputError(
-                f"{document.place(('alternatives', *pair, 'by_hand', 'points'))}: {given:g} points are outside the "
-                f"scale {profile.p_min:g}..{profile.p_max:g}"
-            )
+            place = document.place(("alternatives", *pair, "by_hand", "points"))
+            raise InputError(f"{place}: {profile.refusal(given)}")
 
 
 def _doubt(document: Document, file: MatrixText) -> Doubt:
@@ -150,6 +154,15 @@ def _cost(document: Document, file: MatrixText) -> Cost | None:
         place = document.place(("cost", "permissible"))
         raise InputError(f"{place}: the permissible cost {file.cost.permissible:g} must be above 0")
     return Cost(criterion=file.cost.criterion, permissible=file.cost.permissible)
+
+
+def _key_of(told: str) -> str:
+    """Return the key of a criterion that a refusal is about, for its place."""
+    if "points are outside" in told:
+        return "points"
+    about = {"weight": "the weight", "points": "the value", "band": "the band", "demand": "the demand",
+             "indifference": "the "}  # fmt: skip
+    return next((key for key, start in about.items() if told.startswith(start)), "")
 
 
 def _unnamed(error: InputError, name: str) -> str:

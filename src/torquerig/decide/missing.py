@@ -55,6 +55,8 @@ class MissingFact:
         By how much the choice then improves on average, in T/T_max [1]: the expected value of perfect information.
     turns : tuple of Turn
         The stretches of its interval in which the winner is another one.
+    rule : str
+        The demand that it answers, where nothing is known of it and it gives no points: a question with yes or no.
     """
 
     fact: str
@@ -63,6 +65,7 @@ class MissingFact:
     p_change: float
     gain: float
     turns: tuple[Turn, ...]
+    rule: str = ""
 
     @property
     def decisive(self) -> bool:
@@ -74,6 +77,9 @@ class MissingFact:
         asked = f"ask the maker {'' if self.fact.startswith('whether ') else 'for the '}{self.fact}"
         if not self.turns:
             return f"{asked}: alone it cannot change the winner"
+        if self.rule:
+            broken = "if not" if self.fact.startswith("whether ") else f"if it breaks the demand ({self.rule})"
+            return f"{asked}: {broken}, {self.turns[0].winner or 'nobody'} wins"
         told = ", ".join(
             f"{one.winner or 'nobody'} wins {_stretch(one, self.unit)}".replace("  ", " ") for one in self.turns
         )
@@ -137,6 +143,7 @@ def _weighed(
     best = np.where(allowed.any(axis=0), best, -1)
     first, shown = cells[0]
     cell = matrix.cell(matrix.alternatives[first], shown.name)
+    asks = cell.unknown and shown.demand is not None and not any(criterion.weight > 0 for _, criterion in cells)
     return MissingFact(
         fact=name,
         cells=tuple((matrix.alternatives[row], criterion.name) for row, criterion in cells),
@@ -144,6 +151,7 @@ def _weighed(
         p_change=float((best != base).mean()),
         gain=float((totals.max(axis=0) - totals[base]).mean()) / result.ideal,
         turns=_turns(result, best, base, cell),
+        rule=shown.demand.rule(shown.name, shown.unit) if asks and shown.demand is not None else "",
     )
 
 

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.draws import VALUES_ONLY, Doubt, Draws, prepared, sources
+from torquerig.decide.draws import Doubt, Draws, prepared, sources
 from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.ranks import TIE
@@ -20,16 +20,6 @@ Array = NDArray[np.float64]
 CHUNK = 1 << 16  # draws of one thread at a time; fixed, so that sums do not depend on how many threads there are
 THREADS = 2
 FEW = 25_000  # draws up to which a second thread costs more than it saves
-
-
-@dataclass(frozen=True, kw_only=True)
-class BestShares:
-    """How often each alternative has the highest T; a tie is shared equally."""
-
-    alternatives: tuple[str, ...]
-    p_best: Array
-    draws: int
-    seed: int
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +78,7 @@ def rank_acceptability(
     """
     doubt = Doubt() if doubt is None else doubt
     ready = prepared(matrix, profile=profile, doubt=doubt, seed=seed)
-    counts, sums = _counted(ready, draws, ranks=len(matrix.alternatives))
+    counts, sums = _counted(ready, draws)
     return Acceptability(
         alternatives=matrix.alternatives,
         shares=counts / draws,
@@ -114,16 +104,8 @@ def robustness(
     }
 
 
-def best_shares(
-    matrix: DecisionMatrix, *, profile: Profile = TEACHING, draws: int = 10_000, seed: int = 0
-) -> BestShares:
-    """Draw every interval at once and count who is best, the points and weights kept; see `rank_acceptability`."""
-    counts, _ = _counted(prepared(matrix, profile=profile, doubt=VALUES_ONLY, seed=seed), draws, ranks=1)
-    return BestShares(alternatives=matrix.alternatives, p_best=counts[:, 0] / draws, draws=draws, seed=seed)
-
-
-def _counted(ready: Draws, draws: int, *, ranks: int) -> tuple[Array, Array]:
-    """Return how often each takes each of the first ``ranks`` (1 or all), and the sums of T over sum of weights."""
+def _counted(ready: Draws, draws: int) -> tuple[Array, Array]:
+    """Return how often each takes each rank, and the sums of T over sum of weights."""
     from torquerig.decide.kernel import count_ranks
 
     if draws < 1:
@@ -131,7 +113,7 @@ def _counted(ready: Draws, draws: int, *, ranks: int) -> tuple[Array, Array]:
     rows = len(ready.alternatives)
 
     def chunk(first: int) -> tuple[Array, Array]:
-        counts, sums = np.zeros((rows, ranks)), np.zeros(rows)
+        counts, sums = np.zeros((rows, rows)), np.zeros(rows)
         size = min(CHUNK, draws - first)
         count_ranks(first, size, ready.cells, ready.weights, ready.scale, TIE, counts, sums)
         return counts, sums

@@ -221,7 +221,9 @@ def _points(document: Document, keys: Keys, entry: Entry | None, scale: ScaleTex
     if isinstance(entry, str):
         _fail(document, keys, f"{entry!r} is no number; write points, or ? where they are unknown")
     elif not scale.min <= entry <= scale.max:
-        _fail(document, keys, f"{entry:g} points are outside the scale {scale.min:g}..{scale.max:g}")
+        _fail(
+            document, keys, f"{entry:g} points are outside the scale {scale.min:g}..{scale.max:g}; correct one of them"
+        )
     return entry
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
-from torquerig.metrics.figure import Figure, scaled, total
+from torquerig.metrics.figure import Figure, scaled, total, yes_no
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,7 +52,6 @@ def drive_margins(
                    scaled(motor.drive_price, 1.0, unit="EUR", missing=f"price of the drive of {name}")]  # fmt: skip
     if new_gearbox:
         prices.append(scaled(gearbox.price, 1.0, unit="EUR", missing=f"price of {gearbox.name}"))
-    servo = motor.servo
     return {
         "speed_reserve": scaled(motor.max_speed, 1 / needed, unit="1", missing=f"maximum speed of {name}"),
         "speed_use": scaled(motor.rated_speed, needed, unit="1", inverse=True, missing=f"rated speed of {name}"),
@@ -62,10 +61,16 @@ def drive_margins(
         )
         if duty.mean_torque > 0
         else Figure(missing="a mean load, over which a reserve could be counted"),
-        "sensor_peak": Figure(value=duty.torque_limit * gain, unit="N*m", source="drive's limit x ratio x efficiency"),
-        "servo": Figure(missing=f"whether {name} is a servo motor")
-        if servo is None
-        else Figure(value=float(servo.value), source=f"{servo.source} ({servo.evidence})"),
+        "sensor_peak": Figure(
+            value=duty.torque_limit * gain,
+            unit="N*m",
+            source="drive's limit x ratio x efficiency",
+            rests_on=(
+                (f"peak torque of {name}", motor.peak_torque),
+                (f"efficiency of {gearbox.name}", gearbox.efficiency),
+            ),
+        ),
+        "servo": yes_no(motor.servo, f"whether {name} is a servo motor"),
         # a new motor brings its drive and an adapter plate with it
         "new_parts": Figure(value=float(3 * new_motor + new_gearbox), source="motor, drive and adapter; gearbox"),
         "price": total(prices, unit="EUR"),

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from torquerig.parameter import Estimate
+
+if TYPE_CHECKING:
+    from torquerig.catalog.entry import Fact
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,6 +26,8 @@ class Figure:
         A catalog field with its source, or the simulation that gave it.
     missing : str
         What to ask for, where the figure is unknown or an interval.
+    rests_on : tuple of (str, Estimate)
+        The catalog values that it was worked out from, by the name to ask for.
     """
 
     value: float | None = None
@@ -30,6 +36,7 @@ class Figure:
     unit: str = "1"
     source: str = ""
     missing: str = ""
+    rests_on: tuple[tuple[str, Estimate], ...] = field(default=(), repr=False, compare=False)
 
     @property
     def unknown(self) -> bool:
@@ -54,25 +61,41 @@ def _plain(number: float) -> str:
 
 
 def scaled(estimate: Estimate, factor: float, *, unit: str, missing: str, inverse: bool = False) -> Figure:
-    """Return ``factor * estimate`` (or ``factor / estimate``); a guess stays an interval without a value."""
+    """Return ``factor * estimate`` (or ``factor / estimate``); a guess stays an interval without a value.
+
+    ``missing`` names the estimate, as one would ask for it.
+    """
+    rests_on = ((missing, estimate),)
     if estimate.unknown:
-        return Figure(unit=unit, source=estimate.source, missing=missing)
+        return Figure(unit=unit, source=estimate.source, missing=missing, rests_on=rests_on)
+    source = f"{estimate.source} ({estimate.evidence})"
     low, high = sorted((factor / end if inverse else factor * end) for end in estimate.bounds)
     if estimate.documented and estimate.value is not None:
         value = factor / estimate.value if inverse else factor * estimate.value
-        return Figure(value=value, unit=unit, source=f"{estimate.source} ({estimate.evidence})")
-    return Figure(low=low, high=high, unit=unit, source=f"{estimate.source} ({estimate.evidence})", missing=missing)
+        return Figure(value=value, unit=unit, source=source, rests_on=rests_on)
+    return Figure(low=low, high=high, unit=unit, source=source, missing=missing, rests_on=rests_on)
+
+
+def yes_no(fact: Fact | None, missing: str) -> Figure:
+    """Return 1 or 0 for a fact of the catalog; unknown, with what to ask, where nobody states it."""
+    if fact is None:
+        return Figure(missing=missing, rests_on=((missing, Estimate()),))
+    value, source = float(fact.value), f"{fact.source} ({fact.evidence})"
+    known = Estimate(value, evidence=fact.evidence, source=fact.source)
+    return Figure(value=value, source=source, rests_on=((missing, known),))
 
 
 def total(figures: list[Figure], *, unit: str) -> Figure:
     """Return the sum of figures; unknown as soon as one of them is, because a sum without it would be too small."""
+    rests_on = tuple(dict.fromkeys(one for figure in figures for one in figure.rests_on))
     if any(figure.unknown for figure in figures):
-        return Figure(unit=unit, missing=", ".join(figure.missing for figure in figures if figure.unknown))
+        missing = ", ".join(figure.missing for figure in figures if figure.unknown)
+        return Figure(unit=unit, missing=missing, rests_on=rests_on)
     lows = [figure.value if figure.low is None else figure.low for figure in figures]
     highs = [figure.value if figure.high is None else figure.high for figure in figures]
     low, high = (sum(end for end in ends if end is not None) for ends in (lows, highs))
     source = "; ".join(dict.fromkeys(figure.source for figure in figures if figure.source))
     if low == high:
-        return Figure(value=low, unit=unit, source=source)
+        return Figure(value=low, unit=unit, source=source, rests_on=rests_on)
     missing = ", ".join(figure.missing for figure in figures if figure.low is not None)
-    return Figure(low=low, high=high, unit=unit, source=source, missing=missing)
+    return Figure(low=low, high=high, unit=unit, source=source, missing=missing, rests_on=rests_on)

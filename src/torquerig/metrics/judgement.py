@@ -13,6 +13,7 @@ from torquerig.signals.effect import FilterEffect, chain_effect
 from torquerig.signals.judging.delay import Delay, delay_behind
 from torquerig.signals.judging.inserted import StepShown, inserted
 from torquerig.signals.judging.placebo import Placebo, placebo
+from torquerig.simulate.true_lines import TRUE_LINES
 
 if TYPE_CHECKING:
     from torquerig.signals.chain import Chain
@@ -39,6 +40,8 @@ class Judgement:
         Of the filtered reading behind the raw one; None where one of them does not change.
     error_before, error_after : LoadError or None
         To the true load; None where it is not known.
+    error_perfect : LoadError or None
+        Of the reading less the simulated lines exactly; None where these are not known.
     """
 
     chain: str
@@ -50,6 +53,7 @@ class Judgement:
     delay: Delay | None
     error_before: LoadError | None
     error_after: LoadError | None
+    error_perfect: LoadError | None = None
 
 
 def judged(chain: Chain, recording: Recording, *, ratio: float, known: Sequence[KinematicLine] = ()) -> Judgement:
@@ -76,7 +80,18 @@ def judged(chain: Chain, recording: Recording, *, ratio: float, known: Sequence[
         else None,
         error_before=load_error(recording, recording) if has_truth else None,
         error_after=load_error(after, recording) if has_truth else None,
+        error_perfect=_perfect(recording) if has_truth else None,
     )
+
+
+def _perfect(recording: Recording) -> LoadError | None:
+    """Return the error of perfect line removal, or None where the lines are not known."""
+    lines = recording.channels.get(TRUE_LINES)
+    if lines is None:
+        return None
+    name = recording.torque_name()
+    scale = recording.channels[name].si_per_unit
+    return load_error(recording.with_values(name, (recording.torque() - lines.in_si()) / scale), recording)
 
 
 def _step(chain: Chain, recording: Recording) -> StepShown | None:

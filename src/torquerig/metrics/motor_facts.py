@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from math import pi
 
-from torquerig.catalog.entry import Fact
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
-from torquerig.metrics.figure import Figure, scaled
+from torquerig.metrics.figure import Figure, scaled, yes_no
 from torquerig.metrics.sizing.open_data import exactly, over
 from torquerig.parameter import Estimate
 
@@ -44,8 +43,8 @@ def motor_facts(motor: Motor, gearbox: Gearbox, *, present: Motor) -> Mapping[st
         ),
         "rotor_inertia": _stated(motor.rotor_inertia, 1.0, f"rotor inertia of {name}"),
         "inertia_at_output": _stated(motor.rotor_inertia, gearbox.ratio**2, f"rotor inertia of {name}"),
-        "servo": _yes_no(motor.servo, f"whether {name} is a servo motor"),
-        "a_series_adapter": _yes_no(motor.a_series_adapter, f"whether the A series adapter fits {name}"),
+        "servo": yes_no(motor.servo, f"whether {name} is a servo motor"),
+        "a_series_adapter": yes_no(motor.a_series_adapter, f"whether the A series adapter fits {name}"),
         "same_shaft": _same_shaft(motor, present),
     }  # fmt: skip
 
@@ -63,21 +62,18 @@ def _stated(known: Estimate, factor: float, name: str) -> Figure:
                 source=f"{known.source} ({known.evidence})")  # fmt: skip
 
 
-def _yes_no(fact: Fact | None, missing: str) -> Figure:
-    if fact is None:
-        return Figure(missing=missing)
-    return Figure(value=float(fact.value), source=f"{fact.source} ({fact.evidence})")
-
-
 def _same_shaft(motor: Motor, present: Motor) -> Figure:
     if (motor.stands_for or motor.name) == (present.stands_for or present.name):
         return Figure(value=1.0, source="it is the present motor")
     lost = [f"shaft diameter of {one.stands_for or one.name}" for one in (motor, present) if one.shaft_diameter.unknown]
     if lost:
         return Figure(missing=", ".join(lost))
+    rests_on = tuple(
+        (f"shaft diameter of {one.stands_for or one.name}", one.shaft_diameter) for one in (motor, present)
+    )
     (low, high), (least, most) = motor.shaft_diameter.bounds, present.shaft_diameter.bounds
     if high < least or most < low:
-        return Figure(value=0.0, source="shaft diameters of the catalog")
+        return Figure(value=0.0, source="shaft diameters of the catalog", rests_on=rests_on)
     if low == high == least == most:
-        return Figure(value=1.0, source="shaft diameters of the catalog")
-    return Figure(low=0.0, high=1.0, missing=f"shaft diameter of {motor.name}")
+        return Figure(value=1.0, source="shaft diameters of the catalog", rests_on=rests_on)
+    return Figure(low=0.0, high=1.0, missing=f"shaft diameter of {motor.name}", rests_on=rests_on)

@@ -9,6 +9,8 @@ workbook_kesselring  the sheet that calculates: weights to change, totals and ra
 workbook_matrix  a matrix of one's own as an Excel file that is filled in, calculates and is read back
 workbook_entries its sheets to fill in               workbook_links   formulas from these to the points
 workbook_answers its verdict, open questions, lints
+trace_tables     every cell of a study from catalog to points    workbook_trace   the same as two sheets
+redone_trace     the same for a decision made again
 matrix_files     a matrix as .html, .md, .xlsx, .yaml    matrix_chapters  its chapters, for page and Markdown
 matrix_page      its page                                matrix_markdown  its Markdown
 strength_figure  the S-diagram                           value_profile    points by criterion, weak spots

@@ -24,6 +24,8 @@ def matrix_page(worked: WorkedOut) -> str:
         "chapters": chapters(worked),
         "pictures": _pictures(worked),
         "anchors": [trace_anchor(worked, name, one.name) for name in matrix.alternatives for one in matrix.criteria],
+        "alternatives": matrix.alternatives,
+        "criteria": len(matrix.criteria),
         "draws": worked.case.draws,
         "seed": worked.case.seed,
         "version": __version__,

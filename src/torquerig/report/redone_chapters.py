@@ -9,6 +9,7 @@ from torquerig.decide.ranks import shown_rank
 from torquerig.decide.sheet import Method
 from torquerig.report.layout import Cell, Table, number, span, words
 from torquerig.report.matrix_chapters import Chapter
+from torquerig.report.redone_trace import trace_chapter
 from torquerig.report.study_answers import limits
 from torquerig.report.study_tables import ranking_table
 from torquerig.study.redone.beside import CellBeside, TableBeside
@@ -31,6 +32,7 @@ def chapters(decision: RedoneDecision) -> tuple[Chapter, ...]:
         *(_table(decision, one) for one in decision.tables),
         _between(decision),
         _simulated(decision),
+        trace_chapter(decision),
     )
 
 

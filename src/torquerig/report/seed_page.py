@@ -12,7 +12,7 @@ from torquerig.study.seed.results import SeedResults
 
 HEAD = (
     "", "published %", "", "simulated %", "copies of the run %", "difference", "nothing fitted %", "empty orders %",
-    "mean change %", "energy change %", "lines N m", "load N m", "load needed N m",
+    "mean change %", "energy change %", "lines N\u00a0m", "load N\u00a0m", "load needed N\u00a0m",
 )  # fmt: skip
 
 

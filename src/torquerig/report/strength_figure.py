@@ -22,7 +22,8 @@ def strength_figure(found: Strength, *, winners: Collection[str] = ()) -> Figure
     Thin curves join equal sqrt(x y); on the dashed diagonal both sides are equally good; left of the shaded edges the
     technical rating is unsatisfactory, right of the last one very good.
     """
-    figure = new_figure(9.0, 5.6)
+    longest = max(len(name) for name in found.alternatives)
+    figure = new_figure(9.0 + 0.08 * max(0, longest - 20), max(5.6, 0.19 * len(found.alternatives)))
     axes = figure.add_subplot()
     _background(axes)
     x, y = found.technical, found.economic

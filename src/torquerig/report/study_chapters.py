@@ -11,6 +11,7 @@ from torquerig.decide.ranks import shown_rank
 from torquerig.report.layout import Cell, Table, number, span, words
 from torquerig.report.shades import GOOD_IS_HIGH, mark_style, shade
 from torquerig.report.study_tables import rank_texts
+from torquerig.report.trace_tables import trace_anchor
 from torquerig.study.scoring import Decided
 
 
@@ -28,7 +29,8 @@ def elimination_table(chart: SelectionChart, demands: DecisionMatrix) -> Table:
         for name in chart.criteria:
             mark = str(row.marks.get(name, ""))
             shown = demands.cell(row.alternative, name).shown() if mark else "not asked"
-            cells.append(Cell(text=mark, style=mark_style(mark), word="mark", title=remarks.get(name, shown)))
+            way = f"#{trace_anchor(row.alternative)}"
+            cells.append(Cell(text=mark, style=mark_style(mark), word="mark", title=remarks.get(name, shown), link=way))
         said = "; ".join(remarks.values())
         rows.append((*words(row.alternative), *cells, Cell(text=str(row.decision)), Cell(text=said, word="remark")))
     head = tuple(rule_text(criterion) for criterion in demands.criteria if criterion.name in chart.criteria)
@@ -46,7 +48,10 @@ def pugh_table(decided: Decided, names: Sequence[str]) -> Table:
     rows = []
     for name in names:
         place, counts = result.alternatives.index(name), result.counts(name)
-        marks = (Cell(text=str(sign), style=mark_style(str(sign)), word="mark") for sign in result.signs(name))
+        way = _way(decided, name)
+        marks = (
+            Cell(text=str(sign), style=mark_style(str(sign)), word="mark", link=way) for sign in result.signs(name)
+        )
         net = span(float(result.net_low[place]), float(result.net_high[place]))
         rows.append((*words(name), *marks, *(number(str(counts[sign])) for sign in Sign), number(net),
                      number(shown_rank(best[place], worst[place]))))  # fmt: skip
@@ -74,10 +79,12 @@ def kesselring_table(decided: Decided, names: Sequence[str]) -> Table:
     ]  # fmt: skip
     for name in names:
         row = result.alternatives.index(name)
+        way = _way(decided, name)
         points = [
-            number(span(low, high, 2), style=shade(middle, result.profile.p_min, top, scale=GOOD_IS_HIGH))
+            Cell(text=span(low, high, 2), style=shade(middle, result.profile.p_min, top, scale=GOOD_IS_HIGH),
+                 word="number", link=way)
             for low, high, middle in zip(result.low[row], result.high[row], result.middle[row], strict=True)
-        ]
+        ]  # fmt: skip
         total = f"{result.total[row]:.3g} ({span(result.total_low[row], result.total_high[row])})"
         rank = ranks[name]
         rows.append((*words(name), *points, number(total), number(f"{result.share[row]:.3f}"), number(rank)))
@@ -87,3 +94,10 @@ def kesselring_table(decided: Decided, names: Sequence[str]) -> Table:
         head=("combination", *result.criteria, "T", "T/T_max", "rank"), rows=tuple(rows),
         emphasised=frozenset({2}), note=result.warning,
     )  # fmt: skip
+
+
+def _way(decided: Decided, name: str) -> str:
+    """Return the link to the way of a combination's cells; none where the page shows another filter of the drive."""
+    drive = decided.alternatives[name].drive.candidate.name
+    best = next(one for one in decided.ranked() if decided.alternatives[one].drive.candidate.name == drive)
+    return f"#{trace_anchor(drive)}" if name == best else ""

@@ -11,8 +11,10 @@ from torquerig.report import study_chapters as chapters
 from torquerig.report import study_pictures as pictures
 from torquerig.report import study_tables as tables
 from torquerig.report.picture import Picture
+from torquerig.report.trace_tables import drive_tables, functions_table
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import Decided
+from torquerig.study.trace import traced_drives
 from torquerig.study.verdict import Verdict
 from torquerig.study.what_if import Change
 
@@ -34,6 +36,8 @@ def study_page(
         **_found(runs, decided, verdict),
         **_readings(runs, decided, verdict),
         **_matrices(decided, verdict),
+        "functions": functions_table(decided),
+        "traced": drive_tables(traced_drives(decided, verdict)),
         "changes": tables.changes_table(changes) if changes else None,
     }
     return environment.get_template("study.html").render(content)

@@ -48,5 +48,5 @@ def write_study_report(
         }
         for name, text in texts.items():
             (fresh / name).write_text(text, encoding="utf-8", newline="\n")
-        write_workbook(fresh / MATRICES, runs, decided)
+        write_workbook(fresh / MATRICES, runs, decided, verdict)
     return [folder / name for name in (PAGE, COMBINATIONS, SHARES, MATRICES)]

@@ -40,7 +40,8 @@ def value_profile(result: KesselringResult, *, named: Sequence[str] = ()) -> Fig
         for centre, low, high in zip(centres, result.low[row], result.high[row], strict=True):
             axes.plot([low, high], [centre, centre], color=OPEN, linewidth=1.5)
         axes.set(xlim=(floor, result.profile.p_max), ylim=(0, 1))
-        axes.set_title(f"{name}\nT/T_max {result.share[row]:.2f}", fontsize=8)
+        title = name.replace(" | ", "\n")
+        axes.set_title(f"{title}\nT/T_max {result.share[row]:.2f}", fontsize=8)
         axes.tick_params(labelsize=8)
     panels[0].set_yticks(
         centres, [f"{name} ({share:.0%})" for name, share in zip(result.criteria, heights, strict=True)]

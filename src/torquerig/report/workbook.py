@@ -8,14 +8,17 @@ from typing import Any
 
 from torquerig.report import workbook_sheets as sheets
 from torquerig.report.workbook_kesselring import write_kesselring
+from torquerig.report.workbook_trace import write_catalog_values, write_trace
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
+from torquerig.study.trace import traced_combinations
+from torquerig.study.verdict import Verdict
 
 CREATED = datetime(2000, 1, 1)  # a fixed day, or no two files would be equal
 
 
-def write_workbook(path: Path, runs: StudyRuns, decided: Decided) -> None:
-    """Write ranking, shares, elimination, Pugh, Kesselring and assumptions, one sheet each.
+def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdict) -> None:
+    """Write ranking, shares, elimination, Pugh, Kesselring, assumptions and the way of every cell, one sheet each.
 
     The weights of the Kesselring sheet are meant to be changed: totals, T/T_max and ranks are formulas. Their present
     values are stored beside them, for viewers that do not calculate.
@@ -31,6 +34,9 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided) -> None:
     sheets.write_pugh(book.add_worksheet("Pugh"), looks, decided.pugh)
     write_kesselring(book.add_worksheet("Kesselring"), looks, decided.overall)
     sheets.write_assumptions(book.add_worksheet("Assumptions"), looks, runs)
+    traced = traced_combinations(decided, verdict)
+    write_trace(book.add_worksheet("Trace"), looks, traced)
+    write_catalog_values(book.add_worksheet("Catalog"), looks, traced)
     book.close()
 
 

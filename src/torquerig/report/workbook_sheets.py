@@ -26,7 +26,7 @@ def write_ranking(sheet: Any, looks: Looks, decided: Decided) -> None:
     for one in criteria:
         unit = "" if one.unit == "1" else f" [{one.unit}]"
         head += [f"{one.name}{unit}", f"{one.name} low{unit}", f"{one.name} high{unit}"]
-    _head(sheet, looks, head, wide={3: 24, 4: 22})
+    write_head(sheet, looks, head, wide={3: 24, 4: 22})
     result, said = decided.overall, decision_words(decided)
     best, worst = result.rank_range
     for row, name in enumerate(decided.ranked(), start=1):
@@ -50,7 +50,7 @@ def write_shares(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
     """Write mean, rms and percent of the shares, a row per drive."""
     head = ["motor", "gearbox", "ratio", "mean [N*m]", *(f"{name} rms [N*m]" for name in SHARES),
             *(f"{name} [% of power]" for name in SHARES), "out of reach"]  # fmt: skip
-    _head(sheet, looks, head, wide={0: 20, 1: 18})
+    write_head(sheet, looks, head, wide={0: 20, 1: 18})
     for row, drive in enumerate(runs.drives, start=1):
         sheet.write_row(row, 0, [drive.candidate.motor, drive.candidate.gearbox, drive.candidate.ratio])
         if drive.shares is None:
@@ -68,7 +68,7 @@ def write_elimination(
 ) -> None:
     """Write the selection chart with every remark in full."""
     rules = [rule_text(one) for one in demands.criteria if one.name in chart.criteria]
-    _head(sheet, looks, [of, *rules, "decision", "remarks"], wide={0: 24, len(rules) + 2: 110})
+    write_head(sheet, looks, [of, *rules, "decision", "remarks"], wide={0: 24, len(rules) + 2: 110})
     for row, line in enumerate(chart.rows, start=1):
         sheet.write_string(row, 0, line.alternative)
         for column, name in enumerate(chart.criteria, start=1):
@@ -86,7 +86,7 @@ def write_pugh(sheet: Any, looks: Looks, result: PughResult) -> None:
     width = len(result.criteria)
     counted = [f"count {sign}" for sign in Sign]
     net = ["net low (option)", "net high (option)", "best rank by net", "worst rank by net"]
-    _head(sheet, looks, [f"against {result.datum}", *result.criteria, *counted, *net], wide={0: 46})
+    write_head(sheet, looks, [f"against {result.datum}", *result.criteria, *counted, *net], wide={0: 46})
     for row, name in enumerate(result.alternatives, start=1):
         sheet.write_string(row, 0, name, looks["bold"] if name == result.datum else None)
         for column, sign in enumerate(result.signs(name), start=1):
@@ -101,14 +101,15 @@ def write_pugh(sheet: Any, looks: Looks, result: PughResult) -> None:
 
 def write_assumptions(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
     """Write every value that was drawn, with its interval."""
-    _head(sheet, looks, ["motor, gearbox or part", "value", "drawn, and from what"], wide={0: 24, 1: 36, 2: 60})
+    write_head(sheet, looks, ["motor, gearbox or part", "value", "drawn, and from what"], wide={0: 24, 1: 36, 2: 60})
     listed = [(owner, name, text) for owner, values in assumptions(runs) for name, text in values]
     for row, texts in enumerate(listed, start=1):
         for column, text in enumerate(texts):
             sheet.write_string(row, column, text)
 
 
-def _head(sheet: Any, looks: Looks, head: Sequence[str], *, wide: dict[int, int]) -> None:
+def write_head(sheet: Any, looks: Looks, head: Sequence[str], *, wide: dict[int, int]) -> None:
+    """Write the head of a sheet and the widths of its columns; head and first column stay in sight."""
     for column, text in enumerate(head):
         sheet.write_string(0, column, text, looks["head"])
         sheet.set_column(column, column, wide.get(column, 12))

@@ -15,7 +15,7 @@ from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.sensor import Sensor
 from torquerig.errors import InputError, UnknownNameError
-from torquerig.scenario.filled import Filled
+from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.motor_effects import motor_effects
 from torquerig.units import in_unit, written_quantity
 
@@ -97,24 +97,32 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     if isinstance(found, Coupling):
         return _with_damping(filled, copy)
     if isinstance(found, Sensor) and "adc.bits" in copy.values:
-        return replace(filled, values={**filled.values, "converter_bits": copy.count("adc.bits")})
+        taken = {**filled.taken, "converter_bits": _taken(copy, "adc.bits")}
+        return replace(filled, values={**filled.values, "converter_bits": copy.count("adc.bits")}, taken=taken)
     return filled
 
 
 def _quantities(copy: Drawn[Any], kind: str, name: str) -> Filled:
     values: dict[str, Any] = {"kind": kind}
-    uncertainties, assumed = {}, {}
+    uncertainties, assumed, taken = {}, {}, {}
     known = dict(estimates(copy.entry))
     for target, source, unit in FIELDS[kind]:
         if source not in copy.values:
             continue
         values[target] = written_quantity(copy.values[source], unit)
+        taken[target] = _taken(copy, source)
         if known[source].rel_sd:
             uncertainties[target] = known[source].rel_sd
         if source in copy.assumed:
             value, shown = in_unit(copy.values[source], known[source].unit), known[source].unit
             assumed[target] = f"{value:.4g}{'' if shown == '1' else ' ' + shown} of {copy.assumed[source].known}"
-    return Filled(name=name, values=values, uncertainties=uncertainties, assumed=assumed)
+    return Filled(name=name, values=values, uncertainties=uncertainties, assumed=assumed, taken=taken)
+
+
+def _taken(copy: Drawn[Any], source: str) -> FromCatalog:
+    known = dict(estimates(copy.entry))[source]
+    maker = getattr(copy.entry, "stands_for", "") or copy.entry.name
+    return FromCatalog(entry=maker, field=source, known=known, used=copy.values[source])
 
 
 def _with_winding(filled: Filled, copy: Drawn[Motor]) -> Filled:
@@ -124,10 +132,14 @@ def _with_winding(filled: Filled, copy: Drawn[Motor]) -> Filled:
     if not copy.entry.ripple.known_lines:
         shares = {key: known for key, known in copy.assumed.items() if key.startswith("ripple.")}
         assumed |= {key: f"{copy.values[key]:.3g} of {known.known}" for key, known in shares.items()}
+    lines = [key for key in copy.values if key.startswith("ripple.")]
+    if copy.entry.ripple.known_lines:
+        lines = [key for key in lines if key.startswith("ripple.known_lines.")]
     return replace(
         filled,
         values={**filled.values, "model": copy.entry.name, **counts},
         assumed={**filled.assumed, **assumed},
+        taken={**filled.taken, **{key: _taken(copy, key) for key in (*counts, *lines)}},
         effects=motor_effects(copy, filled.name),
     )
 
@@ -170,6 +182,7 @@ def _with_damping(filled: Filled, copy: Drawn[Any]) -> Filled:
         filled,
         values={**filled.values, "damping": written_quantity(damping, "N*m*s/rad")},
         assumed={**filled.assumed, "damping": text},
+        taken={**filled.taken, "damping": _taken(copy, source)},
     )
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from torquerig.catalog.entry import estimates
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.phases import drawn_phases
 from torquerig.errors import InputError, did_you_mean
-from torquerig.scenario.filled import Filled
+from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import copy_of
 from torquerig.units import written_quantity
 
@@ -20,6 +21,11 @@ UNITS = {
     "dc_link": "V",
     "flat_angle": "rad",
 }
+PHASES = (
+    "rated_current", "torque_constant", "phase_resistance", "phase_inductance", "emf_flat_angle", "emf_fifth",
+    "dead_time", "supply_voltage",
+)  # fmt: skip
+"""What of a motor's file the phases rest on."""
 
 
 def asks_for_phase_level(written: object, place: str) -> bool:
@@ -54,9 +60,17 @@ def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
         values["emf_harmonics"] = {5: phases.fifth}
     kept = tuple(effect for effect in filled.effects if effect.values.get("order_motor") != 6 * pairs)
     stated = {key: text for key, text in filled.assumed.items() if key != "ripple.six_pulse_ripple"}
+    taken = {key: one for key, one in filled.taken.items() if key != "ripple.six_pulse_ripple"}
+    known, maker = dict(estimates(motor)), motor.stands_for or motor.name
+    taken |= {
+        key: FromCatalog(entry=maker, field=key, known=known[key], used=copy.values[key])
+        for key in PHASES
+        if key in copy.values
+    }
     return replace(
         filled,
         assumed=stated,
+        taken=taken,
         effects=(
             *kept,
             Filled(name=f"{filled.name}.phases", values=values, assumed=phases.assumed),

@@ -18,7 +18,7 @@ from torquerig.parameter import Estimate
 from torquerig.rig import parts
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
-from torquerig.scenario.filled import Filled
+from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
@@ -46,6 +46,8 @@ class Scenario:
         By ``part.field``: what a calibration may move.
     assumed : mapping of str to str
         By ``part.field``: what was drawn, and from which interval.
+    taken : mapping of str to FromCatalog
+        By ``part.field``: what the catalog gave.
     """
 
     document: Document
@@ -54,6 +56,7 @@ class Scenario:
     rig: Rig
     uncertainties: Mapping[str, Estimate] = field(default_factory=dict)
     assumed: Mapping[str, str] = field(default_factory=dict)
+    taken: Mapping[str, FromCatalog] = field(default_factory=dict)
 
 
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
@@ -78,6 +81,7 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
     owners: dict[str, str] = {}
     uncertainties: dict[str, Estimate] = {}
     assumed: dict[str, str] = {}
+    taken: dict[str, FromCatalog] = {}
     shaft: str | None = None
     for name, written in data["rig"].items():
         filled = _filled(document, name, written, catalog, seed)
@@ -90,9 +94,10 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
             for key, spread in item.uncertainties.items():
                 uncertainties[f"{part.name}.{key}"] = Estimate(getattr(part, key), rel_sd=spread, evidence="REF")
             assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
+            taken.update({f"{part.name}.{key}": one for key, one in item.taken.items()})
             shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
     rig = _runnable(document, Rig(tuple(found), measured=str(data.get("measured", "torque_sensor"))), point, owners)
-    return Scenario(document, str(data.get("scenario", document.path.stem)), point, rig, uncertainties, assumed)
+    return Scenario(document, str(data.get("scenario", document.path.stem)), point, rig, uncertainties, assumed, taken)
 
 
 def _sections(document: Document) -> dict[str, Any]:
@@ -159,8 +164,9 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
     filled = filled_from_catalog(catalog, str(entry), kind=own["kind"], name=name, seed=seed, place=place)
     kept = {key: text for key, text in filled.assumed.items() if key not in own}
     spread = {key: value for key, value in filled.uncertainties.items() if key not in own}
+    taken = {key: one for key, one in filled.taken.items() if key not in own}
     filled = Filled(name=name, values={**filled.values, **own}, uncertainties={**spread, **uncertainties}, assumed=kept,
-                    effects=filled.effects)  # fmt: skip
+                    taken=taken, effects=filled.effects)  # fmt: skip
     if not by_phases:
         return filled
     with _placed(document, "rig", name, "ripple"):

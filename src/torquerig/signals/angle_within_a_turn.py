@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from torquerig.signals.filters.turning.sums import order_sums, put_in
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -39,8 +41,6 @@ def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Fl
     -----
     True while ``n |c|`` stays below about 1. What moves the shaft at other orders than the slow known ones stays.
     """
-    from torquerig.signals.filters.kernel import orders_put_in
-
     slow = orders[orders < _SLOW]
     if not slow.size:
         return np.zeros_like(angle)
@@ -53,7 +53,7 @@ def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Fl
         if found is None:
             break
         sizes = np.repeat(np.stack([found.real, -found.imag])[:, :, None], 2, axis=2)
-        orders_put_in(strayed, (angle + strayed) / (2 * np.pi), slow, np.array([0, angle.size]), sizes, 1.0)
+        put_in(strayed, (angle + strayed) / (2 * np.pi), slow, np.array([0, angle.size]), sizes, gain=1.0)
     return np.asarray(strayed)
 
 
@@ -92,7 +92,5 @@ def _fitted(windowed: Floats, angle: Floats, orders: Floats, noise: Floats, slow
 
 
 def _phasors(windowed: Floats, angle: Floats, orders: Floats) -> Phasors:
-    from torquerig.signals.filters.kernel import order_sums
-
     sums = order_sums(windowed, angle / (2 * np.pi), orders, np.array([0, windowed.size]))[:, :, 0]
     return np.asarray(sums[0] - 1j * sums[1])

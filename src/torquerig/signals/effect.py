@@ -10,8 +10,8 @@ import numpy as np
 
 from torquerig.errors import RecordingError
 from torquerig.signals.angle import measured_motor_angle
+from torquerig.signals.few_bins import bins_at, bins_within
 from torquerig.signals.set_point import set_point_profile
-from torquerig.signals.spectrum import band_amplitude
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -116,13 +116,31 @@ def chain_effect(
     -----
     A lower standard deviation is no proof of less noise: any notches lower it (seed audit A, "std as merit").
     """
-    first, last = before.torque(), after.torque()
-    if first.size != last.size or first.size < 2:
-        raise RecordingError(
-            f"{before.name}: {first.size} samples before and {last.size} after a chain cannot be compared; "
-            "both must be of the same run and have two samples or more"
-        )
+    return chain_effects(before, (after,), ratio=ratio, lines=(lines,))[0]
+
+
+def chain_effects(
+    before: Recording, after: Sequence[Recording], *, ratio: float, lines: Sequence[Sequence[KinematicLine]]
+) -> tuple[FilterEffect, ...]:
+    """Return :func:`chain_effect` of several chains on one recording, whose speed is looked for once."""
+    for made in after:
+        if made.samples != before.samples or before.samples < 2:
+            raise RecordingError(
+                f"{before.name}: {before.samples} samples before and {made.samples} after a chain cannot be compared; "
+                "both must be of the same run and have two samples or more"
+            )
     speed, origin = _motor_speed(before, ratio)
+    return tuple(
+        _effect(before, made, speed=speed, origin=origin, ratio=ratio, lines=named)
+        for made, named in zip(after, lines, strict=True)
+    )
+
+
+def _effect(
+    before: Recording, after: Recording, *, speed: NDArray[np.float64] | None, origin: str, ratio: float,
+    lines: Sequence[KinematicLine],
+) -> FilterEffect:  # fmt: skip
+    first, last = before.torque(), after.torque()
     energies = (None, None) if speed is None else tuple(_energy(each, speed / ratio, before) for each in (first, last))
     steady = speed is not None and before.run.profile == "steady"
     levels = (
@@ -151,20 +169,21 @@ def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64
 
 
 def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], recording: Recording) -> float:
-    return float(np.trapezoid(torque * output_speed) / recording.sample_rate)
+    power = torque * output_speed
+    return float((power.sum() - 0.5 * (power[0] + power[-1])) / recording.sample_rate)
 
 
 def _levels(
     first: NDArray[np.float64], last: NDArray[np.float64], rate: float, speed: float, lines: Sequence[KinematicLine]
 ) -> tuple[LineLevel, ...]:
-    before, after = (np.fft.rfft(each - each.mean()) * 2 / each.size for each in (first, last))
-    width = rate / first.size
+    centres = [line.frequency(speed) for line in lines]
+    bins = [bins_within(first.size, rate, [(at - LINE_HALF_WIDTH, at + LINE_HALF_WIDTH)]) for at in centres]
+    wanted = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *bins]))
+    powers = [np.abs(bins_at(each, wanted) * 2 / each.size) ** 2 for each in (first, last)]
     levels = []
-    for line in lines:
-        centre = line.frequency(speed)
-        low, high = centre - LINE_HALF_WIDTH, centre + LINE_HALF_WIDTH
-        amplitudes = (band_amplitude(spectrum, width, low, high) for spectrum in (before, after))
-        levels.append(LineLevel(line=line, frequency=centre, before=next(amplitudes), after=next(amplitudes)))
+    for line, centre, within in zip(lines, centres, bins, strict=True):
+        before, after = (float(np.sqrt(power[np.searchsorted(wanted, within)].sum())) for power in powers)
+        levels.append(LineLevel(line=line, frequency=centre, before=before, after=after))
     return tuple(levels)
 
 

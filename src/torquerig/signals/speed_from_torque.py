@@ -11,6 +11,7 @@ import numpy as np
 from torquerig.errors import RecordingError
 from torquerig.signals.angle import MotorAngle
 from torquerig.signals.angle_within_a_turn import angle_within_a_turn
+from torquerig.signals.filters.turning.sums import order_sums
 from torquerig.signals.set_point import set_point_profile
 from torquerig.signals.smooth_course import second_difference_bands, times_bands
 from torquerig.signals.speed_course import speed_course
@@ -119,11 +120,9 @@ def _coherence(
     torque: NDArray[np.float64], angle: NDArray[np.float64], orders: NDArray[np.float64], floor: NDArray[np.float64]
 ) -> float:
     """Sum of the logs by which the lines stand over the noise if the angle is right, less what noise itself has."""
-    from torquerig.signals.filters.kernel import order_sums
-
     known = np.isfinite(floor)
     edges = np.array([0, torque.size])
-    in_phase, quadrature = order_sums(torque - torque.mean(), angle / (2 * np.pi), orders[known], edges)[:, :, 0]
+    in_phase, quadrature = order_sums(torque, angle / (2 * np.pi), orders[known], edges, offset=torque.mean())[:, :, 0]
     heights = np.log1p((in_phase**2 + quadrature**2) / torque.size / floor[known])
     return float(np.sum(heights - _OF_NOISE))
 
@@ -238,11 +237,9 @@ def _phasors(
 
     A block is two hops under a Hann window, which is taken as constant over an eighth of a hop.
     """
-    from torquerig.signals.filters.kernel import order_sums
-
     part = hop // _PARTS
     edges = part * np.arange((blocks + 1) * _PARTS + 1)
-    in_phase, quadrature = order_sums(torque - torque.mean(), angle / (2 * np.pi), orders, edges)
+    in_phase, quadrature = order_sums(torque, angle / (2 * np.pi), orders, edges, offset=torque.mean())
     pieces = (in_phase - 1j * quadrature).reshape(orders.size, blocks + 1, _PARTS)
     window = np.sin(np.pi * (np.arange(2 * _PARTS) + 0.5) / (2 * _PARTS)) ** 2
     sums = pieces[:, :-1] @ window[:_PARTS] + pieces[:, 1:] @ window[_PARTS:]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, log2
 from typing import TypeVar
 
@@ -13,7 +13,7 @@ from threadpoolctl import threadpool_limits
 
 from torquerig.errors import RecordingError
 from torquerig.signals.chain import Chain
-from torquerig.signals.effect import FilterEffect, chain_effect
+from torquerig.signals.effect import FilterEffect, chain_effects
 from torquerig.signals.files.blocks import Block, Blocking, sound_blocks
 from torquerig.signals.files.stream import RecordingStream
 from torquerig.signals.reach import reach_of
@@ -22,7 +22,7 @@ from torquerig.signals.recording import Recording
 BLOCK = 20.0
 """What a block answers for [s], where its samples are not too many and the overlap is not larger."""
 
-_MOST_SAMPLES = 2**19
+_MOST_SAMPLES, _MOST_TOGETHER = 2**19, 5 * 2**18
 # large blocks are worked on one at a time, because memory counts more than speed
 _WORKERS, _LARGE = 2, 2**20
 
@@ -50,7 +50,8 @@ def blocking_for(chains: Sequence[Chain], stream: RecordingStream, *, block: flo
         Each works on the same blocks; the farthest reach counts.
     stream : RecordingStream
     block : float
-        What each block answers for [s]; made longer where it would be less than the overlap.
+        What each block answers for [s]; made longer where it would be less than the overlap on both sides together,
+        as far as memory goes: what is worked on twice counts more than short blocks.
 
     Raises
     ------
@@ -67,9 +68,10 @@ def blocking_for(chains: Sequence[Chain], stream: RecordingStream, *, block: flo
     head = next(Blocking(samples=max(round(rate), 2)).cut(stream)).recording
     reach = ceil(max((reach_of(chain, head) for chain in chains), default=0.0) * rate)
     # whole multiples of a power of two, so that transforms of a block are fast
-    unit = 2 ** int(log2(max(reach, 16) / 16))
+    unit = 2 ** int(log2(max(reach, 16) / 8))
     overlap = -(-reach // unit) * unit
-    samples = max(min(round(block * rate), _MOST_SAMPLES), overlap)
+    least = min(2 * overlap, max(_MOST_TOGETHER - 2 * overlap, overlap))
+    samples = max(min(round(block * rate), _MOST_SAMPLES), least)
     return Blocking(samples=-(-samples // unit) * unit, overlap=overlap, unit=unit)
 
 
@@ -89,15 +91,23 @@ def filtered_blocks(
     """
 
     def work(block: Block) -> _Worked:
-        return block.first, block.answer(), tuple(block.answer(chain.apply(block.recording)) for chain in chains)
+        before = block.answer()
+        return block.first, before, tuple(_answer(block, chain.apply(block.recording), before) for chain in chains)
 
     workers = _WORKERS if blocking.samples + 2 * blocking.overlap <= _LARGE else 1
     for first, before, after in _side_by_side(work, sound_blocks(stream, blocking), workers=workers):
-        effects = tuple(
-            chain_effect(before, made, ratio=ratio, lines=chain.lines)
-            for chain, made in zip(chains, after, strict=True)
-        )
+        effects = chain_effects(before, after, ratio=ratio, lines=[chain.lines for chain in chains])
         yield FilteredBlock(first=first, before=before, after=after, effects=effects)
+
+
+def _answer(block: Block, made: Recording, before: Recording) -> Recording:
+    """Return what the block answers for; channels that the chain left alone are those of ``before``, not copies."""
+    given, answer = block.recording.channels, before
+    for name, channel in made.channels.items():
+        if name not in given or channel.values is not given[name].values:
+            kept = replace(channel, values=channel.values[block.kept].copy())
+            answer = answer.with_channel(name, kept)
+    return answer
 
 
 def _side_by_side(work: Callable[[Given], Made], given: Iterable[Given], *, workers: int) -> Iterator[Made]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import prod
+from math import pi, prod
 
 from torquerig.errors import InputError
 from torquerig.metrics.drive_margins import Duty, drive_margins
@@ -19,17 +19,17 @@ from torquerig.rig.terms import Friction, Load
 from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of, torque_gain
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.effect import chain_effect
-from torquerig.simulate.simulate import simulate
+from torquerig.simulate.simulate import SETTLING, simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import ChainResult, DriveResult
-from torquerig.study.settings import metrics_of
+from torquerig.study.settings import SpeedLoopRule, metrics_of
 from torquerig.study.sized_candidates import sizing_figures
 from torquerig.study.study import Study
 
 SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that tell the shares apart
 DRAW_DURATION = 6.0  # [s] of the runs of further drawn copies
-SHORT_SETTLING = 0.8  # [s] of these runs: seven time constants of the slowest pole that the rule of the loop gives
+TIME_CONSTANTS = 7.5  # [1] of the slowest pole that a run settles for, which leaves 0.06 % of it
 
 
 def run_drive(candidate: Candidate, study: Study) -> DriveResult:
@@ -52,8 +52,15 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
         chains={},
         recording=None,
         omitted=_omitted(candidate, scenario, study),
+        taken=scenario.taken,
     )
     return still if reason else _simulated(still, scenario, study)
+
+
+def settling_of(rule: SpeedLoopRule) -> float:
+    """Return how long a drive tuned by this rule needs to settle [s]: that of the slower of its two corners."""
+    corners = [corner for corner in (rule.crossover, rule.integral_corner) if corner > 0]
+    return round(TIME_CONSTANTS / (2 * pi * min(corners)), 1)
 
 
 def _omitted(candidate: Candidate, scenario: Scenario, study: Study) -> Figure:
@@ -89,8 +96,12 @@ def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveRes
     """Return the drive with what its simulation showed."""
     rig, seed = scenario.rig, study.settings.seed
     wander, ratio = scenario.operating_point.slow_speed_wander, kinematics_of(rig).ratio
-    reading = simulate(rig, duration=study.settings.duration, seed=seed, wander=wander, scenario=scenario.title)
-    shares = reading_shares(rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
+    settling = settling_of(study.settings.speed_loop)
+    reading = simulate(
+        rig, duration=study.settings.duration, seed=seed, wander=wander, settling=max(SETTLING, settling),
+        scenario=scenario.title,
+    )  # fmt: skip
+    shares = reading_shares(rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=settling)
     errors, disturbances = _drawn_copies(still.candidate, study)
     chains, left = {}, _left_disturbances(still.candidate, scenario, study)
     for name, chain in study.chains(scenario).items():
@@ -109,15 +120,15 @@ def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveRes
 def _drawn_copies(candidate: Candidate, study: Study) -> tuple[dict[str, list[float]], list[float]]:
     """Return reading errors by chain, and disturbances, of further copies drawn from the catalog's intervals."""
     errors: dict[str, list[float]] = {}
-    disturbances = []
+    disturbances, settling = [], settling_of(study.settings.speed_loop)
     for number in range(1, study.settings.draws + 1):
         seed = study.settings.seed + number
         scenario = scenario_of(candidate, study, seed=seed)
         wander = scenario.operating_point.slow_speed_wander
-        reading = simulate(scenario.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
+        reading = simulate(scenario.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
         for name, chain in study.chains(scenario).items():
             errors.setdefault(name, []).append(truth_error(chain.apply(reading), reading))
-        disturbances.append(disturbance_rms(scenario.rig, reading, seed=seed, wander=wander, settling=SHORT_SETTLING))
+        disturbances.append(disturbance_rms(scenario.rig, reading, seed=seed, wander=wander, settling=settling))
     return errors, disturbances
 
 
@@ -126,11 +137,12 @@ def _left_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -
     if "left_disturbance" not in metrics_of(study.settings):
         return {}
     found: dict[str, list[float]] = {}
+    settling = settling_of(study.settings.speed_loop)
     for number in range(1 + study.settings.draws):
         seed = study.settings.seed + number
         made = scenario if number == 0 else scenario_of(candidate, study, seed=seed)
         wander = made.operating_point.slow_speed_wander
-        both = with_and_without(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=SHORT_SETTLING)
+        both = with_and_without(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
         for name, chain in study.chains(made).items():
             found.setdefault(name, []).append(both.left_by(chain))
     return {name: _spread(values[0], values[1:], scenario.assumed) for name, values in found.items()}

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from torquerig import __version__
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.shares import Shares
+from torquerig.scenario.filled import FromCatalog
 from torquerig.signals.effect import FilterEffect
 from torquerig.signals.recording import Recording
 from torquerig.study.candidates import Candidate
@@ -48,6 +49,8 @@ class DriveResult:
     chains : mapping of str to ChainResult
     omitted : Figure
         Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
+    taken : mapping of str to FromCatalog
+        What the catalog gave the simulated rig, by ``part.field``.
     recording : Recording or None
         The reading, with its truth.
     """
@@ -64,6 +67,7 @@ class DriveResult:
     chains: Mapping[str, ChainResult]
     recording: Recording | None
     omitted: Figure = field(default_factory=lambda: Figure(unit="N*m"))
+    taken: Mapping[str, FromCatalog] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

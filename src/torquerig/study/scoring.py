@@ -14,7 +14,9 @@ from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
 from torquerig.study.asked import in_words
 from torquerig.study.criteria import criteria_of, demands_of
+from torquerig.study.origins import metric_in_words, origins_of
 from torquerig.study.results import DriveResult, StudyRuns
+from torquerig.study.settings import Metric, Settings
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,7 +73,7 @@ def decide(runs: StudyRuns) -> Decided:
         alternatives=tuple(drive.candidate.name for drive in runs.drives),
         criteria=demands_of(runs.study),
         cells={
-            (drive.candidate.name, name): _cell(drive, None, row.metric)
+            (drive.candidate.name, name): _cell(drive, None, row.metric, settings)
             for drive in runs.drives
             for name, row in settings.demands.items()
         },
@@ -90,7 +92,7 @@ def decide(runs: StudyRuns) -> Decided:
         alternatives=tuple(alternatives),
         criteria=criteria_of(runs.study),
         cells={
-            (made.name, name): _cell(made.drive, made.chain, row.metric)
+            (made.name, name): _cell(made.drive, made.chain, row.metric, settings)
             for made in alternatives.values()
             for name, row in settings.criteria.items()
         },
@@ -124,10 +126,14 @@ def _present(runs: StudyRuns) -> DriveResult:
     return next((drive for drive in same if drive.candidate.gearbox == present.gearbox), same[0])
 
 
-def _cell(drive: DriveResult, chain: str | None, metric: str) -> Cell:
+def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Settings) -> Cell:
     """Return a figure's cell that rests on what the figure misses: one draw for all filters of a drive."""
     figure = figure_of(drive, chain, metric)
-    cell = cell_of(replace(figure, missing=in_words(figure.missing, drive.candidate)))
+    told = metric_in_words(metric, figure, chain=chain, settings=settings)
+    cell = replace(
+        cell_of(replace(figure, missing=in_words(figure.missing, drive.candidate))),
+        origins=origins_of(drive, figure, metric), metric=told,
+    )  # fmt: skip
     if cell.known:
         return cell
     return replace(cell, fact=cell.unknown_reason or f"{metric.replace('_', ' ')} of {drive.candidate.name}")

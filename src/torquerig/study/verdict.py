@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-import numpy as np
-
-from torquerig.decide.eliminate import Decision, eliminate
-from torquerig.decide.kesselring import TEACHING, kesselring
-from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.missing import MissingFact, missing_facts
-from torquerig.decide.robustness import Acceptability, robustness
+from torquerig.decide.eliminate import Decision
+from torquerig.decide.missing import MissingFact
 from torquerig.decide.verdict import DECIDED, MatrixVerdict, Word, verdict_of
+from torquerig.study.rated_drives import left_over, rated_drives
 from torquerig.study.results import DriveResult
 from torquerig.study.scoring import Decided
 
@@ -34,6 +30,8 @@ class Verdict:
     chances : mapping of str to float
         How often its drive is best with any filter, by what is drawn: ``intervals``, ``scores``, ``weights``,
         ``together`` [1].
+    shares : mapping of str to float
+        How often each combination that no demand eliminates is best in these joint draws [1].
     facts : tuple of MissingFact
         Every open datum of the drives that somebody can be asked for, those first that improve the choice most; what
         only differs between simulated copies is none.
@@ -44,6 +42,7 @@ class Verdict:
     word: Word
     p_best: float
     chances: Mapping[str, float]
+    shares: Mapping[str, float]
     facts: tuple[MissingFact, ...]
 
     @property
@@ -61,62 +60,20 @@ class Verdict:
 
 def verdict(decided: Decided) -> Verdict:
     """Return the answer to the study's question."""
-    out = set(decided.chart.with_decision(Decision.ELIMINATE))
-    names = [name for name in decided.ranked() if decided.alternatives[name].drive.candidate.name not in out]
+    names = left_over(decided)
     if not names:
         nobody = verdict_of(decided.chart, None, {})
         return Verdict(
-            winner="", word=nobody.word, p_best=0.0, chances={}, facts=(),
+            winner="", word=nobody.word, p_best=0.0, chances={}, shares={}, facts=(),
             sentence="No drive meets the demands; the elimination says which demand each one misses.",
         )  # fmt: skip
-    drives = _drives(decided, names)
-    rated = _with_demands(decided, tuple(drives))
-    found = robustness(decided.matrix.only(alternatives=names))
-    made = verdict_of(
-        eliminate(rated),
-        kesselring(rated, profile=TEACHING),
-        {name: _of_drives(one, drives) for name, one in found.items()},
-    )
-    winner = made.winners[0]
+    rated = rated_drives(decided, names)
+    made, together = rated.verdict, rated.combinations["together"]
     return Verdict(
-        winner=winner, word=made.word, p_best=found["together"].chance(winner), chances=made.chances,
-        sentence=_sentence(decided, made),
-        facts=tuple(one for one in missing_facts(rated) if rated.cell(*one.cells[0]).unknown_reason),
+        winner=made.winners[0], word=made.word, p_best=together.chance(made.winners[0]), chances=made.chances,
+        shares=dict(zip(together.alternatives, together.p_best.tolist(), strict=True)),
+        sentence=_sentence(decided, made), facts=rated.facts,
     )  # fmt: skip
-
-
-def _drives(decided: Decided, names: list[str]) -> dict[str, list[str]]:
-    """Return the combinations of each drive by the best of them, the best drive first."""
-    by_drive: dict[str, list[str]] = {}
-    for name in names:
-        by_drive.setdefault(decided.alternatives[name].drive.candidate.name, []).append(name)
-    return {listed[0]: listed for listed in by_drive.values()}
-
-
-def _with_demands(decided: Decided, names: tuple[str, ...]) -> DecisionMatrix:
-    """Return the criteria's matrix of these combinations with the demands on their drives beside."""
-    known = {criterion.name for criterion in decided.matrix.criteria}
-    demands = {
-        one.name: f"{one.name} (demanded)" if one.name in known else one.name for one in decided.demands.criteria
-    }
-    cells = {
-        (name, shown): decided.demands.cell(decided.alternatives[name].drive.candidate.name, demand)
-        for name in names
-        for demand, shown in demands.items()
-    }
-    kept = decided.matrix.only(alternatives=names)
-    return replace(
-        kept,
-        criteria=(*kept.criteria, *(replace(one, name=demands[one.name]) for one in decided.demands.criteria)),
-        cells={**kept.cells, **cells},
-    )
-
-
-def _of_drives(found: Acceptability, drives: Mapping[str, list[str]]) -> Acceptability:
-    """Return how often each drive is best with any of its filters, under the name of its best combination."""
-    best = [sum(found.chance(name) for name in listed) for listed in drives.values()]
-    rows = [found.alternatives.index(name) for name in drives]
-    return replace(found, alternatives=tuple(drives), shares=np.array(best)[:, None], mean_share=found.mean_share[rows])
 
 
 def _sentence(decided: Decided, made: MatrixVerdict) -> str:

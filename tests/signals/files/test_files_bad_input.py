@@ -242,3 +242,20 @@ def test_a_bare_wav_asks_for_its_full_scale(tmp_path: Path) -> None:
     wavfile.write(tmp_path / "run1.wav", 48000, np.zeros(4, np.int16))
     told = refusal(tmp_path / "run1.wav")
     assert "channels: {channel_1: {quantity: torque, unit: FS, Nm_per_FS: NUMBER}}" in told
+
+
+@pytest.mark.parametrize("size", [0, 1, 4, 20, 27, 28, 30, 60, 100, 130])
+@pytest.mark.parametrize("ending", ["tdms", "wav", "mat"])
+def test_a_file_that_is_cut_in_its_header(tmp_path: Path, ending: str, size: int) -> None:
+    path = tmp_path / f"run1.{ending}"
+    values = np.arange(200.0)
+    if ending == "tdms":
+        with TdmsWriter(path) as file:
+            file.write_segment([ChannelObject("recording", "torque_V", values)])
+    elif ending == "wav":
+        wavfile.write(path, 1000, values.astype(np.float32))
+    else:
+        savemat(path, {"torque_V": values})
+    path.write_bytes(path.read_bytes()[:size])
+    path.with_suffix(".yaml").write_text(RATE)
+    assert "its source" in refusal(path) or "MATLAB" in refusal(path)

@@ -57,7 +57,7 @@ def test_clipping_is_counted_on_the_side_where_it_is(step: float | None) -> None
 def test_constant_signal() -> None:
     info = info_of(np.full(COUNT, 0.7))
     assert info["x"].constant
-    assert info.suspicions() == ["x is constant at 0.7 V; is the sensor connected?"]
+    assert info.suspicions() == [f"x is constant at 0.7 V in all its {COUNT} samples; is the sensor connected?"]
 
 
 def test_a_stuck_stretch_is_placed() -> None:

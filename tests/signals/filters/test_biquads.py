@@ -9,6 +9,7 @@ from scipy.signal import butter, iirnotch, sosfilt, sosfiltfilt
 from torquerig.errors import RecordingError
 from torquerig.signals.filters.biquad_stream import causal_pieces, zero_phase_pieces
 from torquerig.signals.filters.biquads import cascaded, time_constants, zero_phase, zero_phase_notched
+from torquerig.signals.filters.edge_lines import steady_states
 
 RATE = 2500.0
 CENTRES = (10 / 3, 20 / 3, 10.0, 40 / 3, 16.7, 33.4, 50.1, 66.8, 100.3, 116.7)
@@ -44,18 +45,28 @@ def test_away_from_the_edges_quiet_ends_change_no_bit():
     assert not ((changed > died) & (changed < values.size - died)).any()
 
 
+# lines 0.2 % off the notches, and more, are passed in part and never stop ringing in the middle either
+@pytest.mark.parametrize("beside", [1.0, 1.001, 1.002, 1.005])
 @pytest.mark.parametrize("mean", [0.0, 4.0])
-def test_the_first_second_is_as_right_as_the_middle(mean):
+def test_the_first_second_is_as_right_as_the_middle(mean, beside):
     # handbook B1: a 3.3 Hz notch at Q 30 (time constant 3 s) leaves 0.32 N m there, 3.4 times the middle
     at, rng = np.arange(100_000) / RATE, np.random.default_rng(7)
     load = mean + 0.1 * rng.normal(size=at.size)
-    lines = sum(0.5 * np.cos(2 * pi * centre * at + rng.uniform(0, 2 * pi)) for centre in CENTRES)
+    lines = sum(0.5 * np.cos(2 * pi * beside * centre * at + rng.uniform(0, 2 * pi)) for centre in CENTRES)
     second, middle = int(RATE), slice(40_000, 60_000)
     wrong = zero_phase_notched(load + lines, NOTCHES) - load
     scipys = sosfiltfilt(NOTCHES, load + lines) - load
-    assert np.std(wrong[:second]) < 2 * np.std(wrong[middle])
-    assert np.std(wrong[-second:]) < 2 * np.std(wrong[middle])
-    assert np.std(scipys[:second]) > 5 * np.std(wrong[:second])
+    assert np.std(wrong[:second]) < 1.5 * np.std(wrong[middle])
+    assert np.std(wrong[-second:]) < 1.5 * np.std(wrong[middle])
+    if beside == 1.0:
+        assert np.std(scipys[:second]) > 5 * np.std(wrong[:second])
+
+
+def test_a_load_that_climbs_is_not_taken_for_a_line():
+    at = np.arange(100_000) / RATE
+    climbing = 1.0 + 0.2 * at
+    wrong = zero_phase_notched(climbing, NOTCHES) - climbing
+    assert np.abs(wrong).max() < 0.02
 
 
 def test_a_constant_stays_and_a_short_edge_does_no_harm():
@@ -80,6 +91,15 @@ def test_zero_phase_pieces_are_the_whole_but_for_the_stated_share():
     assert np.concatenate(pieces) == pytest.approx(whole, abs=4e-7)
     shorter = np.concatenate(list(zero_phase_pieces(np.array_split(values, 97), NOTCHES, spans=7.0)))
     assert np.abs(shorter - whole).max() > 4e-7
+
+
+def test_steady_states_are_those_that_a_long_past_leaves():
+    at = np.arange(-400_000, 0)
+    angles, amplitudes = np.array([0.0, 1e-3, 0.3]), np.array([2.0, 0.5 - 0.2j, 0.1j])
+    past = (amplitudes[:, None] * np.exp(1j * np.outer(angles, at))).sum(axis=0).real
+    _, states = cascaded(past, NOTCHES)
+    # what began 400 000 samples ago has died to e^-14 and less
+    assert steady_states(amplitudes, angles, NOTCHES) == pytest.approx(states, abs=1e-5)
 
 
 def test_too_few_samples_are_refused():

@@ -182,3 +182,15 @@ def test_a_steady_run_is_mapped_over_time():
     shown = speed_map(made(steady_angle()).torque(), turns, RATE, highest=400.0)
     assert not shown.by_speed
     assert 0 < shown.rows[0] < shown.rows[-1] < SECONDS
+
+
+def test_a_weak_line_counts_where_one_is_expected_and_nowhere_else():
+    rng = np.random.default_rng(2)
+    # amplitudes of noise: Rayleigh, rms 1; a peak of 3.7 is one bin in a million of it, and 20 000 are looked at
+    places = 0.05 * np.arange(20_000)
+    amplitudes = np.minimum(rng.rayleigh(np.sqrt(0.5), places.size), 3.0)
+    amplitudes[2000] = amplitudes[7003] = 3.7
+    spectrum = LineSpectrum(places=places, amplitudes=amplitudes)
+    assert peaks_of(spectrum, lowest=1.0) == ()
+    (found,) = peaks_of(spectrum, lowest=1.0, expected=[50.0, 100.0, 150.0])
+    assert found.place == pytest.approx(100.0, abs=0.05)

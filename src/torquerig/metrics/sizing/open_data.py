@@ -28,25 +28,26 @@ def over(
     figure : callable
         From values [SI] by the same names to the figure [unit].
     """
+    rests_on = tuple((name, known) for name, known in data.items() if known.source or known.unknown)
     unknown = [name for name, known in data.items() if known.unknown]
     if unknown:
-        return Figure(unit=unit, source=source, missing=", ".join(unknown))
+        return Figure(unit=unit, source=source, missing=", ".join(unknown), rests_on=rests_on)
     middle = {name: known.nominal() for name, known in data.items()}
     ends = {name: known.bounds for name, known in data.items() if not known.documented}
     ends = {name: (low, high) for name, (low, high) in ends.items() if low < high}
     if not ends:
-        return Figure(value=figure(middle), unit=unit, source=source)
+        return Figure(value=figure(middle), unit=unit, source=source, rests_on=rests_on)
     swing = {name: _swing(figure, middle, name, pair) for name, pair in ends.items()}
     order = sorted((name for name in ends if swing[name] > 0), key=lambda name: -swing[name])
     if not order:
-        return Figure(value=figure(middle), unit=unit, source=source)
+        return Figure(value=figure(middle), unit=unit, source=source, rests_on=rests_on)
     kept = order[:MOST_OPEN]
     corners = [figure({**middle, **dict(zip(kept, one, strict=True))}) for one in product(*(ends[n] for n in kept))]
     stated = all(data[name].value is not None for name in order)
     nominal = figure(middle)
     return Figure(
         value=nominal if stated else None, low=min(*corners, nominal), high=max(*corners, nominal), unit=unit,
-        source=source, missing=", ".join(order),
+        source=source, missing=", ".join(order), rests_on=rests_on,
     )  # fmt: skip
 
 

@@ -133,8 +133,9 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
     for one, known, fields in owned:
         for target, source in fields.items():
             name = f"{source.replace('_', ' ')} of {getattr(known, 'stands_for', '') or known.name}"
-            drawn = f"{one.name}.{target}" in scenario.assumed
-            data[name] = getattr(known, source) if drawn else exactly(float(getattr(one, target)))
+            stated, taken = getattr(known, source), float(getattr(one, target))
+            kept = f"{one.name}.{target}" in scenario.assumed or (stated.documented and stated.value == taken)
+            data[name] = stated if kept else exactly(taken)
             places[name] = one.name, target
     return SizedDrive(
         rig=rig, motor=entry, gearbox=gearbox, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,

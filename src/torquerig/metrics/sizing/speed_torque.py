@@ -161,11 +161,15 @@ def _intermittent_use(drive: SizedDrive) -> Figure:
     high = over(drive.data, lambda v: share(drive.demand(v), 0))
     ends = [one.value if bound is None else bound for one, bound in ((low, low.low), (high, high.high))]
     source = "torque / intermittent torque at its speed, the worst moment"
+    curve = {peak: drive.motor.peak_torque, f"maximum speed of {name}": drive.motor.max_speed,
+             f"rated speed of {name}": drive.motor.rated_speed}  # fmt: skip
+    volts = {f"{key} of {name}": one for key, one in voltage_data(drive.motor).items()}
+    rests_on = (*high.rests_on, *((key, one) for key, one in {**curve, **volts}.items() if one.source))
     if None in ends or ends[0] == ends[1]:
-        return Figure(value=ends[0], source=source)
+        return Figure(value=ends[0], source=source, rests_on=rests_on)
     open_facts = [] if drive.motor.peak_torque.documented else [peak]
     unknown = [key for key, one in voltage_data(drive.motor).items() if one.unknown]
     above = drive.demand().top_speed > drive.motor.rated_speed.bounds[0]
     open_facts += [f"{key} of {name}" for key in unknown] if above else []
     missing = ", ".join([*open_facts, *([high.missing] if high.missing else [])])
-    return Figure(low=ends[0], high=ends[1], source=source, missing=missing)
+    return Figure(low=ends[0], high=ends[1], source=source, missing=missing, rests_on=rests_on)

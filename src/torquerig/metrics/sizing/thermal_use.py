@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import over
@@ -13,6 +14,10 @@ from torquerig.thermal.judged import JudgedDuty, judged_duty
 from torquerig.thermal.motor_duty import duty_of_demand
 
 MOST = 10.0  # [1] use that stands for more, and for a winding that never settles
+FIELDS = (
+    "rated_torque", "stall_torque", "phase_resistance", "torque_constant", "thermal_resistance",
+    "thermal_time_constant",
+)  # fmt: skip
 LEAST = -500.0  # [K] margin that stands for less
 
 
@@ -26,10 +31,14 @@ def thermal_use(drive: SizedDrive, *, ambient: float = 40.0) -> Mapping[str, Fig
     judged = [judged_duty(duty_of_demand(one), copies, ambient=ambient) for one in _extremes(drive)]
     missing = ", ".join(f"{name} of {drive.motor_name}" for name in copies.assumed)
     source = f"two-node model, surroundings {ambient:g} C"
-    return {
+    found = {
         "thermal_use": _joined(judged, "use", unit="1", source=source, missing=missing),
         "thermal_margin": _joined(judged, "margin", unit="K", source=source, missing=missing),
     }
+    known = [(field, getattr(drive.motor, field)) for field in FIELDS]
+    rests_on = (*((f"{field.replace('_', ' ')} of {drive.motor_name}", one) for field, one in known if one.source),
+                *((name, one) for name, one in drive.data.items() if one.source))  # fmt: skip
+    return {name: replace(figure, rests_on=rests_on) for name, figure in found.items()}
 
 
 def _extremes(drive: SizedDrive) -> tuple[DriveDemand, DriveDemand, DriveDemand]:

@@ -100,7 +100,10 @@ class RecordingInfo:
             what = "sample that is no number" if count == 1 else "samples that are no numbers"
             found.append(f"{name} has {count} {what}: {_places(one.not_numbers)}")
         if one.constant:
-            found.append(f"{name} is constant at {one.mean:.6g} {one.unit}; is the sensor connected?")
+            found.append(
+                f"{name} is constant at {one.mean:.6g} {one.unit} in all its {self.samples} samples; is the sensor "
+                "connected?"
+            )
         for count, limit in ((one.clipped_low, one.minimum), (one.clipped_high, one.maximum)):
             if count:
                 found.append(f"{name} looks clipped at {limit:.6g} {one.unit} ({count} samples)")

@@ -18,7 +18,9 @@ from torquerig.signals.files.table import Table
 from torquerig.signals.recording import Recording
 
 _RATE_NAMES = ("sample_rate_hz", "sample_rate", "samplerate", "fs", "fs_hz")
-_BROKEN = (ValueError, TypeError, OSError, EOFError, KeyError, NotImplementedError, struct.error, zlib.error, Warning)
+_BROKEN = (
+    ValueError, TypeError, OSError, EOFError, LookupError, NotImplementedError, struct.error, zlib.error, Warning
+)  # fmt: skip
 # the first 116 bytes of a v5 file are free text, where scipy writes the date
 _TITLE_LENGTH = 116
 

@@ -58,7 +58,13 @@ def parquet_pieces(path: Path) -> TablePieces:
             if largest <= _LARGEST_GROUP:
                 with parquet.ParquetFile(path) as file:
                     for group in range(groups):
-                        yield _columns(file.read_row_group(group, list(names), use_threads=False), names)
+                        # one column after the other, so that no two are held packed and unpacked at once
+                        columns: dict[str, NDArray[np.float64]] = {}
+                        for name in names:
+                            columns |= _columns(file.read_row_group(group, [name], use_threads=False), [name])
+                        yield columns
+                        del columns
+                        pa.default_memory_pool().release_unused()
                 return
             # a buffered column is read as it is needed, not a row group at a time
             with parquet.ParquetFile(path, buffer_size=2**20, pre_buffer=False) as file:

@@ -19,6 +19,7 @@ from torquerig.signals.files.table import Table
 from torquerig.signals.files.timebase import shortest_rate
 from torquerig.signals.recording import Recording
 
+_LEAD_IN = 28  # bytes that every segment begins with
 _CUT_SHORT = ("incomplete", "less data", "multiple of the chunk", "Cropping")
 
 
@@ -114,6 +115,12 @@ def stated(named: Mapping[str, Any]) -> tuple[dict[str, float], dict[str, str]]:
 
 def check_whole(path: Path, warnings: list[str], *, incomplete: bool) -> None:
     """Raise RecordingError where npTDMS told of a file that is cut short or of a scale that it does not know."""
+    size = path.stat().st_size
+    if size < _LEAD_IN:
+        raise RecordingError(
+            f"{path}: the file ends after {size} bytes, before a TDMS file has told what is in it; copy it again from "
+            "its source"
+        )
     if incomplete or any(sign in told for told in warnings for sign in _CUT_SHORT):
         raise RecordingError(
             f"{path}: the TDMS file ends in the middle of its last segment (the writing was cut short); copy it again "

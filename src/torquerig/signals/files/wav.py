@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -67,7 +68,7 @@ def _opened(path: Path, *, mapped: bool) -> tuple[int, Any]:
         try:
             # scipy stumbles over its own unset variable (a NameError) where a file has no chunks
             rate, samples = wavfile.read(path, mmap=mapped)
-        except (ValueError, EOFError, OSError, TypeError, NameError) as error:
+        except (ValueError, EOFError, OSError, TypeError, NameError, struct.error) as error:
             raise RecordingError(f"{path}: not a whole WAV file ({error}); copy it again from its source") from None
     # other warnings tell of text chunks that are skipped
     if any("prematurely" in str(warning.message) for warning in caught):

@@ -19,6 +19,8 @@ load_inverse         the load that the reading came from, by the rig's own respo
 What they stand on:
 biquads              cascades of second-order sections, causal or both ways, with quiet edges; biquad_stream: in pieces
 order_envelope       lines turned back to rest and summed over equal steps of the angle
-block_regression     joint amplitudes of lines in long blocks, from those sums
-kernel               the compiled loops
+edge_lines           the states from which notches start as if their lines had always been there
+block_regression     joint amplitudes of lines in long blocks, from those sums; standing_out: of the load
+turning/             the sums and sines of lines themselves, at a few operations per sample and line
+kernel               the compiled loops of cascades and medians
 """

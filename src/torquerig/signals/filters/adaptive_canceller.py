@@ -11,6 +11,7 @@ import numpy as np
 from torquerig.errors import InputError, RecordingError
 from torquerig.signals.angle import measured_motor_angle
 from torquerig.signals.filters.order_envelope import seen_orders
+from torquerig.signals.filters.turning.sums import adaptively_cancelled
 from torquerig.signals.set_point import set_point_profile, set_point_speed
 from torquerig.signals.tacho import motor_angle_from_tacho
 
@@ -49,8 +50,6 @@ class AdaptiveCanceller:
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` without the lines; RecordingError where no speed is known."""
-        from torquerig.signals.filters.kernel import cancelled
-
         if not self.lines:
             return recording
         name = recording.torque_name()
@@ -67,7 +66,7 @@ class AdaptiveCanceller:
                 f"{recording.name}: {orders.size} adaptive notches of half-width {self.half_width:g} Hz are unstable "
                 f"at {recording.sample_rate:g} Hz; make them narrower"
             )
-        return recording.with_values(name, cancelled(values - first, turns, orders, step) + first)
+        return recording.with_values(name, adaptively_cancelled(values - first, turns, orders, step) + first)
 
     def delay(self, recording: Recording) -> float:
         """Return by how much slow load is late [s]: 2 half_width / (2 pi f^2) of each line, narrow notches."""

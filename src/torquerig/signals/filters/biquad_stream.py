@@ -27,7 +27,7 @@ def zero_phase_pieces(pieces: Iterable[Floats], sections: Floats, *, spans: floa
     """Yield the notched signal without delay, piece by piece; the pieces need not be those that came in.
 
     The pass forwards carries its states on and is exact. The pass backwards over a piece begins ``spans`` time
-    constants of the longest-ringing notch behind its end, at the state of least output there: what is wrong with that
+    constants of the longest-ringing notch behind its end, as if its lines went on beyond: what is wrong with that
     state has fallen to e^-spans (8e-7 at 14) of itself where the piece ends, and no other error is made.
 
     Parameters
@@ -55,8 +55,7 @@ def zero_phase_pieces(pieces: Iterable[Floats], sections: Floats, *, spans: floa
 
 
 def _backwards(values: Floats, sections: Floats) -> Floats:
-    # the pass forwards has taken most of the lines already: one round is enough
-    states = quiet_start(values[::-1], sections, rounds=0)
+    states = quiet_start(values[::-1], sections)
     return cascaded(values[::-1], sections, states=states)[0][::-1]
 
 

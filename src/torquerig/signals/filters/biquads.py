@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.signals.filters.edge_lines import states_after_lines
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
 
-_QUIET_SPANS = 4.0  # time constants of a section over which its state at the edge is fitted
+_EDGE_SPANS = 8.0  # time constants of a section over which its line at the edge is fitted
 _FEWEST_PERIODS = 3.0  # of a section's own frequency that the edge must hold for a fit
 _DEAD_SPANS = 28.0  # time constants after which a free response has died away: e^-28 is 7e-13
 
@@ -56,7 +57,7 @@ def zero_phase(values: Floats, sections: Floats) -> Floats:
 
 
 def zero_phase_notched(values: Floats, sections: Floats) -> Floats:
-    """Return the notches run forwards and backwards, from states at both ends that leave the least of the line.
+    """Return the notches run forwards and backwards, at both ends as if the lines went on beyond them.
 
     Away from the edges (once the states have died away) the answer equals :func:`zero_phase` to the last bit.
 
@@ -65,36 +66,35 @@ def zero_phase_notched(values: Floats, sections: Floats) -> Floats:
     values : ndarray, shape (samples,)
         Any unit.
     sections : ndarray, shape (sections, 6)
-        Notches, the longest-ringing first for speed. For sections that pass a band (a low-pass) the state of least
-        energy would take the signal away; use :func:`zero_phase`.
+        Notches, the longest-ringing first for speed. For sections that pass a band use :func:`zero_phase`.
 
     Notes
     -----
-    Section by section, the two states at the edge are fitted by least squares so that its output over four of its time
-    constants has the least energy, beside a mean and a slope that stay: the start of Gustafsson 1996 with "least
-    energy" in place of "same both ways". Where a record holds fewer than three periods of a notch, its edge is as in
-    :func:`zero_phase`. Load near the notch within the first ringing time is taken along as anywhere else.
+    The line of each notch is fitted to the edge over eight of the notch's time constants, at a frequency of its own,
+    and continued beyond it (:mod:`~torquerig.signals.filters.edge_lines`): Gustafsson 1996 names what unknown states
+    at the edge cost. Where the edge holds fewer than three periods of a notch, its line is taken as absent; where that
+    holds of all, the edges are those of :func:`zero_phase`. Load near the notch within the first ringing time is taken
+    along as anywhere else.
     """
     return _both_ways(values, sections, quiet=_windows(values.size, sections))
 
 
-def quiet_start(values: Floats, sections: Floats, *, rounds: int = 2) -> Floats:
-    """Return the states (sections, 2) before the first sample that leave the least of the notched lines.
+def quiet_start(values: Floats, sections: Floats) -> Floats:
+    """Return the states (sections, 2) before the first sample as if its lines had always been there.
 
-    As in :func:`zero_phase_notched`, for a signal that is to be filtered piece by piece; ``rounds`` improve the states
-    of all sections together after the first guess, one section after the other.
+    As in :func:`zero_phase_notched`, for a signal that is to be filtered piece by piece.
     """
     from scipy.signal import sosfilt_zi
 
     windows = _windows(values.size, sections)
     edge = np.asarray(values[: max(int(windows.max(initial=0)), 1)], dtype=np.float64)
     given = sosfilt_zi(sections) * (edge[0] if edge.size else 0.0)
-    return _quietest(edge, sections, given, windows, rounds=rounds)
+    return _at_edge(edge, sections, given, windows)
 
 
 def _windows(size: int, sections: Floats) -> NDArray[np.int64]:
     """Over how many samples each section's state is fitted; 0 where the edge holds too few of its periods."""
-    spans = np.minimum(np.ceil(_QUIET_SPANS * time_constants(sections)), size)
+    spans = np.minimum(np.ceil(_EDGE_SPANS * time_constants(sections)), size)
     periods = spans * _pole_angles(sections) / (2 * np.pi)
     return np.where(periods >= _FEWEST_PERIODS, spans, 0).astype(np.int64)
 
@@ -152,7 +152,7 @@ def _both_ways(values: Floats, sections: Floats, *, quiet: NDArray[np.int64] | N
     _run(head, sections, states)
     begun = states.copy()
     edge = values[: 0 if quiet is None else max(int(quiet.max()), 1)]
-    quietest = None if quiet is None else _quietest(edge, sections, begun, quiet, rounds=2)
+    quietest = None if quiet is None else _at_edge(edge, sections, begun, quiet)
     _run(values, sections, states, out=answer)
     _run(tail, sections, states)
     if quietest is not None:
@@ -160,34 +160,19 @@ def _both_ways(values: Floats, sections: Floats, *, quiet: NDArray[np.int64] | N
     states = steady * tail[-1]
     _run(tail, sections, states, backwards=True)
     begun = states.copy()
-    # the first pass has taken most of the lines from this edge already: no rounds
     edge = answer[: -max(int(quiet.max()), 1) - 1 : -1] if quiet is not None else answer[:0]
-    quietest = None if quiet is None else _quietest(edge, sections, begun, quiet, rounds=0)
+    quietest = None if quiet is None else _at_edge(edge, sections, begun, quiet)
     _run(answer, sections, states, backwards=True)
     if quietest is not None:
         _add_ringing(answer[::-1], sections, quietest - begun)
     return answer
 
 
-def _quietest(edge: Floats, sections: Floats, given: Floats, quiet: NDArray[np.int64], *, rounds: int) -> Floats:
-    """Return the states (sections, 2) of least output at the start of ``edge``, ``given`` where nothing can be fitted.
-
-    Each of the ``rounds`` improves all sections together.
-    """
-    from torquerig.signals.filters.kernel import energy, quieter_by, quietest_states
-
-    if not edge.size or not len(sections):
+def _at_edge(edge: Floats, sections: Floats, given: Floats, windows: NDArray[np.int64]) -> Floats:
+    """Return the states (sections, 2) at the start of ``edge``, those ``given`` where no line can be fitted there."""
+    if not edge.size or not windows.any():
         return given.copy()
-    coefficients = np.ascontiguousarray(sections[:, [0, 1, 2, 4, 5]].T)
-    states = np.asarray(quietest_states(edge.copy(), coefficients, quiet, np.ascontiguousarray(given.T)).T)
-    answer = cascaded(edge, sections, states=states)[0] if rounds else edge
-    for _ in range(rounds):
-        better = states + quieter_by(answer.copy(), coefficients, quiet).T
-        after, _ = cascaded(edge, sections, states=better)
-        if not energy(after) < energy(answer):
-            break
-        states, answer = better, after
-    return states
+    return states_after_lines(edge, sections, _pole_angles(sections), windows)
 
 
 def _add_ringing(answer: Floats, sections: Floats, states: Floats) -> None:

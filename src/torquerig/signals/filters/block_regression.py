@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.signals.filters.order_envelope import Hops, hop_sums
+from torquerig.signals.filters.turning.sums import gram_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -45,15 +46,14 @@ def block_amplitudes(values: Floats, hops: Hops, orders: Floats, blocks: Blocks)
     """
     if not orders.size:
         return np.zeros((2, 0, len(blocks.spans)))
-    offset = values.mean()
     with_constant = np.concatenate([[0.0], orders])
-    moments = hop_sums(values - offset, hops, with_constant)
+    moments = hop_sums(values, hops, with_constant)
     answer = np.zeros((2, orders.size, len(blocks.spans)))
     for index, (first, last) in enumerate(blocks.spans):
         turned = abs(hops.turns[hops.edges[last] - 1] - hops.turns[hops.edges[first]])
         rows = np.concatenate([[0], 1 + np.flatnonzero(orders * turned >= _FEWEST_PERIODS)])
         moment = moments[:, rows, first:last].sum(axis=2)
-        solved = _solved(_gram(hops, with_constant[rows], first, last), moment)
+        solved = _solved(gram_of(hops.turns, with_constant[rows], hops.edges[first : last + 1]), moment)
         answer[:, rows[1:] - 1, index] = solved[:, 1:]
     return answer
 
@@ -64,22 +64,6 @@ def at_edges(amplitudes: Floats, hops: Hops, blocks: Blocks) -> Floats:
     return np.array([[np.interp(hops.edges, middles, row) for row in part] for part in amplitudes]).reshape(
         2, amplitudes.shape[1], hops.edges.size
     )
-
-
-def _gram(hops: Hops, orders: Floats, first: int, last: int) -> Floats:
-    """Return the sums of products of all cosines (first half) and sines (second half), shape (2 orders, 2 orders)."""
-    edges = hops.edges[first : last + 1]
-    start, stop = hops.turns[edges[:-1]], hops.turns[np.minimum(edges[1:], hops.turns.size - 1)]
-    size = np.diff(edges)
-    sums, differences = orders[:, None] + orders, orders[:, None] - orders
-    wanted, where = np.unique(np.round(np.concatenate([sums, differences]).ravel(), 9), return_inverse=True)
-    # samples stand at the start of each of `size` equal steps: the middle lies half a step before that of the ends
-    width = stop - start
-    middle = start + 0.5 * width * (1 - 1 / size)
-    each = np.exp(2j * np.pi * np.outer(wanted, middle)) * np.sinc(np.outer(wanted, width))
-    unit = (each @ size.astype(np.float64))[where].reshape(2, orders.size, orders.size)
-    plus, minus = unit
-    return 0.5 * np.block([[(minus + plus).real, (plus - minus).imag], [(plus - minus).imag.T, (minus - plus).real]])
 
 
 def _solved(gram: Floats, moment: Floats) -> Floats:

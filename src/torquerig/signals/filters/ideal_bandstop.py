@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import ceil, floor
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.errors import InputError
+from torquerig.signals.few_bins import bins_at, bins_within, signal_of
 from torquerig.signals.set_point import set_point_speed
 
 if TYPE_CHECKING:
@@ -77,12 +77,7 @@ def without_bands(
     """
     if values.size == 0:
         return values
-    mean = values.mean()
-    # numpy's transform has no slow lengths: large primes go through Bluestein's convolution
-    spectrum = np.fft.rfft(values - mean)
-    width = rate / values.size
-    for low, high in bands:
-        # a band edge that falls on a bin belongs to the band, in spite of rounding
-        first, last = max(ceil(low / width - 1e-6), 0), floor(high / width + 1e-6)
-        spectrum[first : last + 1] = 0
-    return np.asarray(np.fft.irfft(spectrum, n=values.size) + mean)
+    wanted = bins_within(values.size, rate, bands)
+    cut = signal_of(bins_at(values, wanted), wanted, values.size)
+    # long recordings: no more copies than needed
+    return np.subtract(values, cut, out=cut)

@@ -1,4 +1,4 @@
-"""The compiled loops of the filters: cascades of biquads, edge states, order-following sums and the adaptive canceller.
+"""The compiled loops of the filters: cascades of biquads, the lines at their edges, medians.
 
 A cascade is run as a wavefront: section k works ``SKEW`` samples behind section k - 1, so that all sections of a step
 are independent and fill the vector lanes; the buffers stay in the first-level cache. The operations and their order are
@@ -13,8 +13,6 @@ from numba import njit
 LANES = 24  # sections of one run; three vectors of eight, fewer are filled up with sections that do nothing
 SKEW = 32  # samples between neighbouring sections: long enough that a store is done before it is read
 _ROW = LANES + 8
-BLOCK = 512  # samples whose cosines and sines are held at a time
-SUMMED = {"reassoc", "contract", "nsz", "arcp"}
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -71,86 +69,28 @@ def cascade(values, out, coefficients, states, backwards):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _one_section(values, out, size, coefficients, z1, z2):
-    """Run one section from the states z1, z2 over ``size`` samples."""
-    b0, b1, b2, a1, a2 = coefficients
-    for i in range(size):
-        x = values[i]
-        y = b0 * x + z1
-        z1, z2 = b1 * x - a1 * y + z2, b2 * x - a2 * y
-        out[i] = y
+def turned_back(values, first, size, angle):
+    """Return the mean of ``size`` values from ``first`` under a Hann window, turned back by ``angle`` each, doubled.
 
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def _ringing_in(values, size, a1, a2):
-    """Return what of a section's two free responses stands in ``values``: least squares beside a mean and a slope."""
-    gram, moment, scale = np.zeros((4, 4)), np.zeros(4), np.zeros(4)
-    p1, p2, q1, q2, slope = 1.0, 0.0, 0.0, 1.0, 2.0 / size
+    A line cos(angle n + phase) gives its complex amplitude at the sample 0.
+    """
+    total = 0.0 + 0.0j
+    unit, turn = np.exp(-1j * angle * first), np.exp(-1j * angle)
+    window, step = np.exp(1j * np.pi / size), np.exp(2j * np.pi / size)
     for i in range(size):
-        y, t = values[i], slope * i - 1.0
-        moment[0] += p1 * y
-        moment[1] += q1 * y
-        moment[2] += y
-        moment[3] += t * y
-        gram[0, 0] += p1 * p1
-        gram[0, 1] += p1 * q1
-        gram[0, 2] += p1
-        gram[0, 3] += p1 * t
-        gram[1, 1] += q1 * q1
-        gram[1, 2] += q1
-        gram[1, 3] += q1 * t
-        gram[2, 3] += t
-        gram[3, 3] += t * t
-        p1, p2 = p2 - a1 * p1, -a2 * p1
-        q1, q2 = q2 - a1 * q1, -a2 * q1
-    gram[2, 2] = size
-    for m in range(4):
-        scale[m] = 1.0 / np.sqrt(gram[m, m])
-        for n in range(m):
-            gram[m, n] = gram[n, m]
-    solved = np.linalg.solve(gram * np.outer(scale, scale), moment * scale) * scale
-    return solved[0], solved[1]
+        total += (1.0 - window.real) * values[first + i] * unit
+        unit *= turn
+        window *= step
+    return 2.0 * total / size
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def quietest_states(values, coefficients, windows, given):
-    """Return the states (2, sections) at the first sample for which each section's answer has the least energy.
-
-    ``values`` is the edge, read forwards, and is overwritten; ``windows`` (sections,) are how much of it each section
-    looks at, and 0 where the state is ``given`` (2, sections).
-    """
-    sections = coefficients.shape[1]
-    states, answer = np.zeros((2, sections)), np.empty(values.size)
-    for k in range(sections):
-        if windows[k] == 0:
-            states[:, k] = given[:, k]
-        else:
-            _one_section(values, answer, windows[k], coefficients[:, k], 0.0, 0.0)
-            p, q = _ringing_in(answer, windows[k], coefficients[3, k], coefficients[4, k])
-            states[0, k], states[1, k] = -p, -q
-        needed = windows[k + 1 :].max() if k + 1 < sections else 0
-        _one_section(values, values, max(needed, min(1, values.size)), coefficients[:, k], states[0, k], states[1, k])
-    return states
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def quieter_by(answer, coefficients, windows):
-    """Return by how much the states (2, sections) must change so that ``answer``, the whole cascade's, rings less.
-
-    Each section's free response is fitted to what the ones before have left of it; that the sections behind it alter
-    the response a little is left to the next round. ``answer`` is overwritten.
-    """
-    change = np.zeros((2, coefficients.shape[1]))
-    for k in range(coefficients.shape[1]):
-        if windows[k] > 0:
-            a1, a2 = coefficients[3, k], coefficients[4, k]
-            p, q = _ringing_in(answer, windows[k], a1, a2)
-            change[0, k], change[1, k] = -p, -q
-            z1, z2 = -p, -q
-            for i in range(windows[k]):
-                answer[i] += z1
-                z1, z2 = z2 - a1 * z1, -a2 * z1
-    return change
+def take_line(values, size, amplitude, angle):
+    """Subtract the line of a complex amplitude from the first ``size`` values."""
+    unit, turn = amplitude, np.exp(1j * angle)
+    for i in range(size):
+        values[i] -= unit.real
+        unit *= turn
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -160,94 +100,6 @@ def add_free_response(values, a1, a2, last, second_last):
         y = -a1 * last - a2 * second_last
         values[i] += y
         last, second_last = y, last
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def energy(values):
-    """Return the sum of squares (a BLAS product would wake threads that spin)."""
-    total = 0.0
-    for i in range(values.size):
-        total += values[i] * values[i]
-    return total
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def _unit_vectors(turns, order, start, stop, cosine, sine):
-    """Fill cosine and sine of ``order`` times the turned angle; to 1e-8, by polynomials that fill the vector lanes."""
-    for i in range(start, stop):
-        cycles = order * turns[i]
-        t = np.pi * (cycles - np.floor(cycles + 0.5))  # half the angle, within a quarter turn
-        q = t * t
-        s = t * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156))))))
-        c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90 * (1 - q / 132)))))
-        cosine[i - start] = 1 - 2 * s * s
-        sine[i - start] = 2 * s * c
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def order_sums(values, turns, orders, edges):
-    """Return sum of values times cos and sin of each order over each hop, shape (2, orders, hops)."""
-    sums = np.zeros((2, orders.size, edges.size - 1))
-    cosine, sine = np.empty(BLOCK), np.empty(BLOCK)
-    for hop in range(edges.size - 1):
-        for start in range(edges[hop], edges[hop + 1], BLOCK):
-            stop = min(start + BLOCK, edges[hop + 1])
-            for k in range(orders.size):
-                _unit_vectors(turns, orders[k], start, stop, cosine, sine)
-                in_phase, quadrature = 0.0, 0.0
-                for i in range(stop - start):
-                    in_phase += values[start + i] * cosine[i]
-                    quadrature += values[start + i] * sine[i]
-                sums[0, k, hop] += in_phase
-                sums[1, k, hop] += quadrature
-    return sums
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def orders_put_in(out, turns, orders, edges, amplitudes, gain):
-    """Add ``gain`` times the lines to ``out``; ``amplitudes`` (2, orders, hops + 1) run straight from edge to edge."""
-    cosine, sine, block = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK)
-    for hop in range(edges.size - 1):
-        width = edges[hop + 1] - edges[hop]
-        for start in range(edges[hop], edges[hop + 1], BLOCK):
-            stop = min(start + BLOCK, edges[hop + 1])
-            block[:] = 0.0
-            for k in range(orders.size):
-                slope_a = gain * (amplitudes[0, k, hop + 1] - amplitudes[0, k, hop]) / width
-                slope_b = gain * (amplitudes[1, k, hop + 1] - amplitudes[1, k, hop]) / width
-                a = gain * amplitudes[0, k, hop] + slope_a * (start - edges[hop])
-                b = gain * amplitudes[1, k, hop] + slope_b * (start - edges[hop])
-                _unit_vectors(turns, orders[k], start, stop, cosine, sine)
-                for i in range(stop - start):
-                    block[i] += (a + slope_a * i) * cosine[i] + (b + slope_b * i) * sine[i]
-            for i in range(stop - start):
-                out[start + i] += block[i]
-
-
-@njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
-def cancelled(values, turns, orders, step):
-    """Return the values less what adaptive amplitudes of the orders predict; each error moves them by ``step``.
-
-    What is left is the mean of the errors before and after the step, which leaves the gain at 0 Hz at 1.
-    """
-    size, count = values.size, orders.size
-    answer = np.empty(size)
-    cosine, sine = np.empty((count, BLOCK)), np.empty((count, BLOCK))
-    a, b = np.zeros(count), np.zeros(count)
-    for start in range(0, size, BLOCK):
-        stop = min(start + BLOCK, size)
-        for k in range(count):
-            _unit_vectors(turns, orders[k], start, stop, cosine[k], sine[k])
-        for i in range(stop - start):
-            predicted = 0.0
-            for k in range(count):
-                predicted += a[k] * cosine[k, i] + b[k] * sine[k, i]
-            error = values[start + i] - predicted
-            answer[start + i] = error * (1 - 0.5 * step * count)
-            for k in range(count):
-                a[k] += step * error * cosine[k, i]
-                b[k] += step * error * sine[k, i]
-    return answer
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

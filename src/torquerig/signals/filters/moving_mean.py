@@ -64,9 +64,20 @@ def moving_mean(values: NDArray[np.float64], samples: int) -> NDArray[np.float64
     size = values.size
     if size == 0:
         return values
+    back, ahead = min(samples // 2, size), min((samples - 1) // 2 + 1, size)
     offset = values.mean()  # sums of small numbers lose fewer digits
-    sums = np.concatenate([[0.0], np.cumsum(values - offset)])
-    at = np.arange(size)
-    first = np.maximum(at - samples // 2, 0)
-    last = np.minimum(at + (samples - 1) // 2 + 1, size)
-    return np.asarray((sums[last] - sums[first]) / (last - first) + offset)
+    sums = np.empty(size + 1)
+    sums[0] = 0.0
+    np.cumsum(values - offset, out=sums[1:])
+    # sums up to the last sample of each window, less those before its first; windows are cut at the ends
+    answer = np.empty(size)
+    answer[: size - ahead] = sums[ahead:size]
+    answer[size - ahead :] = sums[size]
+    answer[back:] -= sums[: size - back]
+    answer[:back] /= np.minimum(np.arange(back) + ahead, size)
+    if size - back > 0:
+        later = np.arange(max(size - ahead, back), size)
+        answer[back : later[0] if later.size else size] /= samples
+        answer[later] /= size - later + back
+    answer += offset
+    return answer

@@ -64,7 +64,7 @@ class OrderBandstop:
         values = recording.channels[name].values
         orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
         window = max(2 * round(0.5 * HOPS_PER_TURN / self.half_width), 2)
-        sums = hop_sums(values - values.mean(), hops, orders)
+        sums = hop_sums(values, hops, orders)
         return recording.with_values(name, less_lines(values, hops, orders, envelope(sums, hops.samples, window)))
 
     def reach(self, head: Recording) -> float:

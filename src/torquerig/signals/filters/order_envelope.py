@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from torquerig.signals.filters.turning.sums import order_sums, put_in
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -27,7 +29,8 @@ class Hops:
     @property
     def fastest(self) -> float:
         """The most that the motor turns from one sample to the next [turns]."""
-        return float(np.abs(np.diff(self.turns)).max(initial=0.0))
+        steps = np.diff(self.turns)
+        return float(max(steps.max(initial=0.0), -steps.min(initial=0.0)))
 
     @property
     def samples(self) -> Floats:
@@ -46,7 +49,10 @@ def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
         Motor turns per output turn [1].
     """
     turns = angle / (2 * np.pi)
-    turned = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(turns)))]) / ratio
+    turned = np.zeros(turns.size)
+    steps = np.diff(turns)
+    np.cumsum(np.abs(steps, out=steps), out=turned[1:])
+    turned /= ratio
     count = round(float(turned[-1]) * HOPS_PER_TURN)
     if count < 1:
         return None
@@ -57,21 +63,17 @@ def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
 
 def seen_orders(orders: Sequence[float], fastest: float) -> Floats:
     """Return the orders, each once, that stay below 0.45 periods a sample at ``fastest`` [turns per sample]."""
-    unique = {float(f"{order:.9g}") for order in orders}
-    return np.array(sorted(order for order in unique if order * fastest <= _HIGHEST_SHARE_OF_RATE))
+    unique = {f"{order:.9g}": order for order in orders}
+    return np.array(sorted(order for order in unique.values() if order * fastest <= _HIGHEST_SHARE_OF_RATE))
 
 
 def hop_sums(values: Floats, hops: Hops, orders: Floats) -> Floats:
-    """Return sums of the values times cos and sin of each order over each hop, shape (2, orders, hops)."""
-    from torquerig.signals.filters.kernel import order_sums
-
-    return np.asarray(order_sums(np.ascontiguousarray(values), hops.turns, orders, hops.edges))
+    """Return sums of the values less their mean times cos and sin of each order over each hop, (2, orders, hops)."""
+    return order_sums(values, hops.turns, orders, hops.edges, offset=float(values.mean()))
 
 
 def less_lines(values: Floats, hops: Hops, orders: Floats, amplitudes: Floats) -> Floats:
     """Return the values less the lines whose amplitudes (2, orders, hops + 1) are given at the edges of the hops."""
-    from torquerig.signals.filters.kernel import orders_put_in
-
     answer = np.array(values, dtype=np.float64)
-    orders_put_in(answer, hops.turns, orders, hops.edges, np.ascontiguousarray(amplitudes), -1.0)
+    put_in(answer, hops.turns, orders, hops.edges, amplitudes, gain=-1.0)
     return answer

@@ -68,7 +68,7 @@ class VoldKalman:
         name = recording.torque_name()
         values = recording.channels[name].values
         orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
-        sums = hop_sums(values - values.mean(), hops, orders)
+        sums = hop_sums(values, hops, orders)
         amplitudes = smoothest(sums, hops.samples, half_width=self.half_width / HOPS_PER_TURN)
         return recording.with_values(name, less_lines(values, hops, orders, amplitudes))
 

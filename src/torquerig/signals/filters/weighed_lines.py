@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isnan
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.signals.best_angle import best_motor_angle
-from torquerig.signals.filters.block_regression import Blocks, at_edges, block_amplitudes, blocks_of
-from torquerig.signals.filters.order_envelope import Hops, hops_of, less_lines, seen_orders
+from torquerig.signals.filters.block_regression import at_edges, block_amplitudes, blocks_of
+from torquerig.signals.filters.order_envelope import hops_of, less_lines, seen_orders
+from torquerig.signals.filters.standing_out import weights
+from torquerig.signals.filters.turning.sums import put_in
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from torquerig.signals.kinematics import KinematicLine
     from torquerig.signals.recording import Recording
 
-    Floats = NDArray[np.float64]
-
 _PLACED = 0.25  # periods by which a line may be misplaced over the record, one sigma, and still be fitted
-_STANDS_OUT = 4.0  # times the load beside it; noise alone is so high once in 50
-_NEAREST, _FARTHEST = 2, 12  # bins beside a line, of 1 / block each, in which the load is judged
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,6 +60,8 @@ class WeighedLines:
             return recording
         angle = best_motor_angle(recording, self.lines)
         hops = hops_of(angle.values, ratio=self.lines[0].output_order / self.lines[0].motor_order)
+        speed_sd = angle.speed_sd
+        del angle  # as long as the recording
         if hops is None:
             raise RecordingError(
                 f"{recording.name}: the shaft does not turn in this recording, so that no line can be fitted"
@@ -72,15 +69,16 @@ class WeighedLines:
         name = recording.torque_name()
         values = recording.channels[name].values
         orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
-        if angle.speed_sd == angle.speed_sd:  # where it is known at all how well the speed is known
+        if not isnan(speed_sd):  # where it is known at all how well the speed is known
             turns = abs(float(hops.turns[-1] - hops.turns[0]))
-            orders = orders[orders * turns * angle.speed_sd < _PLACED]
+            orders = orders[orders * turns * speed_sd < _PLACED]
         length = self.block if recording.run.profile == "steady" else self.changing_block
         blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
         fitted = block_amplitudes(values, hops, orders, blocks)
         rest = less_lines(values, hops, orders, at_edges(fitted, hops, blocks))
-        weighed = fitted * weights(rest, fitted, hops, orders, blocks)
-        return recording.with_values(name, less_lines(values, hops, orders, at_edges(weighed, hops, blocks)))
+        kept = fitted * (1 - weights(rest, fitted, hops, orders, blocks))
+        put_in(rest, hops.turns, orders, hops.edges, at_edges(kept, hops, blocks), gain=1.0)
+        return recording.with_values(name, rest)
 
     def reach(self, head: Recording) -> float:
         """Return half a block [s]: farther in, the amplitudes are fitted on as much as in the middle of a recording.
@@ -89,36 +87,3 @@ class WeighedLines:
         of 50 mN*m in 50 mN*m of noise, whether the overlap is 5 s or 45 s.
         """
         return 0.5 * self.block
-
-
-def weights(rest: Floats, fitted: Floats, hops: Hops, orders: Floats, blocks: Blocks) -> Floats:
-    """Return by how much of itself each line is to be subtracted in each block, shape (orders, blocks).
-
-    Parameters
-    ----------
-    rest : ndarray, shape (samples,)
-        What is left when all lines are subtracted whole.
-    fitted : ndarray, shape (2, orders, blocks)
-        The amplitudes of the lines.
-    """
-    from scipy.fft import prev_fast_len
-
-    power = (fitted**2).sum(axis=0)
-    beside = np.empty_like(power)
-    for index, (first, last) in enumerate(blocks.spans):
-        start = hops.edges[first]
-        stop = start + prev_fast_len(int(hops.edges[last] - start), real=True)
-        piece = rest[start:stop] - rest[start:stop].mean()
-        spectrum = np.abs(np.fft.rfft(piece) * 2 / piece.size) ** 2
-        turned = abs(hops.turns[stop - 1] - hops.turns[start])
-        for row, order in enumerate(orders):
-            beside[row, index] = _beside(spectrum, order * turned)
-    return np.where(power > _STANDS_OUT * beside, 1 - beside / np.maximum(power, 1e-300), 0.0)
-
-
-def _beside(spectrum: Floats, bin_of_line: float) -> float:
-    """Mean power of the bins on both sides of a line; of fewer where the line stands near zero."""
-    at = round(bin_of_line)
-    near = [*range(max(at - _FARTHEST, 1), at - _NEAREST + 1), *range(at + _NEAREST, at + _FARTHEST + 1)]
-    inside = [one for one in near if 0 < one < spectrum.size]
-    return float(spectrum[inside].mean()) if inside else np.inf

@@ -35,7 +35,7 @@ def moved_chain(chain: Chain, orders: float) -> Chain:
     """Return ``chain`` with the lines of every stage that takes lines out one by one moved by ``orders`` [1/rev].
 
     Stages without lines, such as low-passes, stay. So do combs and synchronous averages, whose teeth stand at every
-    harmonic and meet true lines wherever they are moved to.
+    harmonic: for them the torque is turned on instead (``turned``).
     """
     return replace(chain, stages=tuple(_moved(stage, orders) for stage in chain.stages))
 

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from torquerig.signals.angle import measured_motor_angle
 from torquerig.signals.judging.known_angle import with_known_angle
 from torquerig.signals.judging.moved_chain import movable_lines, moved_chain, widest_half_width
+from torquerig.signals.judging.turned import comb_lines, comb_teeth, empty_turns, turned_on
 
 if TYPE_CHECKING:
     from torquerig.signals.chain import Chain
@@ -84,6 +86,8 @@ def placebo(
     below ten orders the load's own spectrum may slope from the line to the place beside it. Source: handbook,
     signatures 8.8 (a placebo notch at an empty neighbouring order) and seed audit A, "std as merit".
     """
+    if comb_teeth(chain):
+        return _of_combs(chain, recording, known=known, most=most)
     lines = movable_lines(chain)
     shifts = empty_shifts(chain, known=known or lines, speed=recording.run.speed or 0.0)[:most] if lines else ()
     if not shifts:
@@ -95,6 +99,27 @@ def placebo(
     left = [float(one.apply(given).torque().var()) for one in (chain, *(moved_chain(chain, by) for by in shifts))]
     cut, *cuts = (1 - one / whole for one in left)
     return Placebo(cut=cut, shifts=shifts, cuts=tuple(cuts))
+
+
+def _of_combs(chain: Chain, recording: Recording, *, known: Sequence[KinematicLine], most: int) -> Placebo | None:
+    """Return the placebo of a chain with a tooth at every harmonic: the torque is turned on instead of the chain.
+
+    So all of its teeth, and any single lines, stand the same number of orders beside.
+    """
+    lines = (*movable_lines(chain), *comb_lines(chain)) or tuple(known)
+    turns = empty_turns(chain, known=known or lines)
+    given = with_known_angle(recording, lines)
+    ratio = lines[0].output_order / lines[0].motor_order if lines else recording.run.gear_ratio or 1.0
+    angle = measured_motor_angle(given, ratio=ratio)
+    whole = float(given.torque().var())
+    if not turns or angle is None or not whole > 0:
+        return None
+    # as many as asked for, spread over all there are
+    chosen = [turns[at] for at in np.unique(np.linspace(0, len(turns) - 1, most).round().astype(int))]
+    moved = (turned_on(given, by, angle=angle.values, ratio=ratio) for by in chosen)
+    cuts = tuple(1 - float(chain.apply(one).torque().var()) / float(one.torque().var()) for one in moved)
+    cut = 1 - float(chain.apply(given).torque().var()) / whole
+    return Placebo(cut=cut, shifts=tuple(chosen), cuts=cuts)
 
 
 def empty_shifts(chain: Chain, *, known: Sequence[KinematicLine], speed: float) -> tuple[float, ...]:

@@ -28,6 +28,7 @@ PASSES = 3
 _LOWEST_BINS = 8  # a line must turn so often in the recording to be told from drift
 _ENVELOPE = 6.0  # [periods of the axis] over which a line's amplitude is taken as one when it is subtracted
 _SECONDS = 1.0  # [s] that count as a turn of the clock
+_HUMS = 20  # multiples of the mains that are expected
 _HIGHEST_SHARE = 0.4  # of the sample rate up to which lines are looked for
 
 
@@ -94,7 +95,7 @@ def found_lines(
     kept: list[FoundLine] = []
     open_: list[FoundLine] = []
     for _ in range(passes):
-        seen = _look(recording, turns, values)
+        seen = _look(recording, turns, values, lines, mains)
         seen = [one for one in seen if not any(_left_of(one, other, turns, recording.duration) for other in kept)]
         decided = [one for one in seen if one.belongs_to == one.seen_over]
         open_ = [one for one in seen if one.belongs_to == "either"]
@@ -115,7 +116,9 @@ def _left_of(one: FoundLine, other: FoundLine, turns: Floats, duration: float) -
     return abs(one.place - other.place) <= max(NEIGHBOURS / length, 1.5 / _ENVELOPE)
 
 
-def _look(recording: Recording, turns: Floats, values: Floats) -> list[FoundLine]:
+def _look(
+    recording: Recording, turns: Floats, values: Floats, lines: Sequence[KinematicLine], mains: float
+) -> list[FoundLine]:
     rate = recording.sample_rate
     even = over_angle(recording, turns, values)
     top = _HIGHEST_SHARE * rate
@@ -123,11 +126,13 @@ def _look(recording: Recording, turns: Floats, values: Floats) -> list[FoundLine
     by_frequency = frequency_spectrum(values, rate, highest=top)
     test = DomainTest(values, turns, even.values)
     seconds = values.size / rate
+    orders = sorted({line.output_order for line in lines})
+    hum = [multiple * mains for multiple in range(1, _HUMS + 1)]
     return [
         *(_found("order", one, test.of_order(one.place))
-          for one in peaks_of(by_order, lowest=_LOWEST_BINS * by_order.width)),
+          for one in peaks_of(by_order, lowest=_LOWEST_BINS * by_order.width, expected=orders)),
         *(_found("frequency", one, test.of_periods(one.place * seconds))
-          for one in peaks_of(by_frequency, lowest=_LOWEST_BINS * by_frequency.width)),
+          for one in peaks_of(by_frequency, lowest=_LOWEST_BINS * by_frequency.width, expected=hum)),
     ]  # fmt: skip
 
 
@@ -146,7 +151,7 @@ def _without(values: Floats, turns: Floats, rate: float, decided: Sequence[Found
         orders = seen_orders(places, hops.fastest)
         # the sums are taken line by line, so that lines nearer than a window would be subtracted twice
         for some in _apart(orders, 1 / _ENVELOPE):
-            sums = hop_sums(values - values.mean(), hops, some)
+            sums = hop_sums(values, hops, some)
             window = max(2 * round(0.5 * HOPS_PER_TURN * _ENVELOPE), 2)
             values = less_lines(values, hops, some, envelope(sums, hops.samples, window))
     return values

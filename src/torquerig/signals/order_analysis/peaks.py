@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log
 from typing import TYPE_CHECKING
@@ -42,7 +43,9 @@ def floor_of(amplitudes: Floats) -> Floats:
     return np.sqrt(np.interp(np.arange(power.size), centres, medians)) + 1e-300
 
 
-def peaks_of(spectrum: LineSpectrum, *, lowest: float, most: int = 60) -> tuple[Peak, ...]:
+def peaks_of(
+    spectrum: LineSpectrum, *, lowest: float, expected: Sequence[float] = (), most: int = 60
+) -> tuple[Peak, ...]:
     """Return the peaks of a spectrum that noise would hardly show, the most outstanding first.
 
     Parameters
@@ -50,18 +53,21 @@ def peaks_of(spectrum: LineSpectrum, *, lowest: float, most: int = 60) -> tuple[
     spectrum : LineSpectrum
     lowest : float
         Peaks below this place are not looked for, in the unit of the places.
+    expected : sequence of float
+        Places where a line would be no surprise, such as multiples of the mains: there a weaker one counts.
     most : int
 
     Notes
     -----
     The threshold is the power that one bin in a thousand spectra of exponential noise reaches: ln(bins / 0.001) times
-    the floor. What is 12 dB or more below a peak within a dozen bins is no peak of its own: an amplitude that changes
+    the floor; at the expected places only their own bins count, so that a lower one gives no more false alarms. What is
+    12 dB or more below a peak within a dozen bins is no peak of its own: an amplitude that changes
     over a ramp makes such skirts.
     """
     height = spectrum.amplitudes / floor_of(spectrum.amplitudes)
-    limit = np.sqrt(log(height.size / _FALSE_ALARMS))
+    limit = _limits(spectrum, expected)
     inner = np.flatnonzero(
-        (height[1:-1] > limit) & (spectrum.amplitudes[1:-1] >= spectrum.amplitudes[:-2])
+        (height[1:-1] > limit[1:-1]) & (spectrum.amplitudes[1:-1] >= spectrum.amplitudes[:-2])
         & (spectrum.amplitudes[1:-1] > spectrum.amplitudes[2:]) & (spectrum.places[1:-1] >= lowest)
     ) + 1  # fmt: skip
     kept: list[int] = []
@@ -73,6 +79,17 @@ def peaks_of(spectrum: LineSpectrum, *, lowest: float, most: int = 60) -> tuple[
         Peak(_between(spectrum, one), float(spectrum.amplitudes[one]), float(20 * np.log10(height[one])))
         for one in kept[:most]
     )
+
+
+def _limits(spectrum: LineSpectrum, expected: Sequence[float]) -> Floats:
+    """Return how far above the floor a peak must stand at each bin [1]."""
+    bins = np.round(np.array(expected, dtype=np.float64) / spectrum.width).astype(np.int64)
+    near = np.unique(bins[:, None] + np.array([-1, 0, 1])[None, :])
+    near = near[(near >= 0) & (near < spectrum.places.size)]
+    limits = np.full(spectrum.places.size, np.sqrt(log(spectrum.places.size / _FALSE_ALARMS)))
+    if near.size:
+        limits[near] = min(float(np.sqrt(log(near.size / _FALSE_ALARMS))), float(limits[0]))
+    return limits
 
 
 def _hidden(amplitudes: Floats, one: int, larger: int) -> bool:

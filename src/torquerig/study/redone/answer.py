@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from torquerig.decide.eliminate import Decision, eliminate
-from torquerig.decide.kesselring import TEACHING, Profile, kesselring
+from torquerig.decide.eliminate import eliminate
+from torquerig.decide.kesselring import Profile, kesselring
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.missing import missing_facts
 from torquerig.decide.robustness import robustness
 from torquerig.decide.sheet import Method
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
+from torquerig.study.rated_drives import left_over, rated_drives
 from torquerig.study.redone.beside import TableBeside
 from torquerig.study.redone.plan import Plan, real_name
-from torquerig.study.scoring import Alternative, Decided
+from torquerig.study.scoring import Decided
 
 DRAWS = 10_000
 MOST_ASKED = 5
@@ -60,11 +60,12 @@ class Answer:
     def sentences(self) -> tuple[str, ...]:
         """Return the answer: what the report did, what comes out, what if something must be bought."""
         action = f"keep the motor that stands there, as {self.chosen}" if self.keeps else f"buy {self.chosen}"
-        still = f" Still open for it: {'; '.join(self.conditions)}." if self.conditions else ""
+        if self.conditions:
+            action = f"if what a demand still asks is answered well ({'; '.join(self.conditions)}), {action}"
         return (
             f"The report buys {self.published} ({self.published_text}).",
             (f"Computed: {action}. The verdict is {self.overall.word}: best in {_chance(self.overall)}. In "
-            f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox.{still}"),
+            f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox."),
             self._bought_sentence(),
             *(f"{name}: {_told(one)}" for name, one in self.table.items()),
         )  # fmt: skip
@@ -84,43 +85,34 @@ class Answer:
 
 def answer(plan: Plan, tables: tuple[TableBeside, ...], decided: Decided) -> Answer:
     """Return the answer from the study's decision and the report's rated table."""
-    survivors = set(decided.chart.with_decision(Decision.PURSUE, Decision.OPEN, Decision.REVISE))
-    fronts = _front_of_each(decided, survivors)
+    names = left_over(decided)
     present = real_name(plan.study.catalog, plan.study.settings.present.motor)
-    new = [name for name, one in fronts.items() if one.drive.candidate.motor != present]
-    matrix = decided.matrix.only(alternatives=fronts)
-    overall = _verdict(matrix, TEACHING)
-    joint = robustness(matrix, profile=TEACHING, draws=DRAWS)["together"]
+    motors = {name: decided.alternatives[name].drive.candidate.motor for name in names}
+    new = [name for name in names if motors[name] != present]
+    nobody = verdict_of(decided.chart, None, {})
+    every, bought = (rated_drives(decided, one) if one else None for one in (names, new))
+    overall = every.verdict if every else nobody
     chosen = overall.winners[0] if overall.winners else ""
-    made = fronts.get(chosen)
     rated = [one for one in tables if one.table.sheet.method is Method.KESSELRING]
-    bought, text = _published(plan, rated)
+    published, text = _published(plan, rated)
     return Answer(
-        published=bought,
+        published=published,
         published_text=text,
         chosen=chosen.replace(" | ", " with the filter "),
-        keeps=made is not None and made.drive.candidate.motor == present,
-        keeps_chance=sum(joint.chance(name) for name in fronts if name not in new),
+        keeps=motors.get(chosen) == present,
+        keeps_chance=sum(every.combinations["together"].chance(name) for name in names if name not in new)
+        if every
+        else 0.0,
         overall=overall,
-        bought=_verdict(matrix.only(alternatives=new), TEACHING) if new else verdict_of(decided.chart, None, {}),
+        bought=bought.verdict if bought else nobody,
         table={name: found for one in rated for name, found in _rated(plan, one).items()},
-        conditions=_conditions(decided, made),
+        conditions=tuple(dict.fromkeys(told.partition(": ")[2] for told in overall.conditions)),
         asked=tuple(
-            f"{one.fact} (over its interval another new motor is in front in {one.p_change:.0%})"
-            for one in (missing_facts(matrix.only(alternatives=new)) if new else ())[:MOST_ASKED]
+            f"{one.fact} ({one.p_change:.0%} of its range put another new motor in front)"
+            for one in (bought.facts if bought else ())[:MOST_ASKED]
             if one.decisive
         ),
     )
-
-
-def _front_of_each(decided: Decided, survivors: set[str]) -> dict[str, Alternative]:
-    """Return the best combination of each drive that no demand eliminates, the best first."""
-    first: dict[str, str] = {}
-    for name in decided.ranked():
-        drive = decided.alternatives[name].drive.candidate.name
-        if drive in survivors:
-            first.setdefault(drive, name)
-    return {name: decided.alternatives[name] for name in first.values()}
 
 
 def _verdict(matrix: DecisionMatrix, profile: Profile) -> MatrixVerdict:
@@ -159,13 +151,6 @@ def _published(plan: Plan, rated: list[TableBeside]) -> tuple[str, str]:
     best = max((value, name) for value, name in zip(sheet.sums, sheet.alternatives, strict=True) if value is not None)
     ideal = f" of {sheet.ideal_sum:g}" if sheet.ideal_sum else ""
     return real_name(plan.study.catalog, best[1]), f"{sheet.name}, {best[0]:g}{ideal} in print"
-
-
-def _conditions(decided: Decided, made: Alternative | None) -> tuple[str, ...]:
-    if made is None:
-        return ()
-    row = next(row for row in decided.chart.rows if row.alternative == made.drive.candidate.name)
-    return tuple(remark.missing for remark in row.remarks if remark.missing)
 
 
 def _told(verdict: MatrixVerdict) -> str:

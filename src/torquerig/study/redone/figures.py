@@ -10,6 +10,7 @@ from torquerig.study.asked import in_words
 from torquerig.study.redone.plan import KNOWN_UNITS, real_name
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import figure_of
+from torquerig.study.settings import SIMULATED
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,10 @@ class Known:
         if drive is None:
             return Figure(unit=KNOWN_UNITS[metric], missing=f"a simulation of {motor} on {gearbox}")
         found = figure_of(drive, study.settings.present.filter, metric)
-        return replace(found, missing=in_words(found.missing, drive.candidate))
+        rests_on = found.rests_on
+        if metric in SIMULATED:
+            rests_on = tuple((one.name, one.known) for one in drive.taken.values())
+        return replace(found, missing=in_words(found.missing, drive.candidate), rests_on=rests_on)
 
     def drive(self, motor: str, gearbox: str) -> DriveResult | None:
         """Return the drive of a motor on a gearbox; None where the study has none."""

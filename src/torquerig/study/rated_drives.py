@@ -1,0 +1,104 @@
+"""The drives of a study, each by its best filter, judged against criteria and demands at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from torquerig.decide.eliminate import Decision, eliminate
+from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.missing import MissingFact, missing_facts
+from torquerig.decide.robustness import Acceptability, robustness
+from torquerig.decide.verdict import MatrixVerdict, verdict_of
+from torquerig.study.scoring import Decided
+
+
+@dataclass(frozen=True, kw_only=True)
+class RatedDrives:
+    """Some drives of a study and how sure it is which of them is best.
+
+    Parameters
+    ----------
+    matrix : DecisionMatrix
+        The best combination of each drive against the criteria, with the demands on its drive beside.
+    overall : KesselringResult
+        Of ``matrix``.
+    combinations : mapping of str to Acceptability
+        Of every combination of these drives, by what is drawn.
+    verdict : MatrixVerdict
+        Of the drives: how often a drive is best with any of its filters, and what a demand on it still asks.
+    """
+
+    matrix: DecisionMatrix
+    overall: KesselringResult
+    combinations: Mapping[str, Acceptability]
+    verdict: MatrixVerdict
+
+    @property
+    def facts(self) -> tuple[MissingFact, ...]:
+        """Every open datum that somebody can be asked for, those first that improve the choice most."""
+        found = missing_facts(self.matrix, profile=self.overall.profile)
+        return tuple(one for one in found if self.matrix.cell(*one.cells[0]).unknown_reason)
+
+
+def rated_drives(decided: Decided, names: Iterable[str]) -> RatedDrives:
+    """Return the judged drives of these combinations; at least one.
+
+    The best filter of a drive stands for it; its chances are those of all its filters among ``names`` together, which
+    share their draws.
+    """
+    drives = _by_drive(decided, tuple(names))
+    listed = [name for names_of in drives.values() for name in names_of]
+    matrix = with_demands(decided, tuple(drives))
+    overall = kesselring(matrix, profile=TEACHING)
+    found = robustness(decided.matrix.only(alternatives=listed))
+    chances = {name: _of_drives(one, drives) for name, one in found.items()}
+    return RatedDrives(
+        matrix=matrix,
+        overall=overall,
+        combinations=found,
+        verdict=verdict_of(eliminate(matrix), overall, chances),
+    )
+
+
+def left_over(decided: Decided) -> tuple[str, ...]:
+    """Return the combinations whose drive no demand eliminates, the best first."""
+    out = set(decided.chart.with_decision(Decision.ELIMINATE))
+    return tuple(name for name in decided.ranked() if decided.alternatives[name].drive.candidate.name not in out)
+
+
+def with_demands(decided: Decided, names: tuple[str, ...]) -> DecisionMatrix:
+    """Return the criteria's matrix of these combinations with the demands on their drives beside."""
+    known = {criterion.name for criterion in decided.matrix.criteria}
+    demands = {
+        one.name: f"{one.name} (demanded)" if one.name in known else one.name for one in decided.demands.criteria
+    }
+    cells = {
+        (name, shown): decided.demands.cell(decided.alternatives[name].drive.candidate.name, demand)
+        for name in names
+        for demand, shown in demands.items()
+    }
+    kept = decided.matrix.only(alternatives=names)
+    return replace(
+        kept,
+        criteria=(*kept.criteria, *(replace(one, name=demands[one.name]) for one in decided.demands.criteria)),
+        cells={**kept.cells, **cells},
+    )
+
+
+def _by_drive(decided: Decided, names: tuple[str, ...]) -> dict[str, list[str]]:
+    """Return the combinations of each drive by the best of them, the best drive first."""
+    by_drive: dict[str, list[str]] = {}
+    for name in (one for one in decided.ranked() if one in set(names)):
+        by_drive.setdefault(decided.alternatives[name].drive.candidate.name, []).append(name)
+    return {listed[0]: listed for listed in by_drive.values()}
+
+
+def _of_drives(found: Acceptability, drives: Mapping[str, list[str]]) -> Acceptability:
+    """Return how often each drive is best with any of its filters, under the name of its best combination."""
+    best = [sum(found.chance(name) for name in listed) for listed in drives.values()]
+    rows = [found.alternatives.index(name) for name in drives]
+    return replace(found, alternatives=tuple(drives), shares=np.array(best)[:, None], mean_share=found.mean_share[rows])
