@@ -73,7 +73,7 @@ def calibrated(
 
     def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
         each = misfits_of(turned(rig, knobs, positions), seen, corrections)
-        return np.concatenate([robust(one.all()) for one in each])
+        return np.concatenate([robust(one.paid()) for one in each])
 
     first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin

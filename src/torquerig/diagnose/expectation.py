@@ -23,6 +23,7 @@ from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
 
+_FLANK = 0.1  # of the density at the resonance: below it, a mode's flanks begin
 _RINGING_SHAPE = 0.6  # [1] of the density's logarithm: a mode's reading may be a displacement, a speed or between
 
 
@@ -83,7 +84,8 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     level = balance.sensor + added.level
     beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
     power = power + beside
-    tolerance = np.hypot(beside / power, _RINGING_SHAPE * added.ringing / power)
+    flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
+    tolerance = np.hypot(beside / power, _RINGING_SHAPE * flank / power)
     for step in added.codes:
         rounding, doubt = _rounded(step, seen, power, amplitude)
         power, tolerance = power + rounding, np.hypot(tolerance, doubt)

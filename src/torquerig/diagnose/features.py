@@ -14,7 +14,7 @@ from torquerig.diagnose.bands import bands, no_bands, spectrum
 from torquerig.diagnose.observed import Observed, Stretch
 from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place
 from torquerig.diagnose.regression import regressed
-from torquerig.diagnose.smeared import gathered
+from torquerig.diagnose.smeared import WIDE, gathered
 from torquerig.diagnose.turning import Turning, turning, turns_back
 
 Floats = NDArray[np.float64]
@@ -185,9 +185,10 @@ def _lines(
     lines = [places[index].frequency(mean) for index in shown]
     widening = np.ones(len(places))
     if observed.steady and observed.smearing:
-        turning = [row for row, index in enumerate(shown) if places[index].domain == "order"]
+        wide = WIDE / observed.smearing * observed.rate / time.size
+        turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
         found_lines = gathered(
-            observed.torque[part], observed.rate, [lines[row] for row in turning], smeared=observed.smearing
+            observed.torque[part], observed.rate, [lines[r] for r in turning], smeared=observed.smearing
         )
         for row, each in zip(turning, found_lines, strict=True):
             amplitude[shown[row]], widening[shown[row]] = each.amplitude, each.widening

@@ -40,16 +40,20 @@ class Mismatch:
 
 def mismatches(case: Case) -> tuple[Mismatch, ...]:
     """Return the places where the case's model is significantly wrong, largest share of the misfit first."""
-    every = np.concatenate([robust(misfit.all()) ** 2 for misfit in case.model.misfits])
-    total, places = float(np.maximum(every - 1, 0).sum()) + 1e-12, every.size
+    every = [_eased(case, features, misfit) for features, misfit in zip(case.seen, case.model.misfits, strict=True)]
+    squares = np.concatenate([robust(eased.all()) ** 2 for eased in every])
+    total, places = float(np.maximum(squares - 1, 0).sum()) + 1e-12, squares.size
     found = [*_lines(case, total, places)]
-    for features, misfit in zip(case.seen, case.model.misfits, strict=True):
-        eased = misfit.scaled(1 / _slack(case))
-        if eased.bands.size:
-            eased = replace(eased, bands=eased.bands * _for_the_load(case, features))
+    for features, eased in zip(case.seen, every, strict=True):
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
         found += [*_turning(features, eased, total, places)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
+
+
+def _eased(case: Case, features: Features, misfit: Misfit) -> Misfit:
+    """Return the residuals less what a random load, or chance in an effect beyond the twin, may be forgiven."""
+    eased = misfit.scaled(1 / _slack(case))
+    return replace(eased, bands=eased.bands * _for_the_load(case, features)) if eased.bands.size else eased
 
 
 def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:

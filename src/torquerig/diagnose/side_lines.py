@@ -16,9 +16,10 @@ from torquerig.scenario.kinematics import kinematics_of
 
 Floats = NDArray[np.float64]
 
-_REACH = 7.05  # orders of the motor: what strays faster moves no shaft far
+_REACH = 16.0  # orders of the motor: what strays faster moves no shaft far
 _PASSED = 1.3  # times as large as its source may a side line be read: it passes a shaft that rings, its carrier less
 _FOLLOWED = 2.0  # the same for an angle that was followed in the torque, and is known less well
+_OF_SECOND_ORDER = 0.015  # of a new line's size
 _WIDTH = 1.5  # bins over which the straying at an offset is sought
 
 
@@ -37,9 +38,10 @@ def without_side_lines(
     kept: list[Peak] = []
     steady = {run.name: _Straying(run, twist=twist) for run in runs if run.steady}
     for peak in sorted(peaks, key=lambda each: -each.excess):
-        carriers = [*known, *(other.place for other in kept)]
+        new = [other.place for other in kept]
+        carriers = [*known, *new]
         shown = [steady[name] for name in peak.runs if name in steady]
-        if not shown or any(run.beyond(peak.place, carriers) for run in shown):
+        if not shown or any(run.beyond(peak.place, carriers, new) for run in shown):
             kept.append(peak)
     return tuple(kept)
 
@@ -65,7 +67,7 @@ class _Straying:
         self.twist = twist  # [rad of the motor per N m]
         self.sizes: dict[Place, float] = {}
 
-    def beyond(self, place: Place, carriers: Sequence[Place]) -> bool:
+    def beyond(self, place: Place, carriers: Sequence[Place], new: Sequence[Place]) -> bool:
         """Whether the line at ``place`` is larger than all side lines of the carriers could make it there."""
         at, bound = self._order(place), 0.0
         for carrier in carriers:
@@ -73,7 +75,8 @@ class _Straying:
             if SAME_ORDER < abs(at - order) < _REACH:
                 strays = self._strays(abs(at - order)) + self._twists(abs(at - order), carriers)
                 bound += 0.5 * order * strays * self._size(carrier)
-        return self._size(place) > self.margin * bound
+        near = (self._size(other) for other in new if abs(self._order(other) - at) < _REACH)
+        return self._size(place) > self.margin * bound + _OF_SECOND_ORDER * max(near, default=0.0)
 
     def _twists(self, offset: float, carriers: Sequence[Place]) -> float:
         slow = (carrier for carrier in carriers if abs(self._order(carrier) - offset) < SAME_ORDER)

@@ -12,7 +12,7 @@ from torquerig.diagnose.regression import HANN_NOISE
 
 Floats = NDArray[np.float64]
 
-_NARROWEST = 2.0  # bins of a line under a Hann window
+WIDE = 2.0  # bins of a line under a Hann window: what is smeared less is better fitted beside its neighbours
 _OWN = 0.45  # of the way to the next line
 _BESIDE = 2.0  # the floor is taken from bins up to so many widths away
 
@@ -37,7 +37,7 @@ def gathered(values: Floats, rate: float, lines: Sequence[float], *, smeared: fl
     answer = []
     for line in lines:
         neighbour = min((abs(line - other) for other in lines if other != line), default=np.inf)
-        at, half = line / step, max(_NARROWEST, min(smeared * line, _OWN * neighbour) / step)
+        at, half = line / step, max(WIDE, min(smeared * line, _OWN * neighbour) / step)
         low, high = int(np.ceil(at - half)), int(np.floor(at + half)) + 1
         first, last = max(int(at - _BESIDE * half) - 1, 1), min(int(at + _BESIDE * half) + 2, density.size)
         beside = np.concatenate([density[first : max(low, first)], density[min(high, last) : last]])
