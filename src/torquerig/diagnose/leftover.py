@@ -20,6 +20,7 @@ from torquerig.diagnose.twin import Twin
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
 _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
+_BY_CHANCE = 4.0  # squares of residuals below this are no misfit
 _BAND_RUN = 2  # neighbouring bands that must all stand out
 _MEAN_SQUARE = 3.0  # of all bands of a run
 
@@ -42,7 +43,7 @@ def mismatches(case: Case) -> tuple[Mismatch, ...]:
     """Return the places where the case's model is significantly wrong, largest share of the misfit first."""
     every = [_eased(case, features, misfit) for features, misfit in zip(case.seen, case.model.misfits, strict=True)]
     squares = np.concatenate([robust(eased.all()) ** 2 for eased in every])
-    total, places = float(np.maximum(squares - 1, 0).sum()) + 1e-12, squares.size
+    total, places = float(np.maximum(squares - _BY_CHANCE, 0).sum()) + 1e-12, squares.size
     found = [*_lines(case, total, places)]
     for features, eased in zip(case.seen, every, strict=True):
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
@@ -66,7 +67,7 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
             if features.turning is not None:
                 continue
             residual = np.atleast_2d(misfit.lines)[:, column]
-            square += float(np.maximum(robust(residual) ** 2 - 1, 0).sum())
+            square += float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum())
             size = float(np.abs(residual).max(initial=0.0))
             # a moving run has many stretches, of which a few may stray
             size = size if features.observed.steady else float(np.sqrt(np.mean(residual**2)) * 2)
@@ -151,7 +152,7 @@ def _slack(case: Case) -> float:
 
 
 def _share(residual: NDArray[np.float64], total: float) -> float:
-    return float(np.maximum(robust(residual) ** 2 - 1, 0).sum()) / total
+    return float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum()) / total
 
 
 def _chance(residual: float, places: int) -> float:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.expectation import Expectation
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.turning import Turning
@@ -17,7 +18,8 @@ Floats = NDArray[np.float64]
 # what a model may be wrong by before it counts [relative]: details of a real rig that nobody models
 BAND_TOLERANCE, LINE_TOLERANCE, RAMP_LINE_TOLERANCE, LEVEL_TOLERANCE = 0.05, 0.04, 0.06, 0.01
 # [1] of the density's logarithm: the pulses of a random load leave dips at frequencies of their own, but no peaks
-DIP_TOLERANCE = 1.0
+DIP_TOLERANCE, WIDE_TOLERANCE = 1.0, 0.3
+_TWO_OCTAVES = 2 * BANDS_PER_OCTAVE
 LEVEL_FLOOR = 0.002  # [N m]
 TURNING_FLOOR, TURNING_TOLERANCE = 0.015, 0.05  # [N m], [1] near standstill no two rigs are alike
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
@@ -35,8 +37,9 @@ class Misfit:
     bands : ndarray, shape (bands,)
     lines : ndarray, shape (places,) in steady runs, (stretches, places) else
     level : ndarray, shape (stretches,)
-    price : ndarray, shape (stretches,)
-        What a model pays for calling its levels random: root of twice the logarithm of their spread over the floor.
+    price : ndarray, shape (stretches + octaves // 2,)
+        What a model pays beside: for calling its levels random (root of the logarithm of their variance over the
+        floor), and for a load whose spectrum is off over two octaves and more, which no dip explains.
     turning : ndarray, shape (blocks,)
         Only of runs that turn back.
     """
@@ -78,13 +81,20 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
         excess = np.nan_to_num(np.log(seen.power / model.power))
         beyond = np.square(model.power_tolerance) + np.where(excess < 0, DIP_TOLERANCE * model.load_share, 0.0) ** 2
         bands = excess / np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + beyond)
+        wide = _wide(excess * model.load_share)
     else:
-        bands = np.array([])
+        bands, wide = np.array([]), np.array([])
     lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)
     least = LEVEL_FLOOR**2 + (LEVEL_TOLERANCE * model.level) ** 2
     spread = np.sqrt(model.level_variance + least)
-    price = np.sqrt(np.log1p(model.level_variance / LEVEL_FLOOR**2))
+    price = np.concatenate([np.sqrt(np.log1p(model.level_variance / LEVEL_FLOOR**2)), wide])
     return Misfit(bands, lines, (seen.level - model.level) / spread, price=price)
+
+
+def _wide(excess: Floats) -> Floats:
+    """Return the mean excess of each two octaves in units of what a load's spectrum may be off."""
+    whole = excess[: excess.size // _TWO_OCTAVES * _TWO_OCTAVES]
+    return np.asarray(whole.reshape(-1, _TWO_OCTAVES).mean(axis=1) / WIDE_TOLERANCE)
 
 
 def robust(residuals: Floats) -> Floats:
