@@ -129,3 +129,12 @@ def test_without_its_class_a_fault_has_no_name(
     monkeypatch.delattr("torquerig.mechanisms.Quantization")
     found = sample_findings([run], wear_rig.rig)
     assert (found.candidates, found.unnamed) == ((), ("quantization",))
+
+
+def test_impacts_that_ring_are_no_dropouts(clean: Recording) -> None:
+    """Half periods of a ring between two large steps last a moment and keep a level, but each its own."""
+    volts = clean.channels["torque_V"].values.copy()
+    time, rng = np.arange(400) / clean.sample_rate, np.random.default_rng(1)
+    for start in range(1000, volts.size - 500, 900):
+        volts[start : start + 400] += rng.uniform(0.5, 2) * np.sign(np.sin(2 * np.pi * 300 * time)) * np.exp(-60 * time)
+    assert dropouts([with_volts(clean, volts)]) is None

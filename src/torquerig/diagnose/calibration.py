@@ -78,7 +78,7 @@ def calibrated(
     first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
         found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives, jacobian=jacobian)
-        covariance = np.linalg.inv(found.jacobian.T @ found.jacobian + np.eye(len(knobs)))
+        covariance = np.asarray(np.linalg.inv(found.jacobian.T @ found.jacobian + np.eye(len(knobs))), dtype=np.float64)
     fitted = turned(rig, knobs, found.positions)
     misfits = misfits_of(fitted, seen, corrections)
     cost = misfit_sum(misfits) + float(found.positions @ found.positions)

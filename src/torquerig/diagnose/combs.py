@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.peaks import Peak
 
-_FEWEST = 6  # lines that make a comb
+_FEWEST = 6  # lines in a row that make a comb
 _HIGH = 8  # multiple from which on teeth and blades have none
+_MOST = 0.6  # of all lines that must belong to it
 _NEAR = 0.08  # of the spacing by which a line may miss its multiple
 
 
 def without_comb(peaks: Sequence[Peak]) -> tuple[Peak, ...]:
-    """Return the peaks that are no multiples of one order; all of them where fewer than six are high multiples of one.
+    """Return the peaks that are no multiples of one order; all of them where fewer than six in a row are high ones.
 
     The lines of impacts crowd where their mode rings, at high multiples of their order; as lines of their own they
     would leave nothing of the ringing in the spectrum between.
@@ -27,7 +28,9 @@ def without_comb(peaks: Sequence[Peak]) -> tuple[Peak, ...]:
     if spacing is None:
         return tuple(peaks)
     return tuple(
-        peak for peak in peaks if peak.place.domain != "order" or not _is_multiple(np.array([peak.place.at]), spacing, lowest=1)[0]
+        peak
+        for peak in peaks
+        if peak.place.domain != "order" or not _is_multiple(np.array([peak.place.at]), spacing, lowest=1)[0]
     )
 
 
@@ -38,10 +41,18 @@ def _spacing(orders: NDArray[np.float64]) -> float | None:
         if difference <= 0.02:
             continue
         spacing = _fitted(orders, difference)
-        hits = int(_is_multiple(orders, spacing, lowest=_HIGH).sum())
-        if hits >= _FEWEST and hits > max(most, 0.6 * orders.size):
+        high = _is_multiple(orders, spacing, lowest=_HIGH)
+        hits = _longest_run(np.round(orders[high] / spacing))
+        if hits >= _FEWEST and hits > most and high.sum() > _MOST * orders.size:
             best, most = spacing, hits
     return best
+
+
+def _longest_run(multiples: NDArray[np.float64]) -> int:
+    """Return how many multiples follow one another: side lines of teeth stand in threes and fives."""
+    breaks = np.flatnonzero(np.diff(np.unique(multiples)) > 1)
+    edges = np.concatenate([[-1], breaks, [np.unique(multiples).size - 1]])
+    return int(np.diff(edges).max(initial=0))
 
 
 def _fitted(orders: NDArray[np.float64], spacing: float) -> float:

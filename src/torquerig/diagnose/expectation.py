@@ -13,8 +13,8 @@ from torquerig.diagnose.features import POINTS, Features
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
-from torquerig.diagnose.skirts import skirts
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
+from torquerig.diagnose.skirts import skirts
 from torquerig.diagnose.turning import Turning
 from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.rig.rig import Rig
@@ -145,7 +145,7 @@ def _noise(rig: Rig, seen: Features) -> Floats:
 
 
 def _floor(seen: Features, power: Floats) -> Floats:
-    """Return the density that lines stand in: as measured, or a model that lacks a line would raise its noise for it."""
+    """Return the density that lines stand in: as measured, or a model lacking a line would raise its noise for it."""
     if seen.power.size != power.size:
         return power
     return np.asarray(np.where(np.isfinite(seen.power), seen.power, power))

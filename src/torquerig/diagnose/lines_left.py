@@ -36,9 +36,7 @@ def strong_orders(runs: Sequence[Observed], rig: Rig) -> list[float]:
         return []
     left = lines_left(runs, known_places(runs, rig), rig=rig)
     return [
-        peak.place.at
-        for peak in left
-        if peak.place.domain == "order" and peak.speeds > 1 and peak.excess > _LEADING
+        peak.place.at for peak in left if peak.place.domain == "order" and peak.speeds > 1 and peak.excess > _LEADING
     ]
 
 
@@ -47,16 +45,18 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
 
     Orders that are whole on the output shaft of ``rig`` are stated as such.
     """
-    ratio, found = kinematics_of(rig).ratio, list[Peak]()
+    ratio, found, beside = kinematics_of(rig).ratio, list[Peak](), list[Place]()
     for _ in range(_PASSES):
         carriers = [*known, *(peak.place for peak in found)]
-        new = without_side_lines(peaks(runs, carriers), runs, carriers, rig=rig)
-        if not new:
+        seen = peaks(runs, [*carriers, *beside])
+        if not seen:
             break
-        strong = [peak for peak in new if peak.excess >= _STRONG * new[0].excess]
-        for peak in strong:
+        strong = [peak for peak in seen if peak.excess >= _STRONG * seen[0].excess]
+        new = without_side_lines(strong, runs, carriers, rig=rig)
+        beside += [peak.place for peak in strong if peak not in new]
+        for peak in new:
             place = _whole(peak, runs, ratio)
-            if place not in {other.place for other in found}:
+            if place not in {*carriers, *(other.place for other in found)}:
                 found.append(replace(peak, place=place))
     found.sort(key=lambda peak: -peak.excess)
     asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in found[:_ASKED]]

@@ -87,7 +87,9 @@ def extended(case: Case, best: Trial) -> Case:
             misses.append(float(np.abs(np.atleast_2d(misfit.lines)[:, column]).max()))
         if max(misses, default=0.0) > _EXPLAINED:
             unexplained.append(peak)
-    return replace(case, model=best.model, accepted=(*case.accepted, best.candidate), left=tuple(unexplained), apart=None)
+    return replace(
+        case, model=best.model, accepted=(*case.accepted, best.candidate), left=tuple(unexplained), apart=None
+    )
 
 
 def _excess(case: Case) -> float:

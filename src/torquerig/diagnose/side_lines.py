@@ -31,7 +31,8 @@ def without_side_lines(
     An angle that strays by ``Re(c exp(i m theta))`` gives a line ``A`` of order n side lines of ``n |c| A / 2`` at
     n + m and n - m. Where the shafts pass those otherwise than the line itself, they are left even when the angle is
     known, and no model of lines has them. A slow line of torque T also twists the sensor, of stiffness k, by T / k,
-    and with it the teeth that make faster lines. Carriers are ``known`` and the peaks that are clearer.
+    and with it the teeth that make faster lines. Carriers are ``known`` and the peaks that are clearer; of these, which
+    may be far stronger than any known line, side lines of second order are reckoned with as a share of their size.
     """
     spring = Twin(rig).springs.get(rig.measured)
     twist = 0.0 if spring is None else kinematics_of(rig).ratio / spring.stiffness

@@ -15,7 +15,6 @@ from torquerig.rig.rig import Rig
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
 
 
-
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield the friction curve that fits best among a few sizes, peaks and Stribeck speeds, and its like by direction.
 

@@ -1,0 +1,38 @@
+"""Lines of impacts are told from lines of teeth and blades by how many multiples there are, and how high."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from torquerig.diagnose.combs import without_comb
+from torquerig.diagnose.peaks import Peak
+from torquerig.diagnose.places import frequency, order
+
+
+def peak(at: float) -> Peak:
+    return Peak(order(at), 100.0, ("run1",), 2)
+
+
+def test_the_lines_of_impacts_are_left_to_their_ringing() -> None:
+    """A defect of order 2.402 of the output shaft at 5:1, its lines placed to a thousandth of an order."""
+    rng = np.random.default_rng(1)
+    comb = [peak(k * 2.402 / 5 + 1e-3 * rng.standard_normal()) for k in (5, 14, *range(28, 60), 70, 71)]
+    hum = Peak(frequency(50.0), 60.0, ("run1",), 2)
+    mesh = peak(16.9)
+    assert without_comb([*comb, hum, mesh]) == (hum, mesh)
+
+
+def test_a_mesh_and_its_harmonics_stay() -> None:
+    teeth = [peak(h * 84 / 5) for h in (1, 2, 3, 4)]
+    assert without_comb(teeth) == tuple(teeth)
+
+
+def test_a_mesh_with_the_side_lines_of_its_planets_stays() -> None:
+    teeth = [peak((h * 84 + side) / 5) for h in (1, 2, 3) for side in (-3, 0, 3)]
+    kept = without_comb(teeth)
+    assert {round(each.place.at * 5) for each in kept} >= {84, 168, 252}
+
+
+def test_lines_of_no_common_order_stay() -> None:
+    some = [peak(at) for at in (3.3, 7.71, 11.2, 19.2, 23.9, 31.05, 44.4, 58.7)]
+    assert without_comb(some) == tuple(some)
