@@ -5,15 +5,17 @@ Looking
     sample_faults   coarse codes, flat tops, dropouts      regression   lines of a stretch by least squares
     places          an order or a frequency                features     the numbers of a run that are compared
     peaks           lines that no model asked for          lines_left   the same in passes
-    order_or_fixed  what a line of one speed may be
-    impacts         beats of a ringing band
+    side_lines      peaks that an uneven speed explains    combs        lines that are impacts' multiples
+    order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
+    impacts         beats of a ringing band                smeared      lines of an angle that was not measured
 Expecting
     transfer        shafts to reading, on a grid           twin         lines and load spectrum of a rig
     quasi_static    slow torque                            added_signals  tones, drift and rings of the electronics
-    rounding_noise  what coarse codes add
+    rounding_noise  what coarse codes add                  skirts       what an unmeasured angle puts beside lines
     expectation     all features of a run                  misfit       how far they lie apart
 Fitting
     knobs           what may be turned                     calibration  the nominal model with its numbers fitted
+    least_squares   steps whose derivatives are kept
     case            where a diagnosis stands               hypotheses/  how each mechanism would explain what is left
     search          the hypotheses fitted, best first      loaded_part  which part the load acts on
     motion/         rigs whose motion was measured: no loop, no random load, so sample by sample
