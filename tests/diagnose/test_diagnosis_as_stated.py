@@ -180,6 +180,18 @@ def test_a_second_effect_of_a_kind_is_found_beside_the_scenarios_own(
     assert made.findings[0].parameters["order_output"].value == pytest.approx(84.0)
 
 
+def test_a_sheet_that_the_lines_of_the_torque_contradict_is_said_and_located(
+    known_rig: Scenario, three_runs: ThreeRuns
+) -> None:
+    runs = three_runs(known_rig.rig, 8, encoder=False)
+    wrong = replace(runs[0].run, speed=1.3 * (runs[0].run.speed or 0.0))
+    made = diagnose(known_rig, [replace(runs[0], run=wrong), *runs[1:]]).diagnosis
+    assert len(made.remarks) == 1
+    assert "its sheet sets 1300 rpm, the lines of its torque fit 1004 rpm" in made.remarks[0]
+    (place,) = [place for place in made.mismatch if place.axis == "rpm"]
+    assert place.at == pytest.approx(1004.0, rel=1e-3)
+
+
 def test_a_sheet_that_the_encoder_contradicts_is_said_and_located(known_rig: Scenario, three_runs: ThreeRuns) -> None:
     runs = three_runs(known_rig.rig, 8)
     wrong = replace(runs[0].run, speed=1.3 * (runs[0].run.speed or 0.0))

@@ -42,15 +42,19 @@ def check_recordings(recordings: Sequence[Recording], rig: Rig) -> None:
 
 
 def off_set_points(recordings: Sequence[Recording], runs: Sequence[Observed]) -> Iterator[tuple[str, Mismatch]]:
-    """Yield a sentence and a mismatch for each steady run whose angle channel turns at another speed than its sheet."""
+    """Yield a sentence and a mismatch for each steady run that turns at another speed than its sheet says.
+
+    By its angle channel, or by the lines of its torque.
+    """
     for recording, run in zip(recordings, runs, strict=True):
         stated, real = recording.run.speed, abs(run.mean_speed)
-        if not (run.steady and run.angle_measured and stated) or abs(real / stated - 1) <= SPEED_KEPT:
+        if not (run.steady and stated) or abs(real / stated - 1) <= SPEED_KEPT:
             continue
         rpm, said = real * 30 / pi, stated * 30 / pi
+        teller = f"its {run.origin} turns at" if run.angle_measured else "the lines of its torque fit"
         sentence = (
-            f"{run.name}: its sheet sets {said:.0f} rpm, its {run.origin} turns at {rpm:.0f} rpm; diagnosed at the "
-            "latter, so correct the sheet, or the counts per turn"
+            f"{run.name}: its sheet sets {said:.0f} rpm, {teller} {rpm:.0f} rpm; diagnosed at the "
+            f"latter, so correct the sheet{', or the counts per turn' if run.angle_measured else ''}"
         )
         yield sentence, Mismatch(
             domain="speed", axis="rpm", at=rpm, width=abs(rpm - said), recordings=(run.name,),

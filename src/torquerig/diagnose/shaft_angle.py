@@ -9,14 +9,17 @@ from statistics import median
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.signals.angle import measured_motor_angle
+from torquerig.signals.angle import MotorAngle, measured_motor_angle
 from torquerig.signals.recording import Recording
+from torquerig.signals.speed_far_off import speed_far_off
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
 from torquerig.simulate.simulate import simulate
 
+_NEAR = 0.013  # [1] a set-point off by more is out of the reach of those who follow the lines around it
 _FOLLOWED = 0.003  # [1] uncertainty of the speed above which a run's own torque does not tell it
 
 
@@ -47,14 +50,25 @@ def shaft_angles(
         angle = measured_motor_angle(recording, ratio=kinematics.ratio)
         measured = angle is not None
         if angle is None and recording.run.profile == "steady" and recording.run.speed:
-            angle = motor_angle_from_torque(recording, kinematics.lines(), also=also)
-            angle = angle if angle.speed_sd < _FOLLOWED else None  # no comb stands out: the other runs know more
+            angle = _followed(recording, rig, also)
         found.append(None if angle is None else ShaftAngle(angle.values, measured, angle.origin))
         if angle is not None and recording.run.profile == "steady" and recording.run.speed:
             factors.append(angle.mean_speed(recording.sample_rate) / recording.run.speed)
     factor = median(factors) if factors else 1.0
     pairs = zip(recordings, found, strict=True)
     return [_simulated(recording, rig, factor) if angle is None else angle for recording, angle in pairs], factor
+
+
+def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAngle | None:
+    """Return the angle of a steady run by the lines of its torque; None where none stand out: other runs know more."""
+    run = recording.run
+    stated = run.speed or 0.0
+    known = [line.order for line in Twin(rig.at(run)).lines()]
+    told = speed_far_off(recording.torque(), recording.sample_rate, set_point=stated, orders=known)
+    if told is not None and abs(told / stated - 1) > _NEAR:
+        recording = replace(recording, run=replace(run, speed=told))
+    angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also)
+    return angle if angle.speed_sd < _FOLLOWED else None
 
 
 def _simulated(recording: Recording, rig: Rig, factor: float) -> ShaftAngle:
