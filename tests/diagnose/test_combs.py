@@ -36,3 +36,9 @@ def test_a_mesh_with_the_side_lines_of_its_planets_stays() -> None:
 def test_lines_of_no_common_order_stay() -> None:
     some = [peak(at) for at in (3.3, 7.71, 11.2, 19.2, 23.9, 31.05, 44.4, 58.7)]
     assert without_comb(some) == tuple(some)
+
+
+def test_lines_that_crowd_at_two_places_are_no_comb() -> None:
+    """All lines but a few within a hundredth of one order: no slope can be fitted through them."""
+    crowd = [peak(at) for at in (12.0, 12.03, 12.03, 12.06, 12.061, 12.09, 12.12, 40.0, 40.03, 40.05)]
+    assert len(without_comb(crowd)) > 0

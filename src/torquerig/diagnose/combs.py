@@ -61,8 +61,9 @@ def _fitted(orders: NDArray[np.float64], spacing: float) -> float:
     for reach in (4.0, 12.0, 40.0, np.inf):
         steps = np.round((orders - start) / spacing)
         near = (np.abs(orders - start - steps * spacing) < 0.2 * spacing) & (orders - start < reach * spacing)
-        if near.sum() > 1:
-            spacing = float(np.polyfit(steps[near], orders[near], 1)[0])
+        if np.unique(steps[near]).size > 1:
+            slope = float(np.polyfit(steps[near], orders[near], 1)[0])
+            spacing = slope if 0.8 < slope / spacing < 1.25 else spacing
     multiples = np.maximum(np.round(orders / spacing), 1)
     close = np.abs(orders - multiples * spacing) < 0.3 * spacing
     return float(np.median(orders[close] / multiples[close])) if close.any() else spacing
