@@ -138,3 +138,12 @@ def test_impacts_that_ring_are_no_dropouts(clean: Recording) -> None:
     for start in range(1000, volts.size - 500, 900):
         volts[start : start + 400] += rng.uniform(0.5, 2) * np.sign(np.sin(2 * np.pi * 300 * time)) * np.exp(-60 * time)
     assert dropouts([with_volts(clean, volts)]) is None
+
+
+def test_a_torque_that_runs_into_the_converters_end_is_no_dropout(clean: Recording) -> None:
+    """It climbs there in a millisecond, and stands at one level for some more."""
+    volts = clean.channels["torque_V"].values.copy()
+    climb = np.concatenate([np.linspace(0, 14, 6), np.full(20, 14.0), np.linspace(14, 0, 6)])
+    for start in (2000, 7000, 12_000):
+        volts[start : start + climb.size] += climb
+    assert dropouts([with_volts(clean, np.minimum(volts, FULL))]) is None

@@ -17,6 +17,7 @@ _COARSER = 1.7  # a lattice must be so many converter steps wide
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
 _FLAT_SHARE, _FEWEST_FLAT = 2e-4, 20
 _JUMP = 12.0
+_AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
 _SHORTEST = 8e-4  # [s] half a period of what rings is shorter
 _ONE_LEVEL = 6.0
 
@@ -119,7 +120,8 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
 
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
-    steps), the moment lasts 0.8 to 200 ms, and within it the signal keeps to its level as closely as noise lets it.
+    steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal keeps to its level as
+    closely as noise lets it.
     """
     steps = np.diff(volts)
     sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
@@ -133,7 +135,9 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
             continue
         inside, level = volts[start:stop], float(np.median(volts[start:stop]))
         outside = 0.5 * (volts[max(start - 2, 0)] + volts[min(stop + 1, volts.size - 1)])
-        away = abs(level - outside) > _JUMP * sigma and (volts[start] - volts[start - 1]) * (level - outside) > 0
+        way = (level - outside) or np.inf
+        jumped = min(volts[start] - volts[start - 1], volts[stop - 1] - volts[stop], key=lambda step: step / way) / way
+        away = abs(level - outside) > _JUMP * sigma and jumped > _AT_ONCE
         if away and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
             last = stop
