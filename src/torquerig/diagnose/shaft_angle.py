@@ -15,6 +15,7 @@ from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.angle import MotorAngle, measured_motor_angle
 from torquerig.signals.recording import Recording
+from torquerig.signals.set_point import set_point_speed
 from torquerig.signals.speed_far_off import speed_far_off
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
 from torquerig.simulate.simulate import simulate
@@ -72,7 +73,7 @@ def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAng
 
 
 def _simulated(recording: Recording, rig: Rig, factor: float) -> ShaftAngle:
-    run = replace(recording.run, speed=(recording.run.speed or 0.0) * factor)
+    run = replace(recording.run, speed=set_point_speed(recording, "recordings without an angle channel") * factor)
     for ripple in rig.parts_of(TorqueRipple):
         rig = rig.changed(replace(ripple, amplitudes={}))
     turned = simulate(rig.at(run), duration=recording.duration, seed=0, sample_rate=recording.sample_rate)
