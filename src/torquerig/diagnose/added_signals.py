@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import pi
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.features import Features
+from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.twin import Twin
 from torquerig.signals.recording import Recording
 from torquerig.signals.stages.drift import Drift
@@ -41,7 +43,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
     """Return what the measuring chain adds to a reading of zero over the run of ``seen``."""
     observed, bands = seen.observed, seen.band.size
     unit = observed.recording.channels[observed.recording.torque_name()].si_per_unit
-    power, level = np.zeros(bands), np.zeros(len(seen.level))
+    power = np.zeros(bands)
     tones: list[tuple[float, float]] = []
     codes: list[float] = []
     struck: Floats | float = 0.0
@@ -52,8 +54,6 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
                 (folded(harmonic * stage.frequency, observed.rate), volts * unit)
                 for harmonic, volts in enumerate(stage.amplitudes, start=1)
             ]
-        elif isinstance(stage, Drift):
-            level += _level(stage, seen)
         elif isinstance(stage, Rounding):
             codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
@@ -61,6 +61,9 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             rung = stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
             power, ringing = power + rung, ringing + rung
             struck = np.hypot(struck, _struck(stage, twin, seen))
+    level = moving_zero(
+        twin, observed, [stretch.start for stretch in seen.stretches], [stretch.stop for stretch in seen.stretches]
+    )
     return AddedSignals(power, level, tuple(tones), tuple(codes), struck, ringing)
 
 
@@ -78,14 +81,21 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
     return answer
 
 
-def _level(stage: Drift, seen: Features) -> Floats:
-    """Mean of a slow stage's signal over each stretch [N m]."""
-    recording = seen.observed.recording
+def moving_zero(twin: Twin, observed: Observed, starts: Sequence[int], stops: Sequence[int]) -> Floats:
+    """Mean of what a moving zero adds between samples ``starts`` and ``stops`` of a run [N m], shape (starts,)."""
+    drifts = [stage for stage in twin.rig.stages() if isinstance(stage, Drift)]
+    if not drifts:
+        return np.zeros(len(starts))
+    recording = observed.recording
     name = recording.torque_name()
     count = max(2, round(recording.duration * _SLOW_RATE))
     silence = replace(recording.channels[name], values=np.zeros(count))
     silent = Recording(sample_rate=count / recording.duration, channels={name: silence}, run=recording.run)
-    signal = stage.apply(silent).channels[name].in_si()
     share = count / recording.samples
-    edges = [(int(stretch.start * share), int(stretch.stop * share)) for stretch in seen.stretches]
-    return np.array([signal[start : max(stop, start + 1)].mean() for start, stop in edges])
+    low = (np.asarray(starts) * share).astype(int)
+    high = np.maximum((np.asarray(stops) * share).astype(int), low + 1)
+    total = np.zeros(len(starts))
+    for drift in drifts:
+        summed = np.concatenate([[0.0], np.cumsum(drift.apply(silent).channels[name].in_si())])
+        total += (summed[high] - summed[low]) / (high - low)
+    return total

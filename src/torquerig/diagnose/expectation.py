@@ -8,14 +8,14 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.added_signals import added_signals
+from torquerig.diagnose.added_signals import added_signals, moving_zero
 from torquerig.diagnose.features import POINTS, Features
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.skirts import skirts
-from torquerig.diagnose.turning import Turning
+from torquerig.diagnose.turning import BLOCK, Turning
 from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
@@ -111,8 +111,10 @@ def _rounded(step: float, seen: Features, power: Floats, amplitude: Floats) -> t
 
 
 def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
-    """Return the quasi-static torque of each block: the shafts' own ringing dies out within one."""
+    """Return the quasi-static torque of each block and its zero: the shafts' own ringing dies out within one."""
+    size = round(BLOCK * seen.observed.rate)
     torque = quasi_static(twin, speed=blocks.speed, acceleration=blocks.acceleration).sensor
+    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + size)
     none = np.zeros((0, len(seen.places)))
     return Expectation(np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque)
 

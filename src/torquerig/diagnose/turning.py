@@ -24,12 +24,15 @@ class Turning:
 
     Parameters
     ----------
+    start : ndarray, shape (blocks,)
+        First sample of each block.
     torque, speed, acceleration : ndarray, shape (blocks,)
         [N m]; of the motor [rad/s], [rad/s^2].
     lines : ndarray, shape (blocks, dimensions)
         Orthonormal columns that span what lines of any size and phase can do to the blocks.
     """
 
+    start: NDArray[np.int64]
     torque: Floats
     speed: Floats
     acceleration: Floats
@@ -60,6 +63,7 @@ def turning(observed: Observed, places: Sequence[Place], *, held: bool | None) -
     waves = [np.exp(1j * order * angle).mean(axis=1) for order in orders]
     columns = [part for wave in waves for part in (wave.real, wave.imag)]
     return Turning(
+        start=starts,
         torque=observed.torque[index].mean(axis=1),
         speed=observed.speed[starts + size // 2],
         acceleration=(ends - observed.speed[starts]) / BLOCK,
