@@ -14,6 +14,7 @@ from torquerig.diagnose.features import Features, features
 from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
 from torquerig.diagnose.free_names import with_free_names
 from torquerig.diagnose.held_out import held_out
+from torquerig.diagnose.hum import hum_places
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.leftover import Mismatch, mismatches
@@ -119,7 +120,7 @@ def _opened(
     fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
     known = known_places(fitted, nominal)
     left = without_comb(lines_left(fitted, known, rig=nominal))
-    places = [*known, *(peak.place for peak in left)]
+    places = [*known, *(peak.place for peak in left), *hum_places(left)]
     seen = tuple(features(run, places) for run in fitted)
     held = tuple(features(run, places, held=True) for run in runs)
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]

@@ -68,7 +68,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     if seen.turning is not None:
         return _turning(twin, seen, seen.turning)
     added = added_signals(twin, seen)
-    load = twin.load_power(seen.band)
+    load = twin.load_power_between(*seen.band_edges)
     power = load + _noise(placed, seen) + added.power
     points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
     stretches = len(seen.level)

@@ -20,6 +20,7 @@ from torquerig.diagnose.turning import Turning, turning, turns_back
 Floats = NDArray[np.float64]
 
 _FEWEST_TURNS = 0.9  # periods of a line within a stretch
+_CROSSING_POINTS, _LIKE = 512, 0.5  # correlation of two lines below which a regression tells them apart
 POINTS = 9  # speeds kept of each stretch
 
 
@@ -92,6 +93,12 @@ class Features:
         revolutions = np.abs(self.speed)[:, None, :] / (2 * pi)
         return np.asarray(np.where(turning[None, :, None], at[None, :, None] * revolutions, at[None, :, None]))
 
+    @cached_property
+    def band_edges(self) -> tuple[Floats, Floats]:
+        """Lower and upper edge of each band [Hz], of which ``band`` is the geometric mean."""
+        low = np.sqrt(0.25 * self.width**2 + self.band**2) - 0.5 * self.width
+        return low, low + self.width
+
     def without(self, places: Sequence[Place]) -> Features:
         """Return the same features, the lines at ``places`` not shown."""
         amplitude = self.amplitude.copy()
@@ -160,14 +167,23 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
     mean, top = float(speeds.mean()), float(speeds.max())
     resolved = RESOLVED_STEADY if observed.steady else RESOLVED
     shown: list[int] = []
-    taken: list[float] = []
     for index, place in enumerate(places):
         at = place.frequency(mean)
         turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < 0.4 * observed.rate
-        if turning and all(abs(at - other) * duration >= resolved for other in taken):
+        near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < resolved)
+        if turning and all(_crossing(observed, stretch, place, other) for other in near):
             shown.append(index)
-            taken.append(at)
     return shown
+
+
+def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) -> bool:
+    """Whether an order sweeps across a fixed frequency in the stretch so fast that both can be told apart."""
+    if observed.steady or place.domain == other.domain:
+        return False
+    samples = np.linspace(stretch.start, stretch.stop - 1, _CROSSING_POINTS).astype(int)
+    angle, time = observed.angle[samples], samples / observed.rate
+    apart = place.phase(angle, time) - other.phase(angle, time)
+    return bool(abs(np.exp(1j * apart).mean()) < _LIKE)
 
 
 def _lines(

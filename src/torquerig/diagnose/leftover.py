@@ -142,7 +142,7 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
 def _for_the_load(case: Case, features: Features) -> NDArray[np.float64]:
     """Return a factor below 1 for bands that a random load fills: its spectrum is its own, no physics of the rig."""
     twin = Twin(case.model.rig.at(features.observed.run))
-    share = twin.load_power(features.band) / expected(case.model.rig, features).power
+    share = twin.load_power_between(*features.band_edges) / expected(case.model.rig, features).power
     tight = 1 / features.count + BAND_TOLERANCE**2
     return np.asarray(np.sqrt(tight / (tight + (_LOAD_SHAPE * np.clip(share, 0.0, 1.0)) ** 2)))
 

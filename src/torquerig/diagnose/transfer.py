@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import eigh
 
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Drive, Friction, Inertia, Spring, Term
-from torquerig.simulate.linear import matrices
+from torquerig.simulate.linear import Matrices, matrices
 from torquerig.simulate.lower import lower
 
 Response = NDArray[np.complex128]
@@ -20,12 +21,39 @@ Response = NDArray[np.complex128]
 _FINE, _COARSE = 40, 8  # points per octave, where shafts ring and elsewhere
 _RINGING = (10.0, 1500.0)  # [Hz]
 _RANGE = (0.04, 13_000.0)  # [Hz]
+_SHARP = 0.03  # damping ratio below which a mode needs points of its own
+_AROUND = np.array([-12.0, -7.0, -4.0, -2.5, -1.5, -0.9, -0.5, -0.2, 0.0, 0.2, 0.5, 0.9, 1.5, 2.5, 4.0, 7.0, 12.0])
 _KEPT = 64
 
-_solved: OrderedDict[Hashable, dict[str, Response]] = OrderedDict()
+
+@dataclass(frozen=True, eq=False)
+class Shafts:
+    """Responses to a torque on each node, on a grid that is finer around lightly damped modes.
+
+    Parameters
+    ----------
+    frequency : ndarray, shape (points,)
+        [Hz], ascending.
+    reading : dict of ndarray, shape (points,)
+        Torque in the measured spring per torque on a node [1].
+    drive : dict of ndarray, shape (points,)
+        Torque that the speed loop answers with [1]; empty without a speed loop.
+    """
+
+    frequency: NDArray[np.float64]
+    reading: dict[str, Response]
+    drive: dict[str, Response]
+
+    def at(self, response: Response, frequencies: NDArray[np.float64]) -> Response:
+        """Return a response at other frequencies [Hz], by its real and imaginary part over the logarithm."""
+        where, grid = np.log(np.clip(frequencies, *_RANGE)), np.log(self.frequency)
+        return np.asarray(np.interp(where, grid, response.real) + 1j * np.interp(where, grid, response.imag))
 
 
-def _grid() -> NDArray[np.float64]:
+_solved: OrderedDict[Hashable, Shafts] = OrderedDict()
+
+
+def _even_grid() -> NDArray[np.float64]:
     edges = [_RANGE[0], *_RINGING, _RANGE[1]]
     parts = [
         np.geomspace(low, high, int(np.log2(high / low) * density), endpoint=False)
@@ -34,12 +62,11 @@ def _grid() -> NDArray[np.float64]:
     return np.concatenate([*parts, [_RANGE[1]]])
 
 
-GRID = _grid()
-LOG_GRID = np.log(GRID)
+_EVEN = _even_grid()
 
 
-def on_grid(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
-    """Return the transfer of a torque on each node to the torque in the measured spring [1], shapes (GRID.size,).
+def on_grid(rig: Rig, terms: Sequence[Term]) -> Shafts:
+    """Return the transfers of a torque on each node.
 
     The speed loops are closed, the sampled control taken as continuous (true far below the sample rate); losses of the
     gears are those of power that flows to the load.
@@ -50,12 +77,6 @@ def on_grid(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
         if len(_solved) > _KEPT:
             _solved.popitem(last=False)
     return _solved[key]
-
-
-def at(response: Response, frequencies: NDArray[np.float64]) -> Response:
-    """Return a response of the grid at other frequencies [Hz], by its real and imaginary part over the logarithm."""
-    where = np.log(np.clip(frequencies, *_RANGE))
-    return np.asarray(np.interp(where, LOG_GRID, response.real) + 1j * np.interp(where, LOG_GRID, response.imag))
 
 
 def _structure(terms: Sequence[Term]) -> tuple[Term, ...]:
@@ -73,8 +94,10 @@ def _structure(terms: Sequence[Term]) -> tuple[Term, ...]:
     return tuple(kept)
 
 
-def _solve(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
-    system, s = matrices(lower(rig, 0)), 2j * pi * GRID
+def _solve(rig: Rig, terms: Sequence[Term]) -> Shafts:
+    system = matrices(lower(rig, 0))
+    grid = _refined(system)
+    s = 2j * pi * grid
     wide = s[:, None, None]
     dynamic = np.asarray(wide**2 * system.mass + wide * system.damping + system.stiffness, dtype=np.complex128)
     row = {name: index for index, name in enumerate(system.nodes)}
@@ -83,12 +106,28 @@ def _solve(rig: Rig, terms: Sequence[Term]) -> dict[str, Response]:
         back = np.asarray(share * (lossy.stiffness + s * lossy.damping), dtype=np.complex128)
         dynamic[:, row[lossy.a], row[lossy.a]] += back / lossy.ratio
         dynamic[:, row[lossy.a], row[lossy.b]] -= back
-    for drive in (term for term in terms if isinstance(term, Drive)):
-        dynamic[:, row[drive.on], row[drive.on]] += (drive.kp * s + drive.ki) / (1 + s * drive.lag)
+    drives = [term for term in terms if isinstance(term, Drive)]
+    loops = [np.asarray((drive.kp * s + drive.ki) / (1 + s * drive.lag)) for drive in drives]
+    for drive, loop in zip(drives, loops, strict=True):
+        dynamic[:, row[drive.on], row[drive.on]] += loop
     spring = next(term for term in terms if isinstance(term, Spring) and term.name == rig.measured)
-    twist = np.zeros((s.size, len(row), 1), dtype=complex)
-    twist[:, row[spring.a], 0] += 1 / spring.ratio
-    twist[:, row[spring.b], 0] -= 1.0
-    adjoint = np.linalg.solve(np.transpose(dynamic, (0, 2, 1)), twist)[:, :, 0]
+    asked = np.zeros((s.size, len(row), 1 + len(drives[:1])), dtype=complex)
+    asked[:, row[spring.a], 0] += 1 / spring.ratio
+    asked[:, row[spring.b], 0] -= 1.0
+    if drives:
+        asked[:, row[drives[0].on], 1] = 1.0
+    adjoint = np.linalg.solve(np.transpose(dynamic, (0, 2, 1)), asked)
     force = spring.stiffness + s * spring.damping
-    return {name: np.asarray(force * adjoint[:, index], dtype=np.complex128) for name, index in row.items()}
+    reading = {name: np.asarray(force * adjoint[:, at, 0], dtype=np.complex128) for name, at in row.items()}
+    drive_torque = {name: np.asarray(-loops[0] * adjoint[:, at, 1]) for name, at in row.items()} if drives else {}
+    return Shafts(grid, reading, drive_torque)
+
+
+def _refined(system: Matrices) -> NDArray[np.float64]:
+    """Return the even grid with points around each lightly damped mode, within its half-widths."""
+    squares, shapes = eigh(system.stiffness, system.mass)
+    modal = np.einsum("ij,ik,kj->j", shapes, system.damping, shapes)  # 2 zeta omega, shapes being of unit modal mass
+    omega = np.sqrt(np.maximum(squares, 0.0))
+    rings = (omega > 2 * pi * _RINGING[0]) & (omega < 2 * pi * _RINGING[1]) & (modal < 2 * _SHARP * omega)
+    own = [omega[rings, None] / (2 * pi) * np.exp(0.5 * (modal / np.maximum(omega, 1.0))[rings, None] * _AROUND)]
+    return np.unique(np.concatenate([_EVEN, *own], axis=None))

@@ -10,7 +10,7 @@ from math import pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.transfer import GRID, Response, at, on_grid
+from torquerig.diagnose.transfer import Response, on_grid
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.rig.steady import steady_torque_in
@@ -21,6 +21,7 @@ Floats = NDArray[np.float64]
 _TURN = np.linspace(-pi, pi, 4096, endpoint=False)
 _PULSE = np.maximum(0.0, np.cos(_TURN)) ** 2
 BLADE_MEAN = float(_PULSE.mean())
+_NOTHING = 1e-30  # [(N m)^2/Hz]
 _BLADE_SERIES = tuple(float(2 * np.mean(_PULSE * np.cos(k * _TURN))) for k in range(1, 8))  # zero to peak
 
 
@@ -46,7 +47,7 @@ class Twin:
         self.terms: tuple[Term, ...] = rig.terms()
         self.springs = {term.name: term for term in self.terms if isinstance(term, Spring)}
         self.drives = [term for term in self.terms if isinstance(term, Drive)]
-        self._shafts = on_grid(rig, self.terms)
+        self.shafts = on_grid(rig, self.terms)
 
     @cached_property
     def cutoff(self) -> float:
@@ -64,18 +65,20 @@ class Twin:
 
     def torque_on(self, node: str, against: str = GROUND) -> Callable[[Floats], Response]:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
-        passed = self._shafts[node] if against == GROUND else self._shafts[node] - self._shafts[against]
+        reading = self.shafts.reading
+        passed = reading[node] if against == GROUND else reading[node] - reading[against]
         return self._read(passed)
 
     def error_in(self, spring: str) -> Callable[[Floats], Response]:
         """Return the transfer of a kinematic error in ``spring`` [rad at its b side] to the reading [N m per rad]."""
         term = self.springs[spring]
-        force = term.stiffness + 2j * pi * GRID * term.damping
-        passed = force * (self._shafts[term.b] - self._shafts[term.a] / (term.ratio * term.efficiency))
+        reading = self.shafts.reading
+        force = term.stiffness + 2j * pi * self.shafts.frequency * term.damping
+        passed = force * (reading[term.b] - reading[term.a] / (term.ratio * term.efficiency))
         return self._read(passed + force if spring == self.rig.measured else passed)
 
     def _read(self, passed: Response) -> Callable[[Floats], Response]:
-        return lambda frequencies: at(passed, frequencies) * self.amplifier(frequencies)
+        return lambda frequencies: self.shafts.at(passed, frequencies) * self.amplifier(frequencies)
 
     def lines(self) -> Iterator[LineSource]:
         """Yield every line of the rig that follows a shaft."""
@@ -122,9 +125,29 @@ class Twin:
 
     def load_power(self, frequencies: Floats) -> Floats:
         """Return the one-sided spectral density that random loads leave in the reading [(N m)^2/Hz]."""
-        power = np.zeros(frequencies.size)
+        return np.asarray(np.exp(np.interp(np.log(frequencies), np.log(self.shafts.frequency), np.log(self._load))))
+
+    def load_power_between(self, low: Floats, high: Floats) -> Floats:
+        """Return the mean of that density between two frequencies [Hz] each: a sharp mode is narrower than a band."""
+        grid = self.shafts.frequency
+        steps = 0.5 * (self._load[1:] + self._load[:-1]) * np.diff(grid)
+        summed = np.concatenate([[0.0], np.cumsum(steps)])
+        return np.asarray((np.interp(high, grid, summed) - np.interp(low, grid, summed)) / (high - low))
+
+    @cached_property
+    def _load(self) -> Floats:
+        """Density of random loads in the reading on the grid of the shafts."""
+        return self._driven(self.shafts.reading) * np.abs(self.amplifier(self.shafts.frequency)) ** 2 + _NOTHING
+
+    @cached_property
+    def _answered(self) -> Floats:
+        """Density of what the speed loop answers to random loads, on the grid of the shafts [(N m)^2/Hz]."""
+        return self._driven(self.shafts.drive)
+
+    def _driven(self, passed: dict[str, Response]) -> Floats:
+        power = np.zeros(self.shafts.frequency.size)
         for term in self.terms:
             density = getattr(term.process, "density", None) if isinstance(term, Load) else None
             if isinstance(term, Load) and density is not None:
-                power += np.abs(self.torque_on(term.on)(frequencies)) ** 2 * density(frequencies)
+                power += np.abs(passed[term.on]) ** 2 * density(self.shafts.frequency)
         return power

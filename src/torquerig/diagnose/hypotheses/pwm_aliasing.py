@@ -11,7 +11,6 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.order_or_fixed import doubtful_lines, fixed_lines
 from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.transfer import GRID
 from torquerig.diagnose.twin import Twin
 
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading
@@ -72,6 +71,7 @@ def mechanical_range(case: Case) -> float:
     """
     twin = Twin(case.nominal)  # a model that lacks a strong line may be fitted far off
     acted = sorted(twin.turns.keys() & {getattr(term, "on", None) for term in twin.terms})
-    passed = np.max([np.abs(twin.torque_on(node)(GRID)) for node in acted], axis=0)
+    grid = twin.shafts.frequency
+    passed = np.max([np.abs(twin.torque_on(node)(grid)) for node in acted], axis=0)
     above = np.flatnonzero(passed > _PASSED)
-    return float(GRID[above[-1]]) if above.size else 0.0
+    return float(grid[above[-1]]) if above.size else 0.0
