@@ -15,14 +15,16 @@ from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.skirts import skirts
-from torquerig.diagnose.turning import BLOCK, Turning
+from torquerig.diagnose.turning import BLOCK, STEPS, Turning
 from torquerig.diagnose.twin import LineSource, Twin
+from torquerig.diagnose.winding import wound_torque
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
 from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
 
+_MISTIMED = 0.04  # [s] a reversal that was simulated and not measured may come so much earlier or later
 _FLANK = 0.1  # of the density at the resonance: below it, a mode's flanks begin
 _RINGING_SHAPE = 0.6  # [1] of the density's logarithm: a mode's reading may be a displacement, a speed or between
 
@@ -47,6 +49,8 @@ class Expectation:
         Part of ``power`` that random loads make [1].
     power_tolerance, amplitude_tolerance : float or ndarray
         What chance in an effect beyond the twin may add: of the density's logarithm [1], of an amplitude [N m].
+    turning_tolerance : float or ndarray, shape (blocks,)
+        What nobody knows of a contact near standstill [N m].
     """
 
     power: Floats
@@ -58,6 +62,7 @@ class Expectation:
     load_share: Floats = field(default_factory=lambda: np.zeros(0))
     power_tolerance: float | Floats = 0.0
     amplitude_tolerance: float | Floats = 0.0
+    turning_tolerance: float | Floats = 0.0
 
 
 def expected(rig: Rig, seen: Features) -> Expectation:
@@ -111,12 +116,18 @@ def _rounded(step: float, seen: Features, power: Floats, amplitude: Floats) -> t
 
 
 def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
-    """Return the quasi-static torque of each block and its zero: the shafts' own ringing dies out within one."""
-    size = round(BLOCK * seen.observed.rate)
-    torque = quasi_static(twin, speed=blocks.speed, acceleration=blocks.acceleration).sensor
-    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + size)
+    """Return the slow torque of each block and its zero: the shafts' own ringing dies out within one."""
+    rate, step = seen.observed.rate, BLOCK / STEPS
+    gained = np.gradient(blocks.course, step)
+    wound = wound_torque(twin, speed=blocks.course, acceleration=gained, step=step, start=blocks.first)
+    torque, tolerance = blocks.mean_of(wound.torque, rate), blocks.mean_of(wound.tolerance, rate)
+    if not seen.observed.angle_measured:
+        tolerance = np.hypot(tolerance, blocks.mean_of(np.abs(np.gradient(wound.torque, step)), rate) * _MISTIMED)
+    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + round(BLOCK * rate))
     none = np.zeros((0, len(seen.places)))
-    return Expectation(np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque)
+    return Expectation(
+        np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque, turning_tolerance=tolerance
+    )  # fmt: skip
 
 
 def _size(passed: NDArray[np.complex128], line: LineSource, motor: Floats, *, steady: bool) -> Floats:

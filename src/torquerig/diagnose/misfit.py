@@ -76,7 +76,7 @@ class Misfit:
 def misfit(seen: Features, model: Expectation) -> Misfit:
     """Return the residuals of a run against a model."""
     if seen.turning is not None and model.turning is not None:
-        return _turning(seen.turning, model.turning)
+        return _turning(seen.turning, model.turning, model.turning_tolerance)
     if seen.power.size:
         excess = np.nan_to_num(np.log(seen.power / model.power))
         beyond = np.square(model.power_tolerance) + np.where(excess < 0, DIP_TOLERANCE * model.load_share, 0.0) ** 2
@@ -108,11 +108,11 @@ def misfit_sum(misfits: Sequence[Misfit]) -> float:
     return float(sum((robust(each.paid()) ** 2).sum() for each in misfits))
 
 
-def _turning(seen: Turning, model: Floats) -> Misfit:
+def _turning(seen: Turning, model: Floats, tolerance: Floats | float) -> Misfit:
     """Blocks of a run that turns back; what lines could do is taken out, neighbours are about half independent."""
-    spread = np.sqrt(TURNING_FLOOR**2 + (TURNING_TOLERANCE * model) ** 2)
+    spread = np.sqrt(TURNING_FLOOR**2 + (TURNING_TOLERANCE * model) ** 2 + np.square(tolerance))
     none = np.zeros(0)
-    return Misfit(none, none, none, seen.without_lines(seen.torque - model) / spread / np.sqrt(2))
+    return Misfit(none, none, none, seen.without_lines(seen.torque - model, spread) / np.sqrt(2))
 
 
 def _steady_lines(seen: Features, model: Expectation) -> Floats:

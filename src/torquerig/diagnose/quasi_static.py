@@ -29,7 +29,7 @@ def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiSta
     between. Springs are taken as rigid, which holds far below the first mode.
     """
     sensor, motor = np.zeros(speed.shape), np.zeros(speed.shape)
-    behind, efficiency = _behind_sensor(twin), _efficiency(twin)
+    behind, efficiency = behind_sensor(twin), _efficiency(twin)
     for term in twin.terms:
         node = getattr(term, "on", getattr(term, "node", None))
         if node is None or node not in twin.turns:
@@ -42,23 +42,37 @@ def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiSta
 
 
 def _opposing(term: object, speed: Floats, acceleration: Floats) -> Floats:
+    smoothing = getattr(term, "smoothing", 1.0)
+    return np.asarray(
+        yielding_torque(term, speed, acceleration) + dry_torque(term, speed) * np.abs(np.tanh(speed / smoothing))
+    )
+
+
+def yielding_torque(term: object, speed: Floats, acceleration: Floats) -> Floats:
+    """Return what a term asks for by its motion alone [N m]: inertia, viscous and quadratic drag."""
     if isinstance(term, Inertia):
-        return term.inertia * acceleration
-    if isinstance(term, Load):
-        return np.asarray(term.process.mean * np.tanh(speed / term.smoothing))
-    if isinstance(term, BladeTorque):
-        return np.asarray(BLADE_MEAN * term.amplitude * np.tanh(speed / term.smoothing))
+        return np.asarray(term.inertia * acceleration)
     if isinstance(term, Friction):
-        coulomb = np.where(speed > 0, term.coulomb_forward, term.coulomb_backward)
-        static = np.where(speed > 0, term.static_forward, term.static_backward)
-        grip = coulomb + (static - coulomb) * np.exp(-np.minimum((speed / term.stribeck) ** 2, 50.0))
-        dry = grip * np.tanh(speed / term.smoothing)
-        return np.asarray(dry + term.viscous * speed + term.quadratic * speed * np.abs(speed))
+        return np.asarray(term.viscous * speed + term.quadratic * speed * np.abs(speed))
     return np.zeros(speed.shape)
 
 
-def _behind_sensor(twin: Twin) -> set[str]:
-    """Nodes whose torque passes the sensor: reached from its output side without going back through it."""
+def dry_torque(term: object, speed: Floats) -> Floats:
+    """Return what a term holds against sliding at ``speed`` [rad/s], in its direction [N m]."""
+    way = np.where(speed < 0, -1.0, 1.0)
+    if isinstance(term, Load):
+        return np.asarray(term.process.mean * way)
+    if isinstance(term, BladeTorque):
+        return np.asarray(BLADE_MEAN * term.amplitude * way)
+    if isinstance(term, Friction):
+        coulomb = np.where(speed > 0, term.coulomb_forward, term.coulomb_backward)
+        static = np.where(speed > 0, term.static_forward, term.static_backward)
+        return np.asarray(way * (coulomb + (static - coulomb) * np.exp(-np.minimum((speed / term.stribeck) ** 2, 50.0))))
+    return np.zeros(speed.shape)
+
+
+def behind_sensor(twin: Twin) -> set[str]:
+    """Return the nodes whose torque passes the sensor: reached from its output side without going back through it."""
     start = twin.springs[twin.rig.measured].b
     seen, waiting = {start}, deque([start])
     while waiting:

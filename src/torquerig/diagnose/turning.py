@@ -13,6 +13,7 @@ from torquerig.diagnose.places import Place
 
 Floats = NDArray[np.float64]
 
+STEPS = 4
 BLOCK = 0.02  # [s] long against the first mode, short against a reversal
 _OVERSAMPLED = 5  # the lines are followed at so many points of a block
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
@@ -26,6 +27,10 @@ class Turning:
     ----------
     start : ndarray, shape (blocks,)
         First sample of each block.
+    course : ndarray, shape (steps,)
+        Speed of the motor [rad/s] over the whole run, ``STEPS`` to a block from the first sample on.
+    first : float
+        Torque at the first step [N m].
     torque, speed, acceleration : ndarray, shape (blocks,)
         [N m]; of the motor [rad/s], [rad/s^2].
     lines : ndarray, shape (blocks, dimensions)
@@ -33,14 +38,24 @@ class Turning:
     """
 
     start: NDArray[np.int64]
+    course: Floats
+    first: float
     torque: Floats
     speed: Floats
     acceleration: Floats
     lines: Floats
 
-    def without_lines(self, blocks: Floats) -> Floats:
-        """Return the part of ``blocks`` that no line can make."""
-        return np.asarray(blocks - self.lines @ (self.lines.T @ blocks))
+    def mean_of(self, course: Floats, rate: float) -> Floats:
+        """Return the mean over each block of values that are given at the steps of the course."""
+        first = np.round(self.start * STEPS / (BLOCK * rate)).astype(int)
+        index = np.minimum(first[:, None] + np.arange(STEPS), course.size - 1)
+        return np.asarray(course[index].mean(axis=1))
+
+    def without_lines(self, blocks: Floats, spread: Floats | float = 1.0) -> Floats:
+        """Return the part of ``blocks`` that no line can make, in units of the spread of each."""
+        weights = np.broadcast_to(1 / np.asarray(spread), blocks.shape)
+        lines, weighted = np.linalg.qr(self.lines * weights[:, None])[0], blocks * weights
+        return np.asarray(weighted - lines @ (lines.T @ weighted))
 
 
 def turns_back(observed: Observed) -> bool:
@@ -62,8 +77,11 @@ def turning(observed: Observed, places: Sequence[Place], *, held: bool | None) -
     orders = [place.at for place in places if place.domain == "order"]
     waves = [np.exp(1j * order * angle).mean(axis=1) for order in orders]
     columns = [part for wave in waves for part in (wave.real, wave.imag)]
+    steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
     return Turning(
         start=starts,
+        course=observed.speed[steps],
+        first=float(observed.torque[: max(1, size // STEPS)].mean()),
         torque=observed.torque[index].mean(axis=1),
         speed=observed.speed[starts + size // 2],
         acceleration=(ends - observed.speed[starts]) / BLOCK,
