@@ -1,4 +1,4 @@
-"""What surrounds each line where the angle was not measured: a random load shakes the speed, and the lines with it."""
+"""What surrounds a line because a random load shakes the speed, and with it the line's phase or its size."""
 
 from __future__ import annotations
 
@@ -18,15 +18,21 @@ _TAKEN_OUT = 0.5  # of the smearing width beside a line no bin counts
 
 
 def skirts(twin: Twin, seen: Features) -> Floats:
-    """Return the density [(N m)^2/Hz] in each band of what phase modulation puts beside the lines of a run.
+    """Return the density [(N m)^2/Hz] in each band of what random loads put beside the lines of a run."""
+    if not twin.drives:
+        return np.zeros(seen.band.size)
+    beside = _by_size(twin, seen)
+    return beside if seen.observed.angle_measured else beside + _by_phase(twin, seen)
+
+
+def _by_phase(twin: Twin, seen: Features) -> Floats:
+    """Phase modulation, where the angle was not measured; else the lines are taken out along it.
 
     A line of amplitude A and order n has ``A^2 / 4 n^2 S(f - f_n)`` beside it, S being the density of the motor's
     angle: the random load over the turns to it, through the motor's impedance ``J s + kp + ki / s``, all shafts taken
-    as rigid. Nothing where the angle was measured, for then the lines are taken out along it.
+    as rigid.
     """
     answer = np.zeros(seen.band.size)
-    if seen.observed.angle_measured or not twin.drives:
-        return answer
     shown = np.where(np.isfinite(seen.amplitude), np.abs(seen.amplitude) ** 2, 0.0)
     power = shown.sum(axis=0) / np.maximum(np.isfinite(seen.amplitude).sum(axis=0), 1)
     revolutions = abs(seen.observed.mean_speed) / (2 * pi)
@@ -35,6 +41,22 @@ def skirts(twin: Twin, seen: Features) -> Floats:
             at = place.at * revolutions
             apart = np.maximum(np.abs(seen.band - at), max(_FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at))
             answer += 0.25 * square * place.at**2 * _straying(twin, apart)
+    return answer
+
+
+def _by_size(twin: Twin, seen: Features) -> Floats:
+    """Amplitude modulation of a ripple in proportion to the motor's torque.
+
+    A ripple of depth d at the frequency f_n has ``d^2 / 4 S(f - f_n) |H(f)|^2`` beside it, S being the density of what
+    the speed loop answers to the load and H the transfer of a motor's torque to the reading.
+    """
+    answer = np.zeros(seen.band.size)
+    revolutions = abs(seen.observed.mean_speed) / (2 * pi)
+    for line in twin.lines():
+        if line.by_load and line.amplitude > 0:
+            apart = np.abs(seen.band - line.order * revolutions)
+            passed = np.abs(line.transfer(seen.band)) ** 2
+            answer += 0.25 * line.amplitude**2 * twin.answered_power(apart) * passed
     return answer
 
 

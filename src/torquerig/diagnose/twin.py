@@ -113,10 +113,34 @@ class Twin:
         passed, turns = self.torque_on(drive.on), self.turns[drive.on]
         for wave in drive.ripple:
             yield LineSource(drive.name, wave.order * turns, wave.amplitude, passed, by_load=True)
+            yield from self._beside(wave.order * turns, wave.amplitude, drive)
         for wave in drive.sensing.error:
             s = 1j * wave.order * (self.rig.run.speed or 0.0) * turns
             seen = (drive.kp * s + drive.ki) * wave.amplitude / (1 + drive.sensing.filter_time * s)
             yield LineSource(drive.name, wave.order * turns, abs(seen / (1 + drive.lag * s)), passed)
+
+    def _beside(self, order: float, depth: float, drive: Drive) -> Iterator[LineSource]:
+        """Yield the side lines of a ripple in proportion to the motor's torque.
+
+        Where the speed loop answers a slower line of order m with a torque ``Re(t exp(i m theta))``, ripple of depth d
+        and order n makes ``d |t| / 2`` of it at n + m and at n - m.
+        """
+        passed = self.torque_on(drive.on)
+        for term in self.terms:
+            if not isinstance(term, HarmonicTorque) or not self.shafts.drive:
+                continue
+            answer = self.shafts.drive[term.on] - (self.shafts.drive[term.against] if term.against != GROUND else 0.0)
+            for wave in term.waves:
+                slow = wave.order * self.turns[term.angle]
+                if slow < order and 0.5 * depth * wave.amplitude > 0:
+                    for side in (order - slow, order + slow):
+                        beside = self._passed_beside(passed, answer, slow / side)
+                        yield LineSource(drive.name, side, 0.5 * depth * wave.amplitude, beside)
+
+    def _passed_beside(
+        self, passed: Callable[[Floats], Response], answer: Response, slower: float
+    ) -> Callable[[Floats], Response]:
+        return lambda frequencies: passed(frequencies) * np.abs(self.shafts.at(answer, slower * frequencies))
 
     @cached_property
     def turns(self) -> dict[str, float]:
@@ -126,6 +150,10 @@ class Twin:
     def load_power(self, frequencies: Floats) -> Floats:
         """Return the one-sided spectral density that random loads leave in the reading [(N m)^2/Hz]."""
         return np.asarray(np.exp(np.interp(np.log(frequencies), np.log(self.shafts.frequency), np.log(self._load))))
+
+    def answered_power(self, frequencies: Floats) -> Floats:
+        """Return the density of the torque that the speed loop answers to random loads with [(N m)^2/Hz]."""
+        return np.asarray(np.interp(frequencies, self.shafts.frequency, self._answered))
 
     def load_power_between(self, low: Floats, high: Floats) -> Floats:
         """Return the mean of that density between two frequencies [Hz] each: a sharp mode is narrower than a band."""
@@ -141,8 +169,8 @@ class Twin:
 
     @cached_property
     def _answered(self) -> Floats:
-        """Density of what the speed loop answers to random loads, on the grid of the shafts [(N m)^2/Hz]."""
-        return self._driven(self.shafts.drive)
+        """The same of what the speed loop answers to them."""
+        return self._driven(self.shafts.drive) if self.shafts.drive else np.zeros(self.shafts.frequency.size)
 
     def _driven(self, passed: dict[str, Response]) -> Floats:
         power = np.zeros(self.shafts.frequency.size)
