@@ -120,13 +120,14 @@ def _opened(
     fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
     known = known_places(fitted, nominal)
     left = without_comb(lines_left(fitted, known, rig=nominal))
-    places = [*known, *(peak.place for peak in left), *hum_places(left)]
-    seen = tuple(features(run, places) for run in fitted)
-    held = tuple(features(run, places, held=True) for run in runs)
+    unknown = [peak.place for peak in left]
+    places = [*known, *unknown, *hum_places(left)]
+    seen = tuple(features(run, places, unknown=unknown) for run in fitted)
+    held = tuple(features(run, places, held=True, unknown=unknown) for run in runs)
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
     knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
     rig = _with(nominal, [c for c in faults.candidates if c.mechanism == "quantization"])
-    apart = calibrated(rig, [each.without([peak.place for peak in left]) for each in seen], knobs).positions
+    apart = calibrated(rig, [each.without(unknown) for each in seen], knobs).positions
     model = calibrated(rig, seen, knobs, start=apart)
     return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart), held
 

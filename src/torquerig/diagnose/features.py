@@ -64,6 +64,8 @@ class Features:
         Of each band [Hz].
     widening : float or ndarray, shape (stretches, places)
         Factor on the variance of the amplitudes where a smeared line was gathered.
+    unknown : tuple of Place
+        Those of the places whose lines no model had when the run was looked at.
     turning : Turning or None
         Of a run that turns back, which has this and none of the others.
     """
@@ -83,6 +85,7 @@ class Features:
     width: Floats
     turning: Turning | None = None
     widening: float | Floats = 1.0
+    unknown: tuple[Place, ...] = ()
     _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
@@ -126,10 +129,15 @@ class Features:
         return Route(rows, column[rows], band)
 
 
-def features(observed: Observed, places: Sequence[Place], *, held: bool | None = False) -> Features:
-    """Return the features of the stretches that fits may see (``held`` False), may not see (True), or all (None)."""
+def features(
+    observed: Observed, places: Sequence[Place], *, held: bool | None = False, unknown: Sequence[Place] = ()
+) -> Features:
+    """Return the features of the stretches that fits may see (``held`` False), may not see (True), or all (None).
+
+    ``unknown`` are those of the places whose lines no model has yet.
+    """
     if turns_back(observed):
-        return _turning_features(observed, places, held=held)
+        return _turning_features(observed, places, held=held, unknown=unknown)
     stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
     amplitudes, levels, spectra, widenings = [], [], [], []
     for stretch in stretches:
@@ -144,19 +152,22 @@ def features(observed: Observed, places: Sequence[Place], *, held: bool | None =
     floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
     return Features(
         observed=observed, held=held, stretches=tuple(stretches), places=tuple(places), amplitude=np.array(amplitudes),
-        level=np.array(levels), widening=np.array(widenings),
+        level=np.array(levels), widening=np.array(widenings), unknown=tuple(unknown),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
         band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
     )  # fmt: skip
 
 
-def _turning_features(observed: Observed, places: Sequence[Place], *, held: bool | None) -> Features:
+def _turning_features(
+    observed: Observed, places: Sequence[Place], *, held: bool | None, unknown: Sequence[Place]
+) -> Features:
     floor = no_bands(observed.rate)
     return Features(
         observed=observed, held=held, stretches=(), places=tuple(places),
         amplitude=np.zeros((0, len(places)), dtype=complex), level=np.zeros(0), speed=np.zeros((0, POINTS)),
         duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, count=floor.count,
-        width=floor.width, turning=turning(observed, places, held=held),
+        width=floor.width, turning=turning(observed, places, held=held, unknown=unknown),
+        unknown=tuple(unknown),
     )  # fmt: skip
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import exp, pi
+from math import exp, lcm, pi
 from typing import Any
 
 import numpy as np
@@ -128,8 +128,9 @@ def _friction(part: Any, model: Calibrated, case: Case) -> dict[str, Stated]:
 def _cogging(part: Any, model: Calibrated, case: Case) -> dict[str, Stated]:
     sizes = part.amplitudes()
     largest = max(sizes, key=lambda at: sizes[at])
-    fields = {part.slots: "unequal_magnets", 2 * part.pole_pairs: "unequal_teeth"}
-    field = _Field(fields.get(largest, "native"), "N m")
+    named = {lcm(part.slots, 2 * part.pole_pairs): "native", part.slots: "unequal_magnets"}
+    named[2 * part.pole_pairs] = "unequal_teeth"
+    field = _Field(named[largest], "N m") if largest in named else _Field("further", "N m", key=largest)
     return {
         "order_motor": Stated(value=largest, low=largest - _ORDER_WIDTH, high=largest + _ORDER_WIDTH, unit="1/rev"),
         "amplitude_Nm": _stated(model, part.name, field, sizes[largest]),

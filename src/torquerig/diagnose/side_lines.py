@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.peaks import Peak
+from torquerig.diagnose.peaks import SHIFTED, Peak
 from torquerig.diagnose.places import SAME_ORDER, Place
 from torquerig.diagnose.twin import Twin
 from torquerig.rig.rig import Rig
@@ -64,6 +64,7 @@ class _Straying:
         strayed = strayed - np.polynomial.polynomial.polyval(along, np.polynomial.polynomial.polyfit(along, strayed, 2))
         self.straying = np.abs(np.fft.rfft(strayed * self.window)) * 2 / self.window.sum()
         self.per_bin = 2 * np.pi / float(np.ptp(turned))  # [1/rev of the motor]
+        self.smearing = run.smearing
         self.margin = _PASSED if run.angle_measured else _FOLLOWED
         self.twist = twist  # [rad of the motor per N m]
         self.sizes: dict[Place, float] = {}
@@ -74,7 +75,7 @@ class _Straying:
         for carrier in carriers:
             order = self._order(carrier)
             if SAME_ORDER < abs(at - order) < _REACH:
-                strays = self._strays(abs(at - order)) + self._twists(abs(at - order), carriers)
+                strays = self._strays(abs(at - order), shifted=SHIFTED * self.smearing * at) + self._twists(abs(at - order), carriers)
                 bound += 0.5 * order * strays * self._size(carrier)
         near = (self._size(other) for other in new if abs(self._order(other) - at) < _REACH)
         return self._size(place) > self.margin * bound + _OF_SECOND_ORDER * max(near, default=0.0)
@@ -86,8 +87,9 @@ class _Straying:
     def _order(self, place: Place) -> float:
         return place.at if place.domain == "order" else place.at * 2 * np.pi / self.speed
 
-    def _strays(self, offset: float) -> float:
-        low, high = int((offset / self.per_bin) - _WIDTH), int(np.ceil(offset / self.per_bin + _WIDTH)) + 1
+    def _strays(self, offset: float, *, shifted: float) -> float:
+        width = _WIDTH + shifted / self.per_bin
+        low, high = int((offset / self.per_bin) - width), int(np.ceil(offset / self.per_bin + width)) + 1
         return float(self.straying[max(low, 0) : high].max(initial=0.0))
 
     def _size(self, place: Place) -> float:

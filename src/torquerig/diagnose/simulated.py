@@ -63,7 +63,7 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
 def _features(copy: Observed, seen: Features) -> Features:
     # a steady run is the same all along, so all of it counts
     whole = seen.observed.steady and seen.turning is None
-    return features(copy, seen.places, held=None if whole else seen.held)
+    return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
 
 
 def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:

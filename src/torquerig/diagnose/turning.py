@@ -63,8 +63,13 @@ def turns_back(observed: Observed) -> bool:
     return float(observed.speed.min()) < -0.05 * float(np.abs(observed.speed).max()) < 0 < float(observed.speed.max())
 
 
-def turning(observed: Observed, places: Sequence[Place], *, held: bool | None) -> Turning:
-    """Return the blocks of the stretches that fits may see (``held`` False), may not see (True), or all (None)."""
+def turning(
+    observed: Observed, places: Sequence[Place], *, held: bool | None, unknown: Sequence[Place] = ()
+) -> Turning:
+    """Return the blocks of the stretches that fits may see (``held`` False), may not see (True), or all (None).
+
+    Lines of ``unknown`` cause may be a load's, which opposes the motion whichever way it goes.
+    """
     size = max(1, round(BLOCK * observed.rate))
     starts = np.concatenate([
         np.arange(stretch.start, stretch.stop - size + 1, size)
@@ -74,8 +79,9 @@ def turning(observed: Observed, places: Sequence[Place], *, held: bool | None) -
     index = starts[:, None] + np.arange(size)
     angle = observed.angle[starts[:, None] + np.linspace(0, size - 1, _OVERSAMPLED).astype(int)]
     ends = observed.speed[np.minimum(starts + size, observed.speed.size - 1)]
-    orders = [place.at for place in places if place.domain == "order"]
-    waves = [np.exp(1j * order * angle).mean(axis=1) for order in orders]
+    waves = [np.exp(1j * place.at * angle).mean(axis=1) for place in places if place.domain == "order"]
+    way = np.sign(observed.speed[starts + size // 2])
+    waves += [way * np.exp(1j * place.at * angle).mean(axis=1) for place in unknown if place.domain == "order"]
     columns = [part for wave in waves for part in (wave.real, wave.imag)]
     steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
     return Turning(

@@ -13,6 +13,7 @@ from torquerig.diagnose.places import SAME_ORDER
 from torquerig.diagnose.twin import Twin
 
 _STRONGEST = 5
+_MOST_BLADES = 60
 _START = 0.1  # [N m]
 
 
@@ -27,7 +28,7 @@ def propose(case: Case) -> Iterator[Candidate]:
         for harmonic in (1, 2):
             blades = peak.place.at / turns / harmonic
             whole = round(blades)
-            if whole < 1 or abs(blades - whole) * turns > SAME_ORDER or whole in tried:
+            if not 1 <= whole <= _MOST_BLADES or abs(blades - whole) * turns > SAME_ORDER or whole in tried:
                 continue
             tried.add(whole)
             part = mechanisms.BladePass(name="blade_pass", at=at, order_output=float(whole), amplitude=_START)

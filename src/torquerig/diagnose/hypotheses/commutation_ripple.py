@@ -1,4 +1,4 @@
-"""Ripple in proportion to the motor's torque: a line at a whole motor order that grows with the load."""
+"""Ripple in proportion to the motor's torque: a line at a multiple of its pole pairs that grows with the load."""
 
 from __future__ import annotations
 
@@ -16,10 +16,14 @@ _START = 0.01
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield a ripple for each of the strongest lines at a whole motor order."""
+    """Yield a ripple for each of the strongest lines at a whole electrical order, or any motor order if that is unknown.
+
+    Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples.
+    """
     motors = case.nominal.parts_of(Motor)
     for peak in [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]:
-        if motors and abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
+        whole = abs(peak.place.at - round(peak.place.at)) < SAME_ORDER
+        if motors and whole and round(peak.place.at) % (motors[0].pole_pairs or 1) == 0:
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
             )

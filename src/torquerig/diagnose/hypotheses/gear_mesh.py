@@ -12,7 +12,7 @@ from torquerig.diagnose.places import SAME_ORDER, order
 from torquerig.rig.parts import BeltStage, Gear
 from torquerig.scenario.kinematics import gears_to_sensor
 
-_FEWEST_TEETH = 10
+_FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
 _STRONGEST = 5  # lines that are tried as a mesh
 _HARMONICS = 4
 _SMALL = 1e-6  # [rad]
@@ -28,7 +28,7 @@ def propose(case: Case) -> Iterator[Candidate]:
                 teeth = peak.place.at * abs(gear.ratio) / harmonic
                 whole = round(teeth)
                 near = abs(teeth - whole) < SAME_ORDER * abs(gear.ratio)
-                if near and whole >= _FEWEST_TEETH and (gear.name, whole) not in tried:
+                if near and _FEWEST_TEETH <= whole <= _MOST_TEETH and (gear.name, whole) not in tried:
                     tried.add((gear.name, whole))
                     yield _mesh(case, gear, whole)
 
