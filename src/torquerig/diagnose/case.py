@@ -35,6 +35,8 @@ class Candidate:
         A finer name, or empty.
     place : Place or None
         The line that it sets out to explain.
+    description : str
+        Of one that names no cause, in words; empty for mechanisms of the library.
     """
 
     mechanism: str
@@ -42,6 +44,7 @@ class Candidate:
     knobs: tuple[Knob, ...]
     variant: str = ""
     place: Place | None = None
+    description: str = ""
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

@@ -85,18 +85,22 @@ def diagnose(
     after, findings = found_by_search.case, found_by_search.findings
     progress("predicting what no fit has seen")
     completed = _completed(after, faults)
+    found_more = bool(findings or faults.candidates or found_by_search.descriptions)
     fitted_nominal = reduce(_without, faults.candidates, before.model.rig)
     fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
     left = mismatches(after)
-    verdict = _verdict(found, left, faults)
+    verdict = "unexplained" if found_by_search.descriptions else _verdict(found, left, faults)
     diagnosis = Diagnosis(
         verdict=verdict,
-        mismatch=(*(mismatches(before) if found else left), *(mismatch for _, mismatch in contradicted)),
+        mismatch=(*(mismatches(before) if found_more else left), *(mismatch for _, mismatch in contradicted)),
         findings=tuple(found),
         fit=fit,
         recordings=tuple(_used(run) for run in runs),
-        remarks=tuple(sentence for sentence, _ in contradicted),
+        remarks=(
+            *(sentence for sentence, _ in contradicted),
+            *(f"no mechanism of the library explains {what}" for what in found_by_search.descriptions),
+        ),
         set_aside=reasons(before, found_by_search, found),
         next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,
     )

@@ -26,7 +26,9 @@ class Stated:
 class Finding:
     """One effect that was left out of the model.
 
-    ``rivals`` holds (mechanism, gain of the misfit) of the other hypotheses that were fitted, best first.
+    ``gain`` is what the misfit fell by, ``share`` the part of it at the effect's places that went, ``rest`` the mean
+    square that the finished model leaves there (1 by chance). ``rivals`` holds (mechanism, gain of the misfit) of the
+    other hypotheses that were fitted, best first.
     """
 
     mechanism: str
@@ -35,6 +37,8 @@ class Finding:
     confidence: float
     parameters: Mapping[str, Stated]
     gain: float
+    share: float = 1.0
+    rest: float = 0.0
     rivals: tuple[tuple[str, float], ...] = ()
     equivalent_to: tuple[str, ...] = ()
     next_experiment: str | None = None
@@ -129,6 +133,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         },
         "equivalent_to": list(finding.equivalent_to),
         "next_experiment": finding.next_experiment,
+        "evidence": {name: _digits(getattr(finding, name)) for name in ("gain", "share", "rest")},
         "rivals": [{"mechanism": name, "gain": _digits(gain)} for name, gain in finding.rivals],
     }
 

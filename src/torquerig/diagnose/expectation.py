@@ -20,6 +20,7 @@ from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.diagnose.winding import wound_torque
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
+from torquerig.signals.stages.band_noise import BandNoise
 from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
@@ -148,12 +149,14 @@ def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: F
 
 
 def _noise(rig: Rig, seen: Features) -> Floats:
-    """Density of the sensor's own noise in each band [(N m)^2/Hz]."""
+    """Density of what noise the measuring chain adds in each band [(N m)^2/Hz]."""
     unit = seen.observed.recording.channels[seen.observed.recording.torque_name()].si_per_unit
     power = np.zeros(seen.band.size)
     for stage in rig.stages():
         if isinstance(stage, WhiteNoise):
             power += unit**2 * stage.density(seen.band, seen.observed.rate)
+        elif isinstance(stage, BandNoise):
+            power += unit**2 * stage.density_between(*seen.band_edges)
     return power
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from torquerig.diagnose.misfit import Misfit, robust
 
+LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
 _CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
 LEAST_SHARE = 0.8
 
@@ -22,3 +23,15 @@ def explained_share(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
     place = old - new > _CHANGED
     excess = float(np.maximum(old[place] - 1, 0).sum())
     return 1 - float(np.maximum(new[place] - 1, 0).sum()) / excess if excess > 0 else 0.0
+
+
+def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], final: Sequence[Misfit]) -> float:
+    """Return the mean robust square that the final model leaves at the features that the effect changed, 1 by chance.
+
+    Large where an effect took what it could of something else, and nothing found since took the rest.
+    """
+    old = np.concatenate([robust(misfit.all()) ** 2 for misfit in before])
+    new = np.concatenate([robust(misfit.all()) ** 2 for misfit in with_it])
+    rest = np.concatenate([robust(misfit.all()) ** 2 for misfit in final])
+    place = old - new > _CHANGED
+    return float(rest[place].mean()) if place.any() else 0.0

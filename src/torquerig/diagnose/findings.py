@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.confidence import confidence
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.equivalence import equivalents
-from torquerig.diagnose.explained import LEAST_SHARE, explained_share
+from torquerig.diagnose.explained import LARGEST_REST, LEAST_SHARE, explained_share, left_at_its_places
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.identifying import identifying
+from torquerig.diagnose.leftover import mismatches
+from torquerig.diagnose.misfit import misfit_sum
 from torquerig.diagnose.next_run import next_run
-from torquerig.diagnose.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, extended, trials
+from torquerig.diagnose.revising import Accepted, only, revised, with_all
+from torquerig.diagnose.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
 from torquerig.diagnose.sentences import explanation
 from torquerig.diagnose.set_aside import set_aside
 
@@ -31,29 +35,49 @@ class Searched:
     case : Case
         With all findings in its model.
     findings : tuple of Finding
+    descriptions : tuple of str
+        Of what was modelled without a name, in words.
     first, last : Tried
         What was tried on the calibrated nominal model, and on the last one, which found nothing more.
     """
 
     case: Case
     findings: tuple[Finding, ...]
+    descriptions: tuple[str, ...]
     first: Tried
     last: Tried
 
 
 def searched(case: Case, held: Sequence[Features], progress: Progress) -> Searched:
-    """Add effects as long as one is clearly missing and explains its places."""
-    findings: list[Finding] = []
-    first: Tried | None = None
+    """Add effects as long as one is clearly missing and explains its places, then look back at each."""
+    start, accepted, first = case, list[Accepted](), None
     while True:
-        progress("trying the library's effects" if not findings else f"trying what {findings[-1].mechanism} leaves")
+        progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
         tried = trials(case)
         first = first or tried
-        good = [trial for trial in tried.fitted if _convincing(case, trial, findings)]
-        if not good or len(findings) == MOST_EFFECTS:
-            return Searched(case=case, findings=tuple(findings), first=first, last=tried)
-        findings.append(_finding(case, good[0], tried.fitted, held))
-        case = extended(case, good[0])
+        described = max((trial.gain for trial in tried.fitted if trial.candidate.description), default=0.0)
+        good = [trial for trial in tried.fitted if trial.gain >= described and _convincing(case, trial, accepted, held)]
+        if not good or len(accepted) == MOST_EFFECTS:
+            break
+        accepted.append(Accepted(before=case, trial=good[0], tried=tried))
+        case = with_all(start, accepted)
+    if len(accepted) > 1:
+        progress("asking of each effect whether the others need it")
+        kept = revised(start, accepted)
+        case = with_all(start, kept)
+        accepted = list(kept)
+    while accepted and (worst := max(accepted, key=lambda each: _rest(case, each))):
+        if _rest(case, worst) < LARGEST_REST:
+            break
+        case, accepted = only(start, accepted, worst)
+    named = [each for each in accepted if not each.trial.candidate.description]
+    return Searched(
+        case=case,
+        findings=tuple(_finding(case, each, held) for each in named),
+        descriptions=tuple(each.trial.candidate.description for each in accepted if each not in named),
+        first=first,
+        last=tried,
+    )
 
 
 def reasons(case: Case, found: Searched, findings: Sequence[Finding]) -> Mapping[str, str]:
@@ -66,29 +90,48 @@ def run_for_the_rest(found: Searched) -> str | None:
     """Return which run would tell between the hypotheses that explain part of what is left unexplained."""
     best: dict[str, Trial] = {}
     for trial in found.last.fitted:
-        if trial.gain > LEAST_GAIN:
+        if trial.gain > LEAST_GAIN and not trial.candidate.description:
             best.setdefault(trial.candidate.mechanism, trial)
     advice = next_run(found.case, list(best.values())[:_MOST_RIVALS])
     return None if advice is None else advice.sentence()
 
 
-def _convincing(case: Case, trial: Trial, earlier: Sequence[Finding]) -> bool:
+def _rest(final: Case, accepted: Accepted) -> float:
+    return left_at_its_places(accepted.before.model.misfits, accepted.trial.model.misfits, final.model.misfits)
+
+
+def _said(accepted: Accepted) -> str:
+    return accepted.trial.candidate.description or accepted.trial.candidate.mechanism
+
+
+def _convincing(case: Case, trial: Trial, earlier: Sequence[Accepted], held: Sequence[Features]) -> bool:
+    if trial.candidate.description and not mismatches(case):
+        return False  # what does not stand out needs no description
     share = explained_share(case.model.misfits, trial.model.misfits)
     # an effect beyond the twin leaves small lines of its own, which are no effects
-    least = max([LEAST_GAIN, *(0.25 * each.gain for each in earlier if case.model.corrections)])
-    return trial.gain > least and share > LEAST_SHARE
+    least = max([LEAST_GAIN, *(0.25 * each.trial.gain for each in earlier if case.model.corrections)])
+    return trial.gain > least and share > LEAST_SHARE and _foretells(case, trial, held)
 
 
-def _finding(case: Case, best: Trial, tried: Sequence[Trial], held: Sequence[Features]) -> Finding:
+def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
+    """Whether what no fit has seen is foretold no worse with the effect; beyond the twin only simulations can tell."""
+    if trial.model.corrections or case.model.corrections:
+        return True
+    return misfit_sum(misfits_of(trial.model.rig, held)) <= misfit_sum(misfits_of(case.model.rig, held))
+
+
+def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Finding:
+    """Return the finding: its rivals as they stood when it was taken, its numbers as they stand in the final model."""
+    case, best, tried = accepted.before, accepted.trial, accepted.tried.fitted
     candidate = best.candidate
-    parameters = identifying(candidate, best.model, case)
+    parameters = identifying(candidate, final.model, final)
     share = explained_share(case.model.misfits, best.model.misfits)
     others: dict[str, float] = {}
     for trial in tried:
         if trial.candidate.mechanism != candidate.mechanism:
             others.setdefault(trial.candidate.mechanism, trial.gain)
     listed = tuple(others.items())
-    alike = equivalents(case, best, tried, held)
+    alike = equivalents(case, best, [trial for trial in tried if not trial.candidate.description], held)
     finding = Finding(
         mechanism=candidate.mechanism,
         variant=candidate.variant,
@@ -96,6 +139,8 @@ def _finding(case: Case, best: Trial, tried: Sequence[Trial], held: Sequence[Fea
         confidence=confidence(gain=best.gain, share=share, rival=max(others.values(), default=0.0)),
         parameters=parameters,
         gain=best.gain,
+        share=share,
+        rest=_rest(final, accepted),
         rivals=listed,
         equivalent_to=tuple(trial.candidate.mechanism for trial in alike),
     )

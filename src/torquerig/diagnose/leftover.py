@@ -21,7 +21,7 @@ LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
 _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
 _BY_CHANCE = 4.0  # squares of residuals below this are no misfit
-_BAND_RUN = 2  # neighbouring bands that must all stand out
+_BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
 _MEAN_SQUARE = 3.0  # of all bands of a run
 
 
@@ -100,10 +100,10 @@ def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Ite
         out |= np.abs(residual) > 0.6 * BAND
     edges = np.flatnonzero(np.diff(np.concatenate([[False], out, [False]]).astype(int)))
     for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        if stop - start < _BAND_RUN:
-            continue
         part = slice(start, stop)
         worst = float(np.abs(residual[part]).max())
+        if stop - start < _BAND_RUN and worst < _ALONE:
+            continue
         low, high = float(features.band[start]), float(features.band[stop - 1])
         mean = float(np.mean(residual[part] * np.sqrt(1 / features.count[part] + 0.05**2)))
         yield Mismatch(

@@ -13,6 +13,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.hypotheses import proposals
 from torquerig.diagnose.knobs import turned
+from torquerig.diagnose.neutral import descriptions
 from torquerig.diagnose.peaks import Peak
 from torquerig.rig.rig import Rig
 
@@ -51,7 +52,7 @@ def trials(case: Case) -> Tried:
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
     numbers free.
     """
-    screened = [_screened(case, candidate) for candidate in proposals(case)]
+    screened = [_screened(case, candidate) for candidate in (*proposals(case), *descriptions(case))]
     screened.sort(key=lambda trial: -trial.gain)
     top = screened[0].gain if screened else 0.0
     finalists: list[Trial] = []
@@ -77,19 +78,25 @@ def trials(case: Case) -> Tried:
 
 def extended(case: Case, best: Trial) -> Case:
     """Return the case with the winner in its model, and of the left lines those that it does not explain."""
-    unexplained: list[Peak] = []
-    for peak in case.left:
+    return replace(
+        case, model=best.model, accepted=(*case.accepted, best.candidate), left=unexplained(case.left, case, best.model),
+        apart=None,
+    )  # fmt: skip
+
+
+def unexplained(peaks: Sequence[Peak], case: Case, model: Calibrated) -> tuple[Peak, ...]:
+    """Return those of the peaks that a model of the case does not explain."""
+    answer: list[Peak] = []
+    for peak in peaks:
         misses = []
-        for features, misfit in zip(case.seen, best.model.misfits, strict=True):
+        for features, misfit in zip(case.seen, model.misfits, strict=True):
             if features.turning is not None:
                 continue
             column = features.places.index(peak.place)
             misses.append(float(np.abs(np.atleast_2d(misfit.lines)[:, column]).max()))
         if max(misses, default=0.0) > _EXPLAINED:
-            unexplained.append(peak)
-    return replace(
-        case, model=best.model, accepted=(*case.accepted, best.candidate), left=tuple(unexplained), apart=None
-    )
+            answer.append(peak)
+    return tuple(answer)
 
 
 def _excess(case: Case) -> float:

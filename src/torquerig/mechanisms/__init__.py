@@ -24,6 +24,7 @@ Sensor, cable and file
     bending_crosstalk    bending read as torque           mains_interference   hum of fixed frequency
     pwm_aliasing         switching, folded                signal_dropout       moments without signal
     clipping             saturation                       quantization         coarse codes
+    noise_hump           a band of noise, no cause claimed
 """
 
 from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics
@@ -49,6 +50,7 @@ from torquerig.mechanisms.jaw_coupling import JawCoupling
 from torquerig.mechanisms.lugre_friction import LugreFriction
 from torquerig.mechanisms.mains_interference import MainsInterference
 from torquerig.mechanisms.misalignment import Misalignment
+from torquerig.mechanisms.noise_hump import NoiseHump
 from torquerig.mechanisms.parallel_offset import ParallelOffset
 from torquerig.mechanisms.particle_load import ParticleLoad
 from torquerig.mechanisms.phase_unbalance import PhaseUnbalance
@@ -91,6 +93,7 @@ __all__ = [
     "LugreFriction",
     "MainsInterference",
     "Misalignment",
+    "NoiseHump",
     "ParallelOffset",
     "ParticleLoad",
     "PhaseUnbalance",

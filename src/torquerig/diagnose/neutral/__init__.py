@@ -1,0 +1,16 @@
+"""Rivals without a name: what describes a mismatch and claims no cause, so that no name wins for want of another.
+
+A named effect that fits no better than a description is not named; the description then says where the mismatch stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.neutral import noise_hump
+
+
+def descriptions(case: Case) -> Iterator[Candidate]:
+    """Yield what describes the case's mismatch."""
+    yield from noise_hump.propose(case)

@@ -1,0 +1,32 @@
+"""A hump of noise in the signal, at its place of the spectrum whatever turns: a description that claims no cause."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from torquerig.parameter import Parameter
+from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.rig import Rig
+from torquerig.signals.stages.band_noise import BandNoise
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoiseHump(Part):
+    """``D(f) = rms^2 / (f0 w sqrt(2 pi)) exp(-ln(f / f0)^2 / 2 w^2)`` of one-sided density behind the amplifier.
+
+    What a diagnosis models a band of noise by that no effect of the library explains. Source: the definition of a
+    Gaussian over the logarithm of frequency. Not true where the noise follows the speed or the load: then it is an
+    effect of the shafts.
+    """
+
+    kind: Literal["noise_hump"] = "noise_hump"
+    group: Literal["sensor"] = "sensor"
+    rms: Annotated[float, Parameter("V", "standard deviation of the noise", low=0)]
+    frequency: Annotated[float, Parameter("Hz", "middle of the band", above=0)]
+    width: Annotated[float, Parameter("1", "one sigma of the frequency's logarithm", above=0)] = 0.05
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return the noise."""
+        stage = BandNoise(rms=self.rms, frequency=self.frequency, width=self.width)
+        return (PlacedStage(position=PlacedStage.CABLE, stage=stage),)
