@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnose.transfer import GRID, at, on_grid
+from torquerig.diagnose.transfer import on_grid
 from torquerig.diagnose.twin import Twin
 from torquerig.mechanisms import ToothMesh, TorsionalMode
 from torquerig.rig.parts import Body, Gear
@@ -31,19 +31,52 @@ def test_a_torque_on_each_node_reads_as_the_state_equations_say(*, more: bool, w
     rig = branched(wear_rig) if more else wear_rig.rig
     system = twin_of(rig).closed_loop
     found = on_grid(rig, rig.terms())
-    near = np.array([GRID[np.argmin(np.abs(GRID - probed))] for probed in PROBED])
-    for node, response in found.items():
+    near = np.array([found.frequency[np.argmin(np.abs(found.frequency - probed))] for probed in PROBED])
+    for node, response in found.reading.items():
         exact = system.transfer(f"torque on {node}", f"torque in {rig.measured}", near)
-        assert at(response, near) == pytest.approx(exact, rel=1e-8), node
+        assert found.at(response, near) == pytest.approx(exact, rel=1e-8), node
 
 
 def test_between_the_points_of_the_grid_a_resonance_is_kept(wear_rig: Scenario) -> None:
     rig = wear_rig.rig
     fine = np.linspace(100.0, 200.0, 4001)
     exact = np.abs(twin_of(rig).closed_loop.transfer("torque on coupling", f"torque in {rig.measured}", fine))
-    response = np.abs(at(on_grid(rig, rig.terms())["coupling"], fine))
+    shafts = on_grid(rig, rig.terms())
+    response = np.abs(shafts.at(shafts.reading["coupling"], fine))
     assert response.max() == pytest.approx(exact.max(), rel=0.02)
     assert fine[response.argmax()] == pytest.approx(fine[exact.argmax()], rel=0.01)
+
+
+@pytest.mark.parametrize("damping", [0.002, 0.01])
+def test_a_sharp_mode_keeps_its_height_and_its_power(damping: float, wear_rig: Scenario) -> None:
+    """Peak within 3 % of the state equations', and the mean power of a band 8 to the octave within 3 %."""
+    rig = wear_rig.rig + TorsionalMode(
+        name="branch", after="wear_part", frequency=90.0, inertia=4e-4, damping_ratio=damping
+    )
+    shafts, twin = on_grid(rig, rig.terms()), Twin(rig)
+    fine = np.geomspace(80.0, 130.0, 40_001)
+    exact = np.abs(
+        twin_of(rig).closed_loop.transfer(f"torque on {rig.node('wear_part')}", f"torque in {rig.measured}", fine)
+    )
+    found = np.abs(shafts.at(shafts.reading[rig.node("wear_part")], fine))
+    assert found.max() == pytest.approx(exact.max(), rel=0.03)
+    low = 90.0 * 2 ** (np.arange(-1, 4) / 8)
+    high = low * 2 ** (1 / 8)
+    means = twin.load_power_between(low, high)
+    for start, stop, mean in zip(low, high, means, strict=True):
+        inside = np.linspace(start, stop, 20_001)
+        assert mean == pytest.approx(twin.load_power(inside).mean(), rel=0.03)
+
+
+def test_the_speed_loop_answers_as_the_state_equations_say(wear_rig: Scenario) -> None:
+    """The drive's torque to a torque on the wear part: -C(s) times the motor's angle."""
+    rig = wear_rig.rig
+    shafts, drive = on_grid(rig, rig.terms()), Twin(rig).drives[0]
+    near = shafts.frequency[(shafts.frequency > 0.2) & (shafts.frequency < 300)]
+    s = 2j * np.pi * near
+    speed = twin_of(rig).closed_loop.transfer(f"torque on {rig.node('wear_part')}", f"speed of {drive.on}", near)
+    exact = -(drive.kp + drive.ki / s) / (1 + s * drive.lag) * speed
+    assert shafts.at(shafts.drive[rig.node("wear_part")], near) == pytest.approx(exact, rel=1e-6, abs=1e-9)
 
 
 def test_what_no_transfer_depends_on_is_not_solved_again(wear_rig: Scenario) -> None:
@@ -59,7 +92,7 @@ def test_what_no_transfer_depends_on_is_not_solved_again(wear_rig: Scenario) -> 
 def test_a_kinematic_error_reads_as_the_state_equations_say(wear_rig: Scenario) -> None:
     rig = wear_rig.rig
     system, twin = twin_of(rig).closed_loop, Twin(rig)
-    near = GRID[(GRID > 1) & (GRID < 2000)]
+    near = twin.shafts.frequency[(twin.shafts.frequency > 1) & (twin.shafts.frequency < 2000)]
     for spring in ("gearbox", "torque_sensor", "coupling"):
         exact = system.transfer(f"error of {spring}", f"torque in {rig.measured}", near) * twin.amplifier(near)
         # where the poles stand is the same; rounding differs by the size of the largest

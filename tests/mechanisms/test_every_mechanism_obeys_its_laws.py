@@ -40,6 +40,7 @@ from torquerig.mechanisms import (
     LugreFriction,
     MainsInterference,
     Misalignment,
+    NoiseHump,
     ParallelOffset,
     ParticleLoad,
     PhaseUnbalance,
@@ -255,6 +256,11 @@ ROWS: tuple[Row, ...] = (
         effect=MainsInterference(name="it", amplitudes=(0.05, 0.02)),
         nothing=MainsInterference(name="it", amplitudes=(0.0,)),
         hertz=(50, 100),
+    ),
+    Row(
+        effect=NoiseHump(name="it", rms=0.02, frequency=400.0),
+        nothing=NoiseHump(name="it", rms=0.0, frequency=400.0),
+        why_no_lines="a band of noise",
     ),
     Row(
         effect=PwmAliasing(name="it", switching_frequency=24e3, amplitude=0.03),

@@ -25,6 +25,7 @@ from torquerig.mechanisms import (
     JawCoupling,
     MainsInterference,
     Misalignment,
+    NoiseHump,
     PwmAliasing,
     Quantization,
     SensorBandwidth,
@@ -46,6 +47,10 @@ EFFECTS: list[tuple[str, Part]] = [
     (
         "{kind: mains_interference, amplitudes: [50 mV, 0 V, 0.01 V]}",
         MainsInterference(name="it", frequency=50.0, amplitudes=(0.05, 0.0, 0.01)),
+    ),
+    (
+        "{kind: noise_hump, rms: 20 mV, frequency: 0.4 kHz, width: 0.1}",
+        NoiseHump(name="it", rms=0.02, frequency=400.0, width=0.1),
     ),
     (
         "{kind: pwm_aliasing, switching_frequency: 24 kHz, amplitude: 30 mV}",

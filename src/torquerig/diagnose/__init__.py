@@ -10,8 +10,9 @@ Looking
     impacts         beats of a ringing band                smeared      lines of an angle that was not measured
 Expecting
     transfer        shafts to reading, on a grid           twin         lines and load spectrum of a rig
-    quasi_static    slow torque                            added_signals  tones, drift and rings of the electronics
-    rounding_noise  what coarse codes add                  skirts       what an unmeasured angle puts beside lines
+    quasi_static    slow torque                            winding      the same near standstill
+    kernel          its compiled part                      added_signals  tones, drift and rings of the electronics
+    rounding_noise  what coarse codes add                  skirts       what a shaken speed puts beside lines
     expectation     all features of a run                  misfit       how far they lie apart
 Fitting
     knobs           what may be turned                     calibration  the nominal model with its numbers fitted
@@ -20,7 +21,9 @@ Fitting
     search          the hypotheses fitted, best first      loaded_part  which part the load acts on
     motion/         rigs whose motion was measured: no loop, no random load, so sample by sample
 Deciding
-    findings        effect after effect                    equivalence  rivals that cannot be told apart
+    findings        effect after effect                    revising     each looked back at beside the others
+    neutral/        descriptions that compete with names   hum          where the mains stands
+    explained       what of a mismatch went                equivalence  rivals that cannot be told apart
     next_run        which run would tell                   candidate_runs  the menu of runs
     set_aside       what was not fitted, and why           leftover     where a model is significantly wrong
     held_out        how well no fit's data are predicted   comparison   both models beside the recordings

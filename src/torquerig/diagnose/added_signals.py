@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.observed import Observed
@@ -81,11 +80,11 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
     return answer
 
 
-def moving_zero(twin: Twin, observed: Observed, starts: Sequence[int], stops: Sequence[int]) -> Floats:
+def moving_zero(twin: Twin, observed: Observed, starts: ArrayLike, stops: ArrayLike) -> Floats:
     """Mean of what a moving zero adds between samples ``starts`` and ``stops`` of a run [N m], shape (starts,)."""
     drifts = [stage for stage in twin.rig.stages() if isinstance(stage, Drift)]
     if not drifts:
-        return np.zeros(len(starts))
+        return np.zeros(np.size(starts))
     recording = observed.recording
     name = recording.torque_name()
     count = max(2, round(recording.duration * _SLOW_RATE))
@@ -94,7 +93,7 @@ def moving_zero(twin: Twin, observed: Observed, starts: Sequence[int], stops: Se
     share = count / recording.samples
     low = (np.asarray(starts) * share).astype(int)
     high = np.maximum((np.asarray(stops) * share).astype(int), low + 1)
-    total = np.zeros(len(starts))
+    total = np.zeros(low.size)
     for drift in drifts:
         summed = np.concatenate([[0.0], np.cumsum(drift.apply(silent).channels[name].in_si())])
         total += (summed[high] - summed[low]) / (high - low)

@@ -67,7 +67,8 @@ def dry_torque(term: object, speed: Floats) -> Floats:
     if isinstance(term, Friction):
         coulomb = np.where(speed > 0, term.coulomb_forward, term.coulomb_backward)
         static = np.where(speed > 0, term.static_forward, term.static_backward)
-        return np.asarray(way * (coulomb + (static - coulomb) * np.exp(-np.minimum((speed / term.stribeck) ** 2, 50.0))))
+        peak = (static - coulomb) * np.exp(-np.minimum((speed / term.stribeck) ** 2, 50.0))
+        return np.asarray(way * (coulomb + peak))
     return np.zeros(speed.shape)
 
 

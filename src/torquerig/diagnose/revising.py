@@ -1,4 +1,4 @@
-"""Looking back once all effects are in: is each still needed beside the others, and is it still the best of its kind?
+"""Looking back once all effects are in: each must be needed beside the others, and still be the best of its kind.
 
 An effect that was taken first, while another was missing, may have stood in for it.
 """
@@ -44,9 +44,10 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
         final = kept[-1].trial.model
         if others.model.cost - final.cost < LEAST_GAIN + PER_KNOB * len(kept[at].trial.candidate.knobs):
             kept = [*kept[:at], *kept[at + 1 :]]
-            kept[-1] = replace(kept[-1], before=_without(first, kept, len(kept) - 1), trial=_as_last(kept, others.model))
+            before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
+            kept[-1] = replace(kept[-1], before=before, trial=_as_last(kept, others.model))
             continue
-        tried = trials(others)
+        tried = trials(others, simulated=False)
         better = tried.fitted[0] if tried.fitted else None
         if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
             kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]

@@ -46,11 +46,11 @@ class Tried:
     screened: tuple[Trial, ...]
 
 
-def trials(case: Case) -> Tried:
+def trials(case: Case, *, simulated: bool = True) -> Tried:
     """Return the hypotheses fitted to what the model leaves.
 
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
-    numbers free.
+    numbers free. ``simulated`` ones, which take longest, may be left out.
     """
     screened = [_screened(case, candidate) for candidate in (*proposals(case), *descriptions(case))]
     screened.sort(key=lambda trial: -trial.gain)
@@ -66,7 +66,7 @@ def trials(case: Case) -> Tried:
             finalists.append(trial)
     fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
     fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
-    if gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
+    if simulated and gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
         found = fitted_gap(case, case.nominal_with_accepted())
         if found is not None:
             candidate, model = found
@@ -78,10 +78,8 @@ def trials(case: Case) -> Tried:
 
 def extended(case: Case, best: Trial) -> Case:
     """Return the case with the winner in its model, and of the left lines those that it does not explain."""
-    return replace(
-        case, model=best.model, accepted=(*case.accepted, best.candidate), left=unexplained(case.left, case, best.model),
-        apart=None,
-    )  # fmt: skip
+    left = unexplained(case.left, case, best.model)
+    return replace(case, model=best.model, accepted=(*case.accepted, best.candidate), left=left, apart=None)
 
 
 def unexplained(peaks: Sequence[Peak], case: Case, model: Calibrated) -> tuple[Peak, ...]:

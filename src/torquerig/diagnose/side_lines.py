@@ -75,7 +75,8 @@ class _Straying:
         for carrier in carriers:
             order = self._order(carrier)
             if SAME_ORDER < abs(at - order) < _REACH:
-                strays = self._strays(abs(at - order), shifted=SHIFTED * self.smearing * at) + self._twists(abs(at - order), carriers)
+                offset, shifted = abs(at - order), SHIFTED * self.smearing * at
+                strays = self._strays(offset, shifted=shifted) + self._twists(offset, carriers)
                 bound += 0.5 * order * strays * self._size(carrier)
         near = (self._size(other) for other in new if abs(self._order(other) - at) < _REACH)
         return self._size(place) > self.margin * bound + _OF_SECOND_ORDER * max(near, default=0.0)

@@ -22,7 +22,8 @@ _FINE, _COARSE = 40, 8  # points per octave, where shafts ring and elsewhere
 _RINGING = (10.0, 1500.0)  # [Hz]
 _RANGE = (0.04, 13_000.0)  # [Hz]
 _SHARP = 0.03  # damping ratio below which a mode needs points of its own
-_AROUND = np.array([-12.0, -7.0, -4.0, -2.5, -1.5, -0.9, -0.5, -0.2, 0.0, 0.2, 0.5, 0.9, 1.5, 2.5, 4.0, 7.0, 12.0])
+_BESIDE = np.array([0.2, 0.5, 0.85, 1.2, 1.6, 2.1, 2.7, 3.4, 4.3, 5.5, 7.0, 9.0, 12.0, 17.0])  # [half-widths]
+_AROUND = np.concatenate([-_BESIDE[::-1], [0.0], _BESIDE])
 _KEPT = 64
 
 
@@ -119,8 +120,10 @@ def _solve(rig: Rig, terms: Sequence[Term]) -> Shafts:
     adjoint = np.linalg.solve(np.transpose(dynamic, (0, 2, 1)), asked)
     force = spring.stiffness + s * spring.damping
     reading = {name: np.asarray(force * adjoint[:, at, 0], dtype=np.complex128) for name, at in row.items()}
-    drive_torque = {name: np.asarray(-loops[0] * adjoint[:, at, 1]) for name, at in row.items()} if drives else {}
-    return Shafts(grid, reading, drive_torque)
+    answered = {
+        name: np.asarray(-loops[0] * adjoint[:, at, 1], dtype=np.complex128) for name, at in row.items() if drives
+    }
+    return Shafts(grid, reading, answered)
 
 
 def _refined(system: Matrices) -> NDArray[np.float64]:

@@ -165,7 +165,8 @@ class Twin:
     @cached_property
     def _load(self) -> Floats:
         """Density of random loads in the reading on the grid of the shafts."""
-        return self._driven(self.shafts.reading) * np.abs(self.amplifier(self.shafts.frequency)) ** 2 + _NOTHING
+        passed = np.abs(self.amplifier(self.shafts.frequency)) ** 2
+        return np.asarray(self._driven(self.shafts.reading) * passed + _NOTHING)
 
     @cached_property
     def _answered(self) -> Floats:

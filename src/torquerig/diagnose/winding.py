@@ -6,9 +6,9 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from torquerig.diagnose.kernel import elastic_plastic
 from torquerig.diagnose.quasi_static import behind_sensor, dry_torque, yielding_torque
 from torquerig.diagnose.twin import Twin
 
@@ -46,8 +46,8 @@ def wound_torque(twin: Twin, *, speed: Floats, acceleration: Floats, step: float
         if not (forward.any() or backward.any()):
             continue
         stiffness, twist = 1 / compliance(twin, node), turned * step
-        torque = torque + _elastic_plastic(twist, stiffness, forward, backward, start)
-        soft = soft + _elastic_plastic(twist, _PRESLIDING * stiffness, forward, backward, start)
+        torque = torque + elastic_plastic(twist, stiffness, forward, backward, start)
+        soft = soft + elastic_plastic(twist, _PRESLIDING * stiffness, forward, backward, start)
     return Wound(0.5 * (torque + soft), 0.5 * np.abs(torque - soft))
 
 
@@ -63,13 +63,3 @@ def compliance(twin: Twin, node: str) -> float:
                     found[far] = found[here] + twin.turns[spring.b] ** -2 / spring.stiffness
                     waiting.append(far)
     return found.get(node, 0.0) * twin.turns[node] ** 2
-
-
-@njit(cache=True)  # type: ignore[untyped-decorator]
-def _elastic_plastic(twist: Floats, stiffness: float, forward: Floats, backward: Floats, start: float) -> Floats:
-    torque = np.empty(twist.size)
-    held = start
-    for i in range(twist.size):
-        held = min(max(held + stiffness * twist[i], -backward[i]), forward[i])
-        torque[i] = held
-    return torque

@@ -13,10 +13,10 @@ from torquerig.signals.stages.band_noise import BandNoise
 
 @dataclass(frozen=True, kw_only=True)
 class NoiseHump(Part):
-    """``D(f) = rms^2 / (f0 w sqrt(2 pi)) exp(-ln(f / f0)^2 / 2 w^2)`` of one-sided density behind the amplifier.
+    """``D(f) = rms^2 / (f w sqrt(2 pi)) exp(-ln(f / f0)^2 / 2 w^2)`` of one-sided density behind the amplifier.
 
-    What a diagnosis models a band of noise by that no effect of the library explains. Source: the definition of a
-    Gaussian over the logarithm of frequency. Not true where the noise follows the speed or the load: then it is an
+    What a diagnosis models a band of noise by that no effect of the library explains. Source: the log-normal
+    density. Not true where the noise follows the speed or the load: then it is an
     effect of the shafts.
     """
 

@@ -23,7 +23,7 @@ def propose(case: Case) -> Iterator[Candidate]:
         if motor.slots is None or motor.pole_pairs is None:
             continue
         poles = 2 * motor.pole_pairs
-        named = {
+        named: dict[int, tuple[str, int | None]] = {
             lcm(motor.slots, poles): ("native", None),
             motor.slots: ("unequal_magnets", None),
             poles: ("unequal_teeth", None),

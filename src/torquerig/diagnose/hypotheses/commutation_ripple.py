@@ -16,7 +16,7 @@ _START = 0.01
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield a ripple for each of the strongest lines at a whole electrical order, or any motor order if that is unknown.
+    """Yield a ripple for each of the strongest lines at a whole electrical order; where poles are unknown, any order.
 
     Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples.
     """

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class BandNoise:
-    """Gaussian noise of density ``D(f) = rms^2 / (f0 w sqrt(2 pi)) exp(-ln(f / f0)^2 / 2 w^2)``, added to the torque.
+    """Gaussian noise of density ``D(f) = rms^2 / (f w sqrt(2 pi)) exp(-ln(f / f0)^2 / 2 w^2)``, added to the torque.
 
     Parameters
     ----------
@@ -31,8 +31,7 @@ class BandNoise:
 
     Notes
     -----
-    Source: the definition of a Gaussian over the logarithm; no physics, a description. For w below 0.3 the power is
-    rms^2 within 5 %.
+    Source: the log-normal density, whose integral over all frequencies is rms^2; no physics, a description.
     """
 
     rms: float
@@ -48,12 +47,17 @@ class BandNoise:
 
     def density(self, frequencies: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
         """Return the one-sided density [unit^2/Hz] at ``frequencies`` [Hz], 0 at half the rate [Hz] and above."""
-        away = np.log(np.maximum(frequencies, 1e-9)) - log(self.frequency)
-        height = self.rms**2 / (self.frequency * self.width * sqrt(2 * pi))
-        return np.asarray(height * np.exp(-0.5 * (away / self.width) ** 2) * (frequencies < 0.5 * rate))
+        at = np.maximum(frequencies, 1e-9)
+        away = np.log(at) - log(self.frequency)
+        return np.asarray(
+            self.rms**2
+            / (at * self.width * sqrt(2 * pi))
+            * np.exp(-0.5 * (away / self.width) ** 2)
+            * (frequencies < 0.5 * rate)
+        )
 
     def density_between(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the mean density [unit^2/Hz] between frequencies ``low`` and ``high`` [Hz]; for w below 0.3."""
+        """Return the mean density [unit^2/Hz] between frequencies ``low`` and ``high`` [Hz]."""
         from scipy.special import ndtr
 
         edges = [np.log(edge / self.frequency) / self.width for edge in (low, high)]
@@ -64,5 +68,6 @@ class BandNoise:
         name, rate = recording.torque_name(), recording.sample_rate
         values = recording.channels[name].values
         white = np.fft.rfft(recording.random("noise hump").standard_normal(values.size))
-        shape = np.sqrt(self.density(np.fft.rfftfreq(values.size, 1 / rate), rate) * rate / 2)
+        at = np.linspace(0.0, 0.5 * rate, white.size)
+        shape = np.sqrt(self.density(at, rate) * rate / 2)
         return recording.with_values(name, values + np.fft.irfft(white * shape, values.size))

@@ -1,0 +1,38 @@
+"""Ripple in proportion to the motor's torque, when that torque is itself uneven: side lines against the simulator."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.twin import Twin
+from torquerig.mechanisms import CommutationRipple, TorqueRipple
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.run import Run
+from torquerig.simulate.simulate import simulate
+
+SPEED = 500 * pi / 30
+ORDER, SLOW = 42.0, 1.0
+
+
+def test_what_the_speed_loop_answers_makes_side_lines(wear_rig: Scenario) -> None:
+    """A line of order 1 that moves the speed by little, and no load: the ripple's own line is small, its side lines are d |t| / 2."""
+    bare = wear_rig.rig
+    for ripple in bare.parts_of(TorqueRipple):
+        own = {1.0: 0.02} if ripple.name == "motor.mechanical" else {}
+        bare = bare.changed(replace(ripple, amplitudes=own))
+    rig = bare + CommutationRipple(name="ripple", order_motor=ORDER, depth=0.4)
+    rig = rig.at(Run(**{**vars(rig.run), "speed": SPEED, "occupancy_percent": 0.0, "profile": "steady"}))
+    made = simulate(rig, duration=6.0, seed=2, sample_rate=25_000.0)
+    angle = made.channels["true_motor_angle_rad"].values
+    torque = made.channels["true_sensor_torque_Nm"].values
+    window = np.hanning(torque.size)
+    twin = Twin(rig)
+    for side in (ORDER - SLOW, ORDER + SLOW):
+        seen = 2 * abs(np.sum(torque * window * np.exp(-1j * side * angle))) / window.sum()
+        (line,) = (line for line in twin.lines() if abs(line.order - side) < 1e-9 and not line.by_load)
+        told = line.amplitude * float(np.abs(line.transfer(np.array([side * SPEED / (2 * pi)])))[0])
+        assert seen == pytest.approx(told, rel=0.1), side
