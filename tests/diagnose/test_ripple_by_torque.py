@@ -19,7 +19,7 @@ ORDER, SLOW = 42.0, 1.0
 
 
 def test_what_the_speed_loop_answers_makes_side_lines(wear_rig: Scenario) -> None:
-    """A line of order 1 that moves the speed by little, and no load: the ripple's own line is small, its side lines are d |t| / 2."""
+    """A line of order 1 that moves the speed by little, and no load: side lines of d |t| / 2."""
     bare = wear_rig.rig
     for ripple in bare.parts_of(TorqueRipple):
         own = {1.0: 0.02} if ripple.name == "motor.mechanical" else {}

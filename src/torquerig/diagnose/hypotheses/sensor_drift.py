@@ -8,7 +8,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.knobs import Knob
 
-_SPANS = (-0.5, -0.15, -0.05, 0.05, 0.15, 0.5)  # [V]
+_SPANS = tuple(sign * span for sign in (-1, 1) for span in (0.05, 0.15, 0.5, 1.5, 4.0))  # [V]
 _SPREAD = 0.3  # [V]
 
 
