@@ -25,6 +25,7 @@ from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
 
+_LOAD_TOLERANCE = 0.05  # [1] of the slow torque: near standstill no two rigs are alike, and a load comes and goes
 _MISTIMED = 0.04  # [s] a reversal that was simulated and not measured may come so much earlier or later
 _FLANK = 0.1  # of the density at the resonance: below it, a mode's flanks begin
 _RINGING_SHAPE = 0.6  # [1] of the density's logarithm: a mode's reading may be a displacement, a speed or between
@@ -51,7 +52,7 @@ class Expectation:
     power_tolerance, amplitude_tolerance : float or ndarray
         What chance in an effect beyond the twin may add: of the density's logarithm [1], of an amplitude [N m].
     turning_tolerance : float or ndarray, shape (blocks,)
-        What nobody knows of a contact near standstill [N m].
+        What chance in the load and what nobody knows of a contact near standstill may add [N m].
     """
 
     power: Floats
@@ -121,7 +122,8 @@ def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
     rate, step = seen.observed.rate, BLOCK / STEPS
     gained = np.gradient(blocks.course, step)
     wound = wound_torque(twin, speed=blocks.course, acceleration=gained, step=step, start=blocks.first)
-    torque, tolerance = blocks.mean_of(wound.torque, rate), blocks.mean_of(wound.tolerance, rate)
+    torque = blocks.mean_of(wound.torque, rate)
+    tolerance = np.hypot(blocks.mean_of(wound.tolerance, rate), _LOAD_TOLERANCE * torque)
     if not seen.observed.angle_measured:
         tolerance = np.hypot(tolerance, blocks.mean_of(np.abs(np.gradient(wound.torque, step)), rate) * _MISTIMED)
     torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + round(BLOCK * rate))

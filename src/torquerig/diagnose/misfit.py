@@ -21,7 +21,7 @@ BAND_TOLERANCE, LINE_TOLERANCE, RAMP_LINE_TOLERANCE, LEVEL_TOLERANCE = 0.05, 0.0
 DIP_TOLERANCE, WIDE_TOLERANCE = 1.0, 0.3
 _TWO_OCTAVES = 2 * BANDS_PER_OCTAVE
 LEVEL_FLOOR = 0.002  # [N m]
-TURNING_FLOOR, TURNING_TOLERANCE = 0.015, 0.05  # [N m], [1] near standstill no two rigs are alike
+TURNING_FLOOR = 0.015  # [N m]
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
 _UNMEASURED_ANGLE = 0.015
 _GATHERED = 0.08  # steady lines are gathered over their smeared width and lose little [1]
@@ -110,7 +110,7 @@ def misfit_sum(misfits: Sequence[Misfit]) -> float:
 
 def _turning(seen: Turning, model: Floats, tolerance: Floats | float) -> Misfit:
     """Blocks of a run that turns back; what lines could do is taken out, neighbours are about half independent."""
-    spread = np.sqrt(TURNING_FLOOR**2 + (TURNING_TOLERANCE * model) ** 2 + np.square(tolerance))
+    spread = np.sqrt(TURNING_FLOOR**2 + np.square(tolerance))
     none = np.zeros(0)
     return Misfit(none, none, none, seen.without_lines(seen.torque - model, spread) / np.sqrt(2))
 
