@@ -20,6 +20,7 @@ from torquerig.diagnose.turning import Turning, turning, turns_back
 Floats = NDArray[np.float64]
 
 _FEWEST_TURNS = 0.9  # periods of a line within a stretch
+_HIGHEST = {"order": 0.4, "frequency": 0.48}  # of the sample rate: what turns is smeared, and may fold
 _CROSSING_POINTS, _LIKE = 512, 0.5  # correlation of two lines below which a regression tells them apart
 POINTS = 9  # speeds kept of each stretch
 
@@ -180,7 +181,7 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
     shown: list[int] = []
     for index, place in enumerate(places):
         at = place.frequency(mean)
-        turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < 0.4 * observed.rate
+        turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
         near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < resolved)
         if turning and all(_crossing(observed, stretch, place, other) for other in near):
             shown.append(index)

@@ -12,7 +12,7 @@ import numpy as np
 from torquerig.diagnose.calibration import Calibrated
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.diagnosis import Stated
-from torquerig.diagnose.places import order
+from torquerig.diagnose.features import Features
 
 _95 = 1.96
 _ORDER_WIDTH = 0.01  # [1/rev] an order is known to a small part of what a recording resolves
@@ -138,17 +138,18 @@ def _cogging(part: Any, model: Calibrated, case: Case) -> dict[str, Stated]:
 
 
 def _at_sensor(part: Any, model: Calibrated, case: Case) -> Stated:
-    """Amplitude of the first tooth harmonic at the sensor in the first run that shows it [N m]."""
+    """Amplitude of the first tooth harmonic at the sensor [N m], in the steady run that reads most of it."""
     turns = abs(case.nominal.run.gear_ratio or 1.0)
-    place = order(part.order_output / turns)
-    for features in case.seen:
-        near = [
-            i for i, other in enumerate(features.places) if other.domain == "order" and abs(other.at - place.at) < 0.01
-        ]
-        if near and features.amplitude.size and np.isfinite(features.amplitude[:, near[0]]).any():
-            sizes = np.abs(features.amplitude[:, near[0]])
-            sizes = sizes[np.isfinite(sizes)]
-            reach = _95 * float(sizes.std()) / np.sqrt(sizes.size)
-            mean = float(np.sqrt((sizes**2).mean()))
-            return Stated(value=mean, low=max(mean - reach, 0.0), high=mean + reach, unit="N m")
-    return Stated(value=0.0, low=0.0, high=0.0, unit="N m")
+    read = [_line_read(features, part.order_output / turns) for features in case.seen if features.observed.steady]
+    shown = [each for each in read if each is not None]
+    return max(shown, key=lambda each: each.value, default=Stated(value=0.0, low=0.0, high=0.0, unit="N m"))
+
+
+def _line_read(features: Features, at: float) -> Stated | None:
+    near = [i for i, other in enumerate(features.places) if other.domain == "order" and abs(other.at - at) < 0.01]
+    sizes = np.abs(features.amplitude[:, near[0]]) if near and features.amplitude.size else np.zeros(0)
+    sizes = sizes[np.isfinite(sizes)]
+    if not sizes.size:
+        return None
+    reach, mean = _95 * float(sizes.std()) / np.sqrt(sizes.size), float(np.sqrt((sizes**2).mean()))
+    return Stated(value=mean, low=max(mean - reach, 0.0), high=mean + reach, unit="N m")

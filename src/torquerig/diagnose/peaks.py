@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 # power over the local floor; an exponential variate exceeds 22 with 3e-10, and some 1e5 places are looked at
 CLEAR, SUPPORTING = 22.0, 9.0
-_NEIGHBOURS = 60  # bins either way that make the local floor
+_NEIGHBOURS, _NEAREST = 60, 15  # bins either way that make the local floor, and that of a resonance
 _MOST = 40
 SHIFTED = 0.25  # of the width over which an unmeasured angle smears a line: how far off its peak may stand
 _LOWEST = 3.0  # [Hz] slower than this the load's own drift rules
@@ -122,11 +122,14 @@ def _rest(run: Observed, start: int, stop: int, known: Sequence[Place]) -> Float
 
 
 def _over_floor(power: Floats) -> Floats:
-    """Power over the local mean that its median stands for; the last bins, where nothing is left, are 0."""
+    """Power over the local mean that its median stands for; the last bins, where nothing is left, are 0.
+
+    Of two medians the larger counts: what a lightly damped mode leaves is as narrow as some bins, and no line.
+    """
     from scipy.ndimage import median_filter
 
-    floor = median_filter(power, size=2 * _NEIGHBOURS + 1, mode="nearest") / np.log(2)
-    answer = power / np.maximum(floor, 1e-30)
+    wide, near = (median_filter(power, size=2 * reach + 1, mode="nearest") for reach in (_NEIGHBOURS, _NEAREST))
+    answer = power / np.maximum(np.maximum(wide, near) / np.log(2), 1e-30)
     answer[int(0.92 * answer.size) :] = 0.0
     return np.asarray(answer)
 

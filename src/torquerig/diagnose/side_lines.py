@@ -20,6 +20,9 @@ _REACH = 16.0  # orders of the motor: what strays faster moves no shaft far
 _PASSED = 1.3  # times as large as its source may a side line be read: it passes a shaft that rings, its carrier less
 _FOLLOWED = 2.0  # the same for an angle that was followed in the torque, and is known less well
 _OF_SECOND_ORDER = 0.015  # of a new line's size
+_MAY_STAND = np.linspace(0.94, 1.06, 13)  # [1] of its nominal frequency may a mode stand
+_POINTS = 16_384  # that an angle's straying is looked at
+_OWN_BINS = 3  # of a line under a Hann window
 _WIDTH = 1.5  # bins over which the straying at an offset is sought
 
 
@@ -28,16 +31,18 @@ def without_side_lines(
 ) -> tuple[Peak, ...]:
     """Return the peaks that stand out in some run beyond what the speed's own unevenness puts there.
 
-    An angle that strays by ``Re(c exp(i m theta))`` gives a line ``A`` of order n side lines of ``n |c| A / 2`` at
-    n + m and n - m. Where the shafts pass those otherwise than the line itself, they are left even when the angle is
-    known, and no model of lines has them. A slow line of torque T also twists the sensor, of stiffness k, by T / k,
-    and with it the teeth that make faster lines. Carriers are ``known`` and the peaks that are clearer; of these, which
-    may be far stronger than any known line, side lines of second order are reckoned with as a share of their size.
+    An angle that strays by ``Re(c exp(i m theta))`` gives a line ``A`` of order n side lines of ``J_k(n |c|) A`` at
+    n + k m and n - k m, J being Bessel's functions: ``n |c| A / 2`` at the first. Where the shafts pass those otherwise
+    than the line itself, they are left even when the angle is known, and no model of lines has them. A slow line of
+    torque T also twists the sensor, of stiffness k, by T / k, and with it the teeth that make faster lines. Carriers
+    are ``known`` and the peaks that are clearer; of these, which may be far stronger than any known line, side lines of
+    second order are reckoned with as a share of their size.
     """
-    spring = Twin(rig).springs.get(rig.measured)
+    twin = Twin(rig)
+    spring = twin.springs.get(rig.measured)
     twist = 0.0 if spring is None else kinematics_of(rig).ratio / spring.stiffness
     kept: list[Peak] = []
-    steady = {run.name: _Straying(run, twist=twist) for run in runs if run.steady}
+    steady = {run.name: _Straying(run, twin, twist=twist) for run in runs if run.steady}
     for peak in sorted(peaks, key=lambda each: -each.excess):
         new = [other.place for other in kept]
         carriers = [*known, *new]
@@ -50,7 +55,8 @@ def without_side_lines(
 class _Straying:
     """One run's angle, and how far it strays at each offset."""
 
-    def __init__(self, run: Observed, *, twist: float) -> None:
+    def __init__(self, run: Observed, twin: Twin, *, twist: float) -> None:
+        self.passed = twin.torque_on(twin.drives[0].on) if twin.drives else None
         seen = [stretch for stretch in run.stretches if not stretch.held]
         part = slice(seen[0].start, seen[-1].stop)
         self.angle, torque = run.angle[part], run.torque[part]
@@ -62,12 +68,14 @@ class _Straying:
         along = np.linspace(-1.0, 1.0, turned.size)
         strayed = self.angle - turned
         strayed = strayed - np.polynomial.polynomial.polyval(along, np.polynomial.polynomial.polyfit(along, strayed, 2))
-        self.straying = np.abs(np.fft.rfft(strayed * self.window)) * 2 / self.window.sum()
+        thinned = max(1, strayed.size // _POINTS)
+        self.strayed, self.thin_window = strayed[::thinned], self.window[::thinned]
         self.per_bin = 2 * np.pi / float(np.ptp(turned))  # [1/rev of the motor]
         self.smearing = run.smearing
         self.margin = _PASSED if run.angle_measured else _FOLLOWED
         self.twist = twist  # [rad of the motor per N m]
         self.sizes: dict[Place, float] = {}
+        self.spreads: dict[float, Floats] = {}
 
     def beyond(self, place: Place, carriers: Sequence[Place], new: Sequence[Place]) -> bool:
         """Whether the line at ``place`` is larger than all side lines of the carriers could make it there."""
@@ -75,11 +83,22 @@ class _Straying:
         for carrier in carriers:
             order = self._order(carrier)
             if SAME_ORDER < abs(at - order) < _REACH:
-                offset, shifted = abs(at - order), SHIFTED * self.smearing * at
-                strays = self._strays(offset, shifted=shifted) + self._twists(offset, carriers)
-                bound += 0.5 * order * strays * self._size(carrier)
+                share = self._spread(order, at - order, shifted=SHIFTED * self.smearing * at)
+                share += 0.5 * order * self._twists(abs(at - order), carriers)
+                bound += share * self._size(carrier) * self._rings(at, order)
         near = (self._size(other) for other in new if abs(self._order(other) - at) < _REACH)
         return self._size(place) > self.margin * bound + _OF_SECOND_ORDER * max(near, default=0.0)
+
+    def _rings(self, at: float, carrier: float) -> float:
+        """By what the shafts pass the side line more than its carrier, their modes being where they may be; 1 if less.
+
+        Both come of the motor's torque; where a carrier does not, its source passes no better near the same mode.
+        """
+        if self.passed is None:
+            return 1.0
+        hertz = self.speed / (2 * np.pi)
+        side = np.abs(self.passed(at * hertz * _MAY_STAND)).max()
+        return max(1.0, float(side / np.abs(self.passed(np.array([carrier * hertz])))[0]))
 
     def _twists(self, offset: float, carriers: Sequence[Place]) -> float:
         slow = (carrier for carrier in carriers if abs(self._order(carrier) - offset) < SAME_ORDER)
@@ -88,10 +107,16 @@ class _Straying:
     def _order(self, place: Place) -> float:
         return place.at if place.domain == "order" else place.at * 2 * np.pi / self.speed
 
-    def _strays(self, offset: float, *, shifted: float) -> float:
+    def _spread(self, order: float, offset: float, *, shifted: float) -> float:
+        """Return the share of a line's size that straying puts at an offset [1/rev of the motor] from it."""
+        if order not in self.spreads:
+            waves = np.fft.fft(np.exp(1j * order * self.strayed) * self.thin_window)
+            self.spreads[order] = np.abs(waves) / self.thin_window.sum()
         width = _WIDTH + shifted / self.per_bin
-        low, high = int((offset / self.per_bin) - width), int(np.ceil(offset / self.per_bin + width)) + 1
-        return float(self.straying[max(low, 0) : high].max(initial=0.0))
+        low, high = int(np.floor(offset / self.per_bin - width)), int(np.ceil(offset / self.per_bin + width)) + 1
+        bins = np.arange(low, high)
+        clear = bins[np.abs(bins) > _OWN_BINS] % self.strayed.size
+        return float(self.spreads[order][clear].max(initial=0.0))
 
     def _size(self, place: Place) -> float:
         if place not in self.sizes:
