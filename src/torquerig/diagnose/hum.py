@@ -31,7 +31,9 @@ def fundamental(found: dict[int, Peak]) -> float:
 
 
 def hum_places(peaks: Iterable[Peak]) -> list[Place]:
-    """Return where a hum of which ``peaks`` shows some lines must stand as well."""
+    """Return where a hum of which ``peaks`` shows some lines must stand as well; of two grids, that with more lines."""
     peaks = list(peaks)
-    all_found = [found for found in (harmonics_of(grid, peaks) for grid in GRIDS) if found]
-    return [frequency(n * fundamental(found)) for found in all_found for n in ALWAYS if n not in found]
+    all_found = [found for grid in GRIDS if (found := harmonics_of(grid, peaks))]
+    most = max((len(found) for found in all_found), default=0)
+    likely = [found for found in all_found if len(found) == most]
+    return [frequency(n * fundamental(found)) for found in likely for n in ALWAYS if n not in found]
