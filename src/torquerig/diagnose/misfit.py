@@ -21,6 +21,7 @@ BAND_TOLERANCE, LINE_TOLERANCE, RAMP_LINE_TOLERANCE, LEVEL_TOLERANCE = 0.05, 0.0
 DIP_TOLERANCE, WIDE_TOLERANCE = 1.0, 0.3
 _TWO_OCTAVES = 2 * BANDS_PER_OCTAVE
 LEVEL_FLOOR = 0.002  # [N m]
+NONLINEARITY = 1.5e-4  # of the largest line: sensors are of class 0.03 at best, and what bends makes combined lines
 TURNING_FLOOR = 0.015  # [N m]
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
 _UNMEASURED_ANGLE = 0.015
@@ -124,7 +125,8 @@ def _steady_lines(seen: Features, model: Expectation) -> Floats:
     size, expected = np.sqrt(np.maximum(power - chance, 0.0)), model.amplitude.mean(axis=0)
     tolerance = np.hypot(LINE_TOLERANCE, _smearing(seen))
     beyond = np.broadcast_to(model.amplitude_tolerance, model.amplitude.shape).mean(axis=0)
-    spread = np.sqrt(chance / count + (tolerance * expected) ** 2 + beyond**2)
+    bent = NONLINEARITY * expected.max(initial=0.0)
+    spread = np.sqrt(chance / count + (tolerance * expected) ** 2 + beyond**2 + bent**2)
     return np.asarray(np.where(shown.any(axis=0), (size - expected) / spread, 0.0))
 
 
@@ -134,7 +136,8 @@ def _moving_lines(seen: Features, model: Expectation) -> Floats:
     size = np.abs(np.where(shown, seen.amplitude, 0.0))
     expected = np.sqrt(model.amplitude**2 + model.variance)
     tolerance = np.hypot(RAMP_LINE_TOLERANCE, _smearing(seen))
-    spread = np.sqrt(model.variance + (tolerance * expected) ** 2 + np.square(model.amplitude_tolerance))
+    bent = NONLINEARITY * model.amplitude.max(axis=1, initial=0.0)[:, None]
+    spread = np.sqrt(model.variance + (tolerance * expected) ** 2 + np.square(model.amplitude_tolerance) + bent**2)
     return np.asarray(np.where(shown, (size - expected) / spread, 0.0) / np.sqrt(2))
 
 

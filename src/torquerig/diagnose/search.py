@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.calibration import Calibrated, calibrated
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.gap_trial import fitted_gap, gap_is_possible, simulated_model
-from torquerig.diagnose.hypotheses import proposals
+from torquerig.diagnose.hypotheses import is_possible, proposals
 from torquerig.diagnose.knobs import turned
 from torquerig.diagnose.neutral import descriptions
 from torquerig.diagnose.peaks import Peak
@@ -72,6 +72,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
             candidate, model = found
             gain = case.model.cost - model.cost - PER_KNOB
             fitted.append(Trial(candidate, simulated_model(candidate, model), gain))
+    fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(screened))
 

@@ -22,6 +22,7 @@ from importlib import import_module
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
+from torquerig.rig.rig import Rig
 
 Propose = Callable[[Case], Iterator[Candidate]]
 
@@ -46,3 +47,11 @@ def proposals(case: Case) -> Iterator[Candidate]:
     for name, class_name in CLASSES.items():
         if hasattr(mechanisms, class_name) and not case.has(name):
             yield from import_module(f"{__name__}.{name}").propose(case)
+
+
+def is_possible(candidate: Candidate, rig: Rig) -> bool:
+    """Whether the numbers that a fit gave a candidate in ``rig`` are such as can be."""
+    if candidate.mechanism not in CLASSES:
+        return True
+    asked = getattr(import_module(f"{__name__}.{candidate.mechanism}"), "possible", None)
+    return asked is None or all(asked(rig.part(part.name)) for part in candidate.parts)

@@ -9,10 +9,12 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, line_factor
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.places import SAME_ORDER
+from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 
 _STRONGEST = 5
 _START = 0.01
+_DEEPEST = 1.2  # of the motor's torque
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -34,3 +36,8 @@ def propose(case: Case) -> Iterator[Candidate]:
                 knobs=(Knob(part.name, "depth", 1.0),),
                 place=peak.place,
             )
+
+
+def possible(part: Part) -> bool:
+    """Whether a ripple could be: no drive turns its torque round within a turn."""
+    return isinstance(part, mechanisms.CommutationRipple) and part.depth < _DEEPEST
