@@ -15,6 +15,7 @@ from torquerig.diagnose.features import Features
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.leftover import mismatches
 from torquerig.diagnose.misfit import misfit_sum
+from torquerig.diagnose.neutral import in_words
 from torquerig.diagnose.next_run import next_run
 from torquerig.diagnose.revising import Accepted, only, revised, with_all
 from torquerig.diagnose.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
@@ -74,7 +75,9 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
     return Searched(
         case=case,
         findings=tuple(_finding(case, each, held) for each in named),
-        descriptions=tuple(each.trial.candidate.description for each in accepted if each not in named),
+        descriptions=tuple(
+            in_words(each.trial.candidate, case.model.rig) for each in accepted if each.trial.candidate.description
+        ),
         first=first,
         last=tried,
     )

@@ -7,8 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.neutral import noise_hump
+from torquerig.rig.rig import Rig
+
+
+def in_words(candidate: Candidate, rig: Rig) -> str:
+    """Return what a description came to in a fitted rig."""
+    part = rig.part(candidate.parts[0].name)
+    return noise_hump.in_words(part) if isinstance(part, mechanisms.NoiseHump) else candidate.description
 
 
 def descriptions(case: Case) -> Iterator[Candidate]:

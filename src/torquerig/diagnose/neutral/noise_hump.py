@@ -31,6 +31,11 @@ def propose(case: Case) -> Iterator[Candidate]:
         yield Candidate(mechanism=NAME, parts=(best,), knobs=knobs, description="noise of a fixed band")
 
 
+def in_words(part: mechanisms.NoiseHump) -> str:
+    """Return what a fitted hump is."""
+    return f"noise of a fixed band around {part.frequency:.4g} Hz ({part.rms:.2g} V rms)"
+
+
 def _humps(case: Case, steady: list[Features], width: float) -> Iterator[mechanisms.NoiseHump]:
     """Yield a hump at each of the bands with most excess, of the size that the run with the least excess shows."""
     grid = min((features.band for features in steady), key=lambda band: band.size)
