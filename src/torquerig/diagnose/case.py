@@ -37,6 +37,8 @@ class Candidate:
         The line that it sets out to explain.
     description : str
         Of one that names no cause, in words; empty for mechanisms of the library.
+    price : float
+        What it must gain beside, because few rigs have its like.
     """
 
     mechanism: str
@@ -45,6 +47,7 @@ class Candidate:
     variant: str = ""
     place: Place | None = None
     description: str = ""
+    price: float = 0.0
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

@@ -114,7 +114,7 @@ def _screened(case: Case, candidate: Candidate) -> Trial:
     rig = candidate.added_to(case.model.rig)
     model = calibrated(rig, case.seen, candidate.knobs, derivatives=2, corrections=case.model.corrections or None)
     before = case.model.cost - float(case.model.positions @ case.model.positions)
-    return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs))
+    return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)
 
 
 def _joint(case: Case, trial: Trial) -> Trial:
@@ -132,7 +132,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
             placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
             derivatives=_JOINT_DERIVATIVES, corrections=held, jacobian=jacobian,
         )  # fmt: skip
-        return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs))
+        return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
 
     first = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
     well = first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits)

@@ -1,4 +1,4 @@
-"""Ripple in proportion to the motor's torque: a line at a multiple of its pole pairs that grows with the load."""
+"""Ripple in proportion to the motor's torque: a line at a whole motor order that grows with the load."""
 
 from __future__ import annotations
 
@@ -14,18 +14,19 @@ from torquerig.rig.parts import Motor
 
 _STRONGEST = 5
 _START = 0.01
+_BESIDE_THE_FIELD = 20.0
 _DEEPEST = 1.2  # of the motor's torque
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield a ripple for each of the strongest lines at a whole electrical order; where poles are unknown, any order.
+    """Yield a ripple for each of the strongest lines at a whole motor order.
 
-    Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples.
+    Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples; other orders pay.
     """
     motors = case.nominal.parts_of(Motor)
     for peak in [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]:
-        whole = abs(peak.place.at - round(peak.place.at)) < SAME_ORDER
-        if motors and whole and round(peak.place.at) % (motors[0].pole_pairs or 1) == 0:
+        if motors and abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
+            electrical = round(peak.place.at) % (motors[0].pole_pairs or 1) == 0
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
             )
@@ -35,6 +36,7 @@ def propose(case: Case) -> Iterator[Candidate]:
                 parts=(replace(part, depth=depth),),
                 knobs=(Knob(part.name, "depth", 1.0),),
                 place=peak.place,
+                price=0.0 if electrical else _BESIDE_THE_FIELD,
             )
 
 
