@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import HeldOut
+from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.misfit import misfit, robust
 from torquerig.diagnose.simulated import expected_from, simulated_runs
 from torquerig.diagnose.value_features import value_features, value_misfit
+from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 
 SEEDS = (101, 102)
@@ -19,14 +21,28 @@ _DRAWS = 400
 
 
 def held_out_squares(rig: Rig, held: Sequence[Features]) -> NDArray[np.float64]:
-    """Return the robust square of every held-out residual of ``rig``'s simulations, runs one after the other."""
-    copies = simulated_runs(rig, held, seeds=SEEDS)
+    """Return the robust square of every held-out residual of ``rig``'s simulations, runs one after the other.
+
+    A model whose fitted numbers cannot be simulated is judged by its linear twin, which knows nothing of its values.
+    """
+    try:
+        copies = simulated_runs(rig, held, seeds=SEEDS)
+    except SimulationError:
+        return _by_the_twin(rig, held)
     models = expected_from(rig, held, copies)
     squares = []
     for features, model, each in zip(held, models, copies, strict=True):
         values = np.mean([value_features(copy, held=True) for copy in each], axis=0)
         residuals = value_misfit(value_features(features.observed, held=True), values)
         squares.append(robust(np.concatenate([misfit(features, model).all(), residuals])) ** 2)
+    return np.concatenate(squares)
+
+
+def _by_the_twin(rig: Rig, held: Sequence[Features]) -> NDArray[np.float64]:
+    squares = []
+    for features in held:
+        values = np.zeros(value_features(features.observed, held=True).size)
+        squares.append(robust(np.concatenate([misfit(features, expected(rig, features)).all(), values])) ** 2)
     return np.concatenate(squares)
 
 

@@ -16,10 +16,12 @@ Floats = NDArray[np.float64]
 _COARSER = 1.7  # a lattice must be so many converter steps wide
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
 _FLAT_SHARE, _FEWEST_FLAT = 2e-4, 20
+_LOWEST_LIMIT = 4.0  # codes: a signal that stops nearer to zero holds nothing
 _JUMP = 12.0
 _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
 _SHORTEST = 8e-4  # [s] half a period of what rings is shorter
 _ONE_LEVEL = 6.0
+_STILL = 0.5  # of the noise may be left where nothing is measured
 
 
 @dataclass(frozen=True)
@@ -91,8 +93,10 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
             depth = np.abs(sign * volts - (sign * volts).max())
             piled = int((depth < 0.5 * code).sum())
             before = int(((depth >= 0.5 * code) & (depth < 5.5 * code)).sum())
-            if piled >= max(_FEWEST_FLAT, _FLAT_SHARE * volts.size, 2 * before):
-                found[recording.name] = (abs(float((sign * volts).max())), piled / volts.size)
+            level = float((sign * volts).max())
+            largest = level > max(float(np.abs(volts).max()) - 0.5 * code, _LOWEST_LIMIT * code)
+            if largest and piled >= max(_FEWEST_FLAT, _FLAT_SHARE * volts.size, 2 * before):
+                found[recording.name] = (level, piled / volts.size)
     if not found or max(level for level, _ in found.values()) > 0.999 * full_range:
         return None
     limit = float(np.median([level for level, _ in found.values()]))
@@ -120,13 +124,14 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
 
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
-    steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal keeps to its level as
-    closely as noise lets it.
+    steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal stands still: it keeps to
+    its level, and at least half of the noise is gone, or the level is zero. A signal that goes on at another level is
+    not lost.
     """
     steps = np.diff(volts)
     sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
-    if sigma == 0:
-        return []
+    if sigma == 0:  # coarse codes, which most samples share with the one before
+        sigma = float(np.abs(steps)[steps != 0].min(initial=np.inf))
     jumps = np.flatnonzero(np.abs(steps) > _JUMP * sigma) + 1
     found: list[tuple[int, int, float]] = []
     last = 0
@@ -138,7 +143,9 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         way = (level - outside) or np.inf
         jumped = min(volts[start] - volts[start - 1], volts[stop - 1] - volts[stop], key=lambda step: step / way) / way
         away = abs(level - outside) > _JUMP * sigma and jumped > _AT_ONCE
-        if away and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
+        moved = float(np.median(np.abs(np.diff(inside)))) / 0.6745
+        still = moved < _STILL * sigma or abs(level) < sigma
+        if away and still and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
             last = stop
     return found if _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma) else []

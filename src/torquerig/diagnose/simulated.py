@@ -71,7 +71,8 @@ def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
     if seen.turning is not None:
         # lines differ in phase from copy to recording and are projected out of both
         blocks = [copy.turning.without_lines(copy.turning.torque) for copy in copies if copy.turning is not None]
-        return replace(spread, turning=np.mean(blocks, axis=0))
+        # a copy whose motor is held fast does not turn back, and has no blocks
+        return replace(spread, turning=np.mean(blocks, axis=0)) if blocks else spread
     power = _mean_power(copies, spread.power) if seen.power.size else spread.power
     sizes = [np.abs(copy.amplitude) ** 2 for copy in copies]
     chance = amplitude_variance(seen, power)
