@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 
 from proof.scoring.claims import Claim
 
@@ -33,7 +34,8 @@ def improvement_of(claim: Claim, oracle: Claim | None) -> Improvement | None:
 
 
 def _share(claim: Claim) -> float | None:
-    """Give one minus after over before."""
+    """Give one minus after over before, where both are numbers."""
     if claim.before is None or claim.after is None or claim.before <= 0.0:
         return None
-    return 1.0 - claim.after / claim.before
+    share = 1.0 - claim.after / claim.before
+    return share if isfinite(share) else None

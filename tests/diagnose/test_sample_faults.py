@@ -147,3 +147,28 @@ def test_a_torque_that_runs_into_the_converters_end_is_no_dropout(clean: Recordi
     for start in (2000, 7000, 12_000):
         volts[start : start + climb.size] += climb
     assert dropouts([with_volts(clean, np.minimum(volts, FULL))]) is None
+
+
+def test_a_signal_that_goes_on_at_another_level_is_not_lost(clean: Recording) -> None:
+    """A telegraph: moments with an offset, in which the signal and its noise go on."""
+    volts = clean.channels["torque_V"].values.copy()
+    for start in range(1500, volts.size - 500, 2500):
+        volts[start : start + 40] += 1.5
+    assert dropouts([with_volts(clean, volts)]) is None
+
+
+def test_signals_are_lost_between_coarse_codes_too(clean: Recording) -> None:
+    """Where most samples share their code with the one before, the noise between samples is a code."""
+    volts = clean.channels["torque_V"].values.copy() + 1.0
+    for start in range(1500, volts.size - 500, 2500):
+        volts[start : start + 40] = 0.0
+    found = dropouts([clean.with_values("torque_V", 0.1 * np.round(volts / 0.1))])
+    assert found is not None
+    assert found.level == 0.0
+
+
+def test_a_pile_at_zero_is_no_limit(clean: Recording) -> None:
+    """A reading that stays at zero and goes below, or is largest the other way, is not clipped there."""
+    volts = -np.abs(clean.channels["torque_V"].values)
+    volts[::50] = 0.0
+    assert flat_tops([with_volts(clean, volts)], full_range=FULL, code=CODE) is None
