@@ -12,6 +12,7 @@ from torquerig.diagnose.misfit import Misfit, robust
 LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
 _CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
 LEAST_SHARE = 0.8
+LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out
 
 
 def explained_share(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:

@@ -10,7 +10,13 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.confidence import confidence
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.equivalence import equivalents
-from torquerig.diagnose.explained import LARGEST_REST, LEAST_SHARE, explained_share, left_at_its_places
+from torquerig.diagnose.explained import (
+    LARGEST_REST,
+    LEAST_SHARE,
+    LEAST_SHARE_WHERE_ALL_FITS,
+    explained_share,
+    left_at_its_places,
+)
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.leftover import mismatches
@@ -25,6 +31,7 @@ from torquerig.diagnose.set_aside import set_aside
 Progress = Callable[[str], None]
 
 _MOST_RIVALS = 3
+_LARGE = 100.0  # gain that no clean rig reaches
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,7 +120,9 @@ def _convincing(case: Case, trial: Trial, earlier: Sequence[Accepted], held: Seq
     share = explained_share(case.model.misfits, trial.model.misfits)
     # an effect beyond the twin leaves small lines of its own, which are no effects
     least = max([LEAST_GAIN, *(0.25 * each.trial.gain for each in earlier if case.model.corrections)])
-    return trial.gain > least and share > LEAST_SHARE and _foretells(case, trial, held)
+    fits = trial.gain > _LARGE and trial.model.cost < sum(misfit.seen for misfit in trial.model.misfits)
+    enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
+    return trial.gain > least and share > enough and _foretells(case, trial, held)
 
 
 def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
