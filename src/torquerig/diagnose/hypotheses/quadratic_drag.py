@@ -16,7 +16,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     """Yield drags of three sizes on the loaded part, where the runs differ in speed."""
     at = loaded_part(case.nominal)
     speeds = [abs(float(speed)) for features in case.seen for speed in features.speed.mean(axis=1)]
-    if at is None or min(speeds) > 0.9 * max(speeds):
+    if at is None or not speeds or min(speeds) > 0.9 * max(speeds):
         return
     for start in _STARTS:
         part = mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=start)
