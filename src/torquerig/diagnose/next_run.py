@@ -25,6 +25,7 @@ from torquerig.diagnose.search import Trial
 from torquerig.diagnose.shaft_angle import ShaftAngle
 from torquerig.diagnose.simulated import expected_by_simulation
 from torquerig.diagnose.twin import Twin
+from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.run import Run
@@ -78,7 +79,11 @@ def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
 def _judged(case: Case, rivals: Sequence[Trial], candidate: CandidateRun) -> Advice:
     """Judge a run, simulated with the first rival, by the pair of rivals that it separates least."""
     places = _places(case, [trial.model.rig for trial in rivals], candidate.run)
-    seen = features(_imagined(rivals[0].model.rig, candidate.run, case.runs[0]), places, held=None)
+    try:
+        imagined = _imagined(rivals[0].model.rig, candidate.run, case.runs[0])
+    except SimulationError:  # the rival's fitted numbers do not run: this run would tell nothing
+        return Advice(candidate, 0.0, "")
+    seen = features(imagined, places, held=None)
     models = _expectations(rivals, seen)
     misfits = [misfit(seen, model) for model in models]
     slopes = [np.zeros((0, 0)), *(_slopes(trial.model, seen) for trial in rivals[1:])]

@@ -15,6 +15,7 @@ from torquerig.diagnose.hypotheses import is_possible, proposals
 from torquerig.diagnose.knobs import turned
 from torquerig.diagnose.neutral import descriptions
 from torquerig.diagnose.peaks import Peak
+from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
@@ -67,7 +68,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
     fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
     if simulated and gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
-        found = fitted_gap(case, case.nominal_with_accepted())
+        found = _gap(case)
         if found is not None:
             candidate, model = found
             gain = case.model.cost - model.cost - PER_KNOB
@@ -75,6 +76,14 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(screened))
+
+
+def _gap(case: Case) -> tuple[Candidate, Calibrated] | None:
+    """Return the fitted gap, or None; a model whose numbers cannot be simulated tells of none."""
+    try:
+        return fitted_gap(case, case.nominal_with_accepted())
+    except SimulationError:
+        return None
 
 
 def extended(case: Case, best: Trial) -> Case:
