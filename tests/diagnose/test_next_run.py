@@ -12,6 +12,7 @@ from threadpoolctl import threadpool_limits
 from torquerig import mechanisms
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Finding
+from torquerig.diagnose.search import Tried
 from torquerig.mechanisms import Cogging, CommutationRipple, PwmAliasing
 from torquerig.rig.part import Part
 from torquerig.scenario.reading import Scenario
@@ -116,5 +117,5 @@ def test_a_mechanism_that_is_not_there_is_set_aside_for_that(
 
     monkeypatch.delattr(mechanisms, "SensorDrift")
     monkeypatch.delattr(mechanisms, "Backlash")
-    said = set_aside(comb_at_one_speed.before, (), fitted=(), found=())
+    said = set_aside(comb_at_one_speed.before, Tried((), ()), found=())
     assert said["sensor_drift"] == said["backlash"] == "not in the library"

@@ -41,7 +41,7 @@ class AddedSignals:
 def added_signals(twin: Twin, seen: Features) -> AddedSignals:
     """Return what the measuring chain adds to a reading of zero over the run of ``seen``."""
     observed, bands = seen.observed, seen.band.size
-    unit = observed.recording.channels[observed.recording.torque_name()].si_per_unit
+    unit = observed.torque_unit
     power = np.zeros(bands)
     tones: list[tuple[float, float]] = []
     codes: list[float] = []

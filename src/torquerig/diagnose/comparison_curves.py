@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from torquerig.diagnose.comparison import Side
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.turning import BLOCK
+from torquerig.diagnose.turning import block_size
 
 Floats = NDArray[np.float64]
 
 
 def slow_course(run: Observed) -> tuple[Floats, Floats]:
     """Return the middle of each block of 20 ms [s], and the mean torque there [N m]."""
-    size = max(1, round(BLOCK * run.rate))
+    size = block_size(run)
     count = run.torque.size // size
     means = run.torque[: count * size].reshape(count, size).mean(axis=1)
     return np.asarray((np.arange(count) + 0.5) * (size / run.rate)), means

@@ -31,6 +31,11 @@ from torquerig.signals.recording import Recording
 
 Progress = Callable[[str], None]
 
+_BY_TWIN = (
+    "a model cannot be simulated with the numbers that the fit gave it, so the held-out misfits are those of linear "
+    "twins, and the distribution of values is not compared"
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome:
@@ -90,7 +95,7 @@ def diagnose(
     fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
     left = mismatches(after)
-    verdict = "unexplained" if found_by_search.descriptions else _verdict(found, left, faults)
+    verdict = _verdict(found, left, faults, described=bool(found_by_search.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
         mismatch=(*(mismatches(before) if found_more else left), *(mismatch for _, mismatch in contradicted)),
@@ -100,6 +105,7 @@ def diagnose(
         remarks=(
             *(sentence for sentence, _ in contradicted),
             *(f"no mechanism of the library explains {what}" for what in found_by_search.descriptions),
+            *([_BY_TWIN] if fit.by_twin else []),
         ),
         set_aside=reasons(before, found_by_search, found),
         next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,
@@ -150,8 +156,10 @@ def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Fi
     return answer
 
 
-def _verdict(findings: Sequence[Finding], left: Sequence[Mismatch], faults: SampleFindings) -> Verdict:
-    if left or faults.unnamed:
+def _verdict(
+    findings: Sequence[Finding], left: Sequence[Mismatch], faults: SampleFindings, *, described: bool
+) -> Verdict:
+    if left or faults.unnamed or described:
         return "unexplained"
     return "missing_physics" if findings else "adequate"
 

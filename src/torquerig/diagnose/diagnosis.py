@@ -46,12 +46,16 @@ class Finding:
 
 @dataclass(frozen=True, kw_only=True)
 class HeldOut:
-    """Misfit on data that no fit has seen: of the nominal model, the calibrated one, and the completed one."""
+    """Misfit on data that no fit has seen: of the nominal model, the calibrated one, and the completed one.
+
+    ``by_twin`` where one of them cannot be simulated, so that linear twins were judged, values not being compared.
+    """
 
     nominal: float
     before: float
     after: float
     improvement: tuple[float, float, float]  # value, low, high
+    by_twin: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

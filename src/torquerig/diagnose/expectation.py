@@ -15,7 +15,7 @@ from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.skirts import skirts
-from torquerig.diagnose.turning import BLOCK, STEPS, Turning
+from torquerig.diagnose.turning import STEPS, Turning
 from torquerig.diagnose.twin import LineSource, Twin
 from torquerig.diagnose.winding import wound_torque
 from torquerig.rig.rig import Rig
@@ -119,14 +119,14 @@ def _rounded(step: float, seen: Features, power: Floats, amplitude: Floats) -> t
 
 def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
     """Return the slow torque of each block and its zero: the shafts' own ringing dies out within one."""
-    rate, step = seen.observed.rate, BLOCK / STEPS
+    step = blocks.size / STEPS / seen.observed.rate
     gained = np.gradient(blocks.course, step)
     wound = wound_torque(twin, speed=blocks.course, acceleration=gained, step=step, start=blocks.first)
-    torque = blocks.mean_of(wound.torque, rate)
-    tolerance = np.hypot(blocks.mean_of(wound.tolerance, rate), _LOAD_TOLERANCE * torque)
+    torque = blocks.mean_of(wound.torque)
+    tolerance = np.hypot(blocks.mean_of(wound.tolerance), _LOAD_TOLERANCE * torque)
     if not seen.observed.angle_measured:
-        tolerance = np.hypot(tolerance, blocks.mean_of(np.abs(np.gradient(wound.torque, step)), rate) * _MISTIMED)
-    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + round(BLOCK * rate))
+        tolerance = np.hypot(tolerance, blocks.mean_of(np.abs(np.gradient(wound.torque, step))) * _MISTIMED)
+    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + blocks.size)
     none = np.zeros((0, len(seen.places)))
     return Expectation(
         np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque, turning_tolerance=tolerance
@@ -152,7 +152,7 @@ def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: F
 
 def _noise(rig: Rig, seen: Features) -> Floats:
     """Density of what noise the measuring chain adds in each band [(N m)^2/Hz]."""
-    unit = seen.observed.recording.channels[seen.observed.recording.torque_name()].si_per_unit
+    unit = seen.observed.torque_unit
     power = np.zeros(seen.band.size)
     for stage in rig.stages():
         if isinstance(stage, WhiteNoise):

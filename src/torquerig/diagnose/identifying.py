@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import exp, lcm, pi
+from math import exp, pi
 from typing import Any
 
 import numpy as np
@@ -89,7 +89,8 @@ def identifying(candidate: Candidate, model: Calibrated, case: Case) -> dict[str
         stated = _stated(model, part.name, field, float(value) * field.factor)
         answer[name] = stated
     if candidate.mechanism == "gear_mesh":
-        answer["amplitude_Nm"] = _at_sensor(part, model, case)
+        read = _at_sensor(part, case)
+        answer |= {} if read is None else {"amplitude_Nm": read}
     return answer
 
 
@@ -128,21 +129,20 @@ def _friction(part: Any, model: Calibrated, case: Case) -> dict[str, Stated]:
 def _cogging(part: Any, model: Calibrated, case: Case) -> dict[str, Stated]:
     sizes = part.amplitudes()
     largest = max(sizes, key=lambda at: sizes[at])
-    named = {lcm(part.slots, 2 * part.pole_pairs): "native", part.slots: "unequal_magnets"}
-    named[2 * part.pole_pairs] = "unequal_teeth"
-    field = _Field(named[largest], "N m") if largest in named else _Field("further", "N m", key=largest)
+    name, key = part.held_by(largest)
+    field = _Field(name, "N m", key=key)
     return {
         "order_motor": Stated(value=largest, low=largest - _ORDER_WIDTH, high=largest + _ORDER_WIDTH, unit="1/rev"),
         "amplitude_Nm": _stated(model, part.name, field, sizes[largest]),
     }
 
 
-def _at_sensor(part: Any, model: Calibrated, case: Case) -> Stated:
-    """Amplitude of the first tooth harmonic at the sensor [N m], in the steady run that reads most of it."""
+def _at_sensor(part: Any, case: Case) -> Stated | None:
+    """Amplitude of the first tooth harmonic at the sensor [N m], in the steady run that reads most of it, if any."""
     turns = abs(case.nominal.run.gear_ratio or 1.0)
     read = [_line_read(features, part.order_output / turns) for features in case.seen if features.observed.steady]
     shown = [each for each in read if each is not None]
-    return max(shown, key=lambda each: each.value, default=Stated(value=0.0, low=0.0, high=0.0, unit="N m"))
+    return max(shown, key=lambda each: each.value, default=None)
 
 
 def _line_read(features: Features, at: float) -> Stated | None:

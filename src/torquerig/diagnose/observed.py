@@ -76,6 +76,11 @@ class Observed:
         return self.recording.run
 
     @property
+    def torque_unit(self) -> float:
+        """Torque [N m] per unit of the recorded channel."""
+        return self.recording.channels[self.recording.torque_name()].si_per_unit
+
+    @property
     def smearing(self) -> float:
         """Share of its frequency over which lines spread because the angle was not measured [1]."""
         return 0.0 if self.angle_measured else UNMEASURED

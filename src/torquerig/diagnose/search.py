@@ -41,10 +41,14 @@ class Trial:
 
 @dataclass(frozen=True)
 class Tried:
-    """The hypotheses, best first: ``fitted`` with all numbers free, ``screened`` all of them, the model held fast."""
+    """The hypotheses, best first: ``fitted`` with all numbers free, ``screened`` all of them, the model held fast.
+
+    ``gap_failed`` where a gap was to be tried, and the model around it could not be simulated.
+    """
 
     fitted: tuple[Trial, ...]
     screened: tuple[Trial, ...]
+    gap_failed: bool = False
 
 
 def trials(case: Case, *, simulated: bool = True) -> Tried:
@@ -67,23 +71,24 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
             finalists.append(trial)
     fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
     fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
+    gap_failed = False
     if simulated and gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
-        found = _gap(case)
-        if found is not None:
-            candidate, model = found
-            gain = case.model.cost - model.cost - PER_KNOB
-            fitted.append(Trial(candidate, simulated_model(candidate, model), gain))
+        try:
+            fitted += _gap(case)
+        except SimulationError:
+            gap_failed = True
     fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
     fitted.sort(key=lambda trial: -trial.gain)
-    return Tried(tuple(fitted), tuple(screened))
+    return Tried(tuple(fitted), tuple(screened), gap_failed)
 
 
-def _gap(case: Case) -> tuple[Candidate, Calibrated] | None:
-    """Return the fitted gap, or None; a model whose numbers cannot be simulated tells of none."""
-    try:
-        return fitted_gap(case, case.nominal_with_accepted())
-    except SimulationError:
-        return None
+def _gap(case: Case) -> list[Trial]:
+    """Return the trial of the fitted gap, or none where the recordings need none."""
+    found = fitted_gap(case, case.nominal_with_accepted())
+    if found is None:
+        return []
+    candidate, model = found
+    return [Trial(candidate, simulated_model(candidate, model), case.model.cost - model.cost - PER_KNOB)]
 
 
 def extended(case: Case, best: Trial) -> Case:

@@ -9,7 +9,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.gap_trial import flanks_may_part, gap_is_possible
 from torquerig.diagnose.hypotheses import CLASSES
 from torquerig.diagnose.hypotheses.reasons import why_none
-from torquerig.diagnose.search import Trial
+from torquerig.diagnose.search import Trial, Tried
 from torquerig.scenario.kinematics import gears_to_sensor
 
 SAMPLE_FAULTS = {
@@ -20,28 +20,28 @@ SAMPLE_FAULTS = {
 _NOT_THERE = "not in the library"
 
 
-def set_aside(case: Case, screened: Sequence[Trial], *, fitted: Sequence[str], found: Sequence[str]) -> dict[str, str]:
+def set_aside(case: Case, tried: Tried, *, found: Sequence[str]) -> dict[str, str]:
     """Return a reason for every mechanism of the contract that is neither found nor was fitted with all numbers.
 
     Parameters
     ----------
     case : Case
         The calibrated nominal model.
-    screened : sequence of Trial
-        Fitted to it with the model held fast, best first.
-    fitted, found : sequence of str
-        Mechanisms fitted with all numbers free; those that the diagnosis names.
+    tried : Tried
+        What was fitted to it.
+    found : sequence of str
+        Mechanisms that the diagnosis names.
     """
-    known = {*fitted, *found}
+    known = {*(trial.candidate.mechanism for trial in tried.fitted), *found}
     answer = {}
     for name, class_name in CLASSES.items():
         if name not in known:
-            answer[name] = _reason(name, class_name, case, screened)
+            answer[name] = _reason(name, class_name, case, tried.screened)
     for name, (class_name, reason) in SAMPLE_FAULTS.items():
         if name not in known:
             answer[name] = reason if hasattr(mechanisms, class_name) else _NOT_THERE
     if "backlash" not in known:
-        answer["backlash"] = _no_gap(case)
+        answer["backlash"] = _no_gap(case, tried)
     return dict(sorted(answer.items()))
 
 
@@ -58,13 +58,15 @@ def _reason(name: str, class_name: str, case: Case, screened: Sequence[Trial]) -
     return f"tried, and the misfit falls by {own.gain / best.gain:.1%} of what {name} takes away"
 
 
-def _no_gap(case: Case) -> str:
+def _no_gap(case: Case, tried: Tried) -> str:
     if not hasattr(mechanisms, "Backlash"):
         return _NOT_THERE
     if not gears_to_sensor(case.nominal):
         return "the rig has no gear"
     if not any(flanks_may_part(features) for features in case.seen):
         return "the torque comes near zero in no run, so flanks never part"
+    if tried.gap_failed:
+        return "tried, and the numbers fitted around a gap cannot be simulated"
     if gap_is_possible(case):
         return "what is left was explained without a gap"
     return "runs whose torque comes near zero are fitted well without a gap"

@@ -14,7 +14,7 @@ from torquerig.diagnose.places import Place
 Floats = NDArray[np.float64]
 
 STEPS = 4
-BLOCK = 0.02  # [s] long against the first mode, short against a reversal
+_BLOCK = 0.02  # [s] long against the first mode, short against a reversal
 _OVERSAMPLED = 5  # the lines are followed at so many points of a block
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
 
@@ -25,6 +25,8 @@ class Turning:
 
     Parameters
     ----------
+    size : int
+        Samples of a block.
     start : ndarray, shape (blocks,)
         First sample of each block.
     course : ndarray, shape (steps,)
@@ -37,6 +39,7 @@ class Turning:
         Orthonormal columns that span what lines of any size and phase can do to the blocks.
     """
 
+    size: int
     start: NDArray[np.int64]
     course: Floats
     first: float
@@ -45,9 +48,9 @@ class Turning:
     acceleration: Floats
     lines: Floats
 
-    def mean_of(self, course: Floats, rate: float) -> Floats:
+    def mean_of(self, course: Floats) -> Floats:
         """Return the mean over each block of values that are given at the steps of the course."""
-        first = np.round(self.start * STEPS / (BLOCK * rate)).astype(int)
+        first = np.round(self.start * STEPS / self.size).astype(int)
         index = np.minimum(first[:, None] + np.arange(STEPS), course.size - 1)
         return np.asarray(course[index].mean(axis=1))
 
@@ -63,6 +66,11 @@ def turns_back(observed: Observed) -> bool:
     return float(observed.speed.min()) < -0.05 * float(np.abs(observed.speed).max()) < 0 < float(observed.speed.max())
 
 
+def block_size(observed: Observed) -> int:
+    """Return how many samples make a block of this run."""
+    return max(1, round(_BLOCK * observed.rate))
+
+
 def turning(
     observed: Observed, places: Sequence[Place], *, held: bool | None, unknown: Sequence[Place] = ()
 ) -> Turning:
@@ -70,7 +78,7 @@ def turning(
 
     Lines of ``unknown`` cause may be a load's, which opposes the motion whichever way it goes.
     """
-    size = max(1, round(BLOCK * observed.rate))
+    size = block_size(observed)
     starts = np.concatenate([
         np.arange(stretch.start, stretch.stop - size + 1, size)
         for stretch in observed.stretches
@@ -85,12 +93,13 @@ def turning(
     columns = [part for wave in waves for part in (wave.real, wave.imag)]
     steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
     return Turning(
+        size=size,
         start=starts,
         course=observed.speed[steps],
         first=float(observed.torque[: max(1, size // STEPS)].mean()),
         torque=observed.torque[index].mean(axis=1),
         speed=observed.speed[starts + size // 2],
-        acceleration=(ends - observed.speed[starts]) / BLOCK,
+        acceleration=(ends - observed.speed[starts]) * observed.rate / size,
         lines=_orthonormal(np.array(columns).T.reshape(starts.size, len(columns))),
     )
 

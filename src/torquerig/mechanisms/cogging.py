@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from math import lcm
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
@@ -50,13 +51,32 @@ class Cogging(Part):
         """Return the amplitude [N m] by motor order; equal orders (Q = 2p never, LCM = Q possible) add up."""
         orders: dict[int, float] = {}
         for order, amplitude in (
-            (lcm(self.slots, 2 * self.pole_pairs), self.native),
-            (self.slots, self.unequal_magnets),
-            (2 * self.pole_pairs, self.unequal_teeth),
+            *((order, getattr(self, name)) for name, order in self._own_orders().items()),
             *self.further.items(),
         ):
             orders[order] = orders.get(order, 0.0) + amplitude
         return {order: amplitude for order, amplitude in orders.items() if amplitude > 0}
+
+    def held_by(self, order: int) -> tuple[str, int | None]:
+        """Return the field that holds the amplitude at a motor order, and its key there where it is ``further``."""
+        names = [name for name, own in self._own_orders().items() if own == order]
+        return (names[0], None) if names else ("further", order)
+
+    def with_amplitudes(self, amplitudes: Mapping[int, float]) -> Cogging:
+        """Return the same cogging with these amplitudes [N m] by motor order, and no others."""
+        values: dict[str, Any] = {**dict.fromkeys(self._own_orders(), 0.0), "further": {}}
+        for order, amplitude in amplitudes.items():
+            name, key = self.held_by(order)
+            if key is None:
+                values[name] = amplitude
+            else:
+                values[name][key] = amplitude
+        return replace(self, **values)
+
+    def _own_orders(self) -> dict[str, int]:
+        """Return the motor order of each field that has one of its own."""
+        poles = 2 * self.pole_pairs
+        return {"native": lcm(self.slots, poles), "unequal_magnets": self.slots, "unequal_teeth": poles}
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the lines between rotor and frame."""

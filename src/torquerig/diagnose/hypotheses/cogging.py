@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from math import lcm
-from typing import Any
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
@@ -23,31 +21,22 @@ def propose(case: Case) -> Iterator[Candidate]:
         if motor.slots is None or motor.pole_pairs is None:
             continue
         poles = 2 * motor.pole_pairs
-        named: dict[int, tuple[str, int | None]] = {
-            lcm(motor.slots, poles): ("native", None),
-            motor.slots: ("unequal_magnets", None),
-            poles: ("unequal_teeth", None),
-        }
-        multiples = {count * times for count in (motor.slots, poles) for times in range(2, _MULTIPLES + 1)}
-        named |= {order: ("further", order) for order in sorted({*multiples, 2 * lcm(motor.slots, poles)} - {*named})}
-        seen = {at: place for at in named if (place := left_line(case, float(at))) is not None}
+        native = lcm(motor.slots, poles)
+        multiples = {count * times for count in (motor.slots, poles) for times in range(1, _MULTIPLES + 1)}
+        orders = dict.fromkeys((native, motor.slots, poles, *sorted({*multiples, 2 * native})))
+        seen = {at: place for at in orders if (place := left_line(case, float(at))) is not None}
         if not seen:
             continue
         part = mechanisms.Cogging(name="cogging", at=motor.name, slots=motor.slots, pole_pairs=motor.pole_pairs)
-        part = _with(part, {named[at]: _START for at in seen})
-        sizes = {named[at]: _START * line_factor(case, case.model.rig + part, place) for at, place in seen.items()}
+        part = part.with_amplitudes(dict.fromkeys(seen, _START))
+        sizes = {at: _START * line_factor(case, case.model.rig + part, place) for at, place in seen.items()}
+        held = [part.held_by(at) for at in sizes]
         yield Candidate(
             mechanism="cogging",
-            parts=(_with(part, sizes),),
-            knobs=tuple(Knob(part.name, field, 1.0, key=key) for field, key in sizes),
+            parts=(part.with_amplitudes(sizes),),
+            knobs=tuple(Knob(part.name, field, 1.0, key=key) for field, key in held),
             place=_clearest(case, seen),
         )
-
-
-def _with(part: mechanisms.Cogging, sizes: dict[tuple[str, int | None], float]) -> mechanisms.Cogging:
-    changes: dict[str, Any] = {field: size for (field, key), size in sizes.items() if key is None}
-    changes["further"] = {key: size for (_, key), size in sizes.items() if key is not None}
-    return replace(part, **changes)
 
 
 def _clearest(case: Case, seen: dict[int, Place]) -> Place:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import lcm
-from typing import Any
 
 import numpy as np
 
@@ -53,14 +52,10 @@ def _cogging(
     found = np.linalg.lstsq(np.column_stack([*columns, np.ones(angle.size)]), left, rcond=None)[0]
     sizes = {order: -(found[2 * i] - 1j * found[2 * i + 1]) for i, order in enumerate(orders)}
     slots, poles = int(motor.slots or 0), 2 * int(motor.pole_pairs or 0)
-    named = {lcm(slots, poles): "native", slots: "unequal_magnets", poles: "unequal_teeth"}
-    values: dict[str, Any] = {named[order]: float(abs(size)) for order, size in sizes.items() if order in named}
     part = mechanisms.Cogging(
-        name="cogging", at=motor.name, slots=slots, pole_pairs=poles // 2, **values,
-        further={order: float(abs(size)) for order, size in sizes.items() if order not in named},
+        name="cogging", at=motor.name, slots=slots, pole_pairs=poles // 2,
         phases={order: float(np.angle(size)) for order, size in sizes.items()},
-    )  # fmt: skip
-    knobs = [Knob(part.name, field, 0.3) for field in values]
-    knobs += [Knob(part.name, "further", 0.3, key=order) for order in part.further]
+    ).with_amplitudes({order: float(abs(size)) for order, size in sizes.items()})  # fmt: skip
+    knobs = [Knob(part.name, field, 0.3, key=key) for field, key in map(part.held_by, orders)]
     knobs += [Knob(part.name, "phases", _PHASE_SPREAD, key=order, factor=False) for order in orders]
     return Candidate(mechanism="cogging", parts=(part,), knobs=tuple(knobs), variant=variant)

@@ -97,9 +97,7 @@ def _friction(part: Any, final: FittedMotion, torque: str, line: bool) -> dict[s
 def _cogging(part: Any, final: FittedMotion, runs: Sequence[Moved]) -> dict[str, Stated]:
     sizes = part.amplitudes()
     largest = max(sizes, key=lambda at: sizes[at])
-    named = {part.slots: "unequal_magnets", 2 * part.pole_pairs: "unequal_teeth"}
-    key = largest if largest in part.further else None
-    field = "further" if key is not None else named.get(largest, "native")
+    field, key = part.held_by(largest)
     answer = {
         "order_motor": Stated(value=largest, low=largest - _ORDER_WIDTH, high=largest + _ORDER_WIDTH, unit="1/rev")
     }

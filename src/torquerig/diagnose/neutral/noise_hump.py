@@ -49,7 +49,7 @@ def _humps(case: Case, steady: list[Features], width: float) -> Iterator[mechani
     least = np.minimum.reduce(excess)
     for at in np.argsort(significance)[::-1][:_TRIED]:
         if least[at] > 0:
-            unit = steady[0].observed.recording.channels[steady[0].observed.recording.torque_name()].si_per_unit
+            unit = steady[0].observed.torque_unit
             across = max(grid[at] * width * np.sqrt(2 * np.pi), float(np.gradient(grid)[at]))  # [Hz]
             rms = np.sqrt(least[at] * across) / unit
             yield mechanisms.NoiseHump(name=NAME, rms=float(rms), frequency=float(grid[at]), width=width)
