@@ -8,6 +8,7 @@ Looking
     side_lines      peaks that an uneven speed explains    combs        lines that are impacts' multiples
     order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
     impacts         beats of a ringing band                smeared      lines of an angle that was not measured
+    flights         flanks that part and meet              near_zero    how long the torque stays near zero
 Expecting
     transfer        shafts to reading, on a grid           twin         lines and load spectrum of a rig
     quasi_static    slow torque                            winding      the same near standstill
@@ -19,6 +20,7 @@ Fitting
     least_squares   steps whose derivatives are kept
     case            where a diagnosis stands               hypotheses/  how each mechanism would explain what is left
     search          the hypotheses fitted, best first      loaded_part  which part the load acts on
+    gap_trial       a gap, which no linear twin has        correction   what it changes in the features
     motion/         rigs whose motion was measured: no loop, no random load, so sample by sample
 Deciding
     findings        effect after effect                    revising     each looked back at beside the others

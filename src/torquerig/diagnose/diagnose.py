@@ -17,7 +17,7 @@ from torquerig.diagnose.held_out import held_out
 from torquerig.diagnose.hum import hum_places
 from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.knobs import nuisance_knobs, with_free_load
-from torquerig.diagnose.leftover import Mismatch, mismatches
+from torquerig.diagnose.leftover import Mismatch, detail_of, mismatches
 from torquerig.diagnose.lines_left import known_places, lines_left, strong_orders
 from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
@@ -35,6 +35,9 @@ _BY_TWIN = (
     "a model cannot be simulated with the numbers that the fit gave it, so the held-out misfits are those of linear "
     "twins, and the distribution of values is not compared"
 )
+
+
+_DETAIL = "what is left is {:.2%} of what was missing, and taken for the detail of what was found"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,6 +98,8 @@ def diagnose(
     fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
     left = mismatches(after)
+    detail = detail_of(before, after, left)
+    left = left if detail is None else ()
     verdict = _verdict(found, left, faults, described=bool(found_by_search.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
@@ -106,6 +111,7 @@ def diagnose(
             *(sentence for sentence, _ in contradicted),
             *(f"no mechanism of the library explains {what}" for what in found_by_search.descriptions),
             *([_BY_TWIN] if fit.by_twin else []),
+            *([] if detail is None else [_DETAIL.format(detail)]),
         ),
         set_aside=reasons(before, found_by_search, found),
         next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,

@@ -15,16 +15,19 @@ LEAST_SHARE = 0.8
 LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out
 
 
-def explained_share(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
+def explained_share(
+    before: Sequence[Misfit], after: Sequence[Misfit], *, beside: tuple[float, float] = (0.0, 0.0)
+) -> float:
     """Return 1 - (excess misfit left) / (excess misfit before) over the features that the effect changes.
 
     An effect that is there explains its places down to chance; one that only resembles what is there leaves a rest.
+    ``beside`` are misfits before and after of what no feature holds.
     """
     old = np.concatenate([robust(misfit.all()) ** 2 for misfit in before])
     new = np.concatenate([robust(misfit.all()) ** 2 for misfit in after])
     place = old - new > _CHANGED
-    excess = float(np.maximum(old[place] - 1, 0).sum())
-    return 1 - float(np.maximum(new[place] - 1, 0).sum()) / excess if excess > 0 else 0.0
+    excess = float(np.maximum(old[place] - 1, 0).sum()) + beside[0]
+    return 1 - (float(np.maximum(new[place] - 1, 0).sum()) + beside[1]) / excess if excess > 0 else 0.0
 
 
 def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], final: Sequence[Misfit]) -> float:

@@ -4,23 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
-from torquerig.diagnose.calibration import misfits_of
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.confidence import confidence
+from torquerig.diagnose.convincing import convincing, promising, share_of, worth
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.equivalence import equivalents
-from torquerig.diagnose.explained import (
-    LARGEST_REST,
-    LEAST_SHARE,
-    LEAST_SHARE_WHERE_ALL_FITS,
-    explained_share,
-    left_at_its_places,
-)
+from torquerig.diagnose.explained import LARGEST_REST, LEAST_SHARE, explained_share, left_at_its_places
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.identifying import identifying
-from torquerig.diagnose.leftover import mismatches
-from torquerig.diagnose.misfit import misfit_sum
 from torquerig.diagnose.neutral import in_words
 from torquerig.diagnose.next_run import next_run
 from torquerig.diagnose.revising import Accepted, only, revised, with_all
@@ -31,9 +24,6 @@ from torquerig.diagnose.set_aside import set_aside
 Progress = Callable[[str], None]
 
 _MOST_RIVALS = 3
-_LARGE = (
-    100.0  # gain above which the smaller share is enough where the model fits as a whole; chosen on development seeds
-)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,17 +50,27 @@ class Searched:
 
 def searched(case: Case, held: Sequence[Features], progress: Progress) -> Searched:
     """Add effects as long as one is clearly missing and explains its places, then look back at each."""
-    start, accepted, first = case, list[Accepted](), None
+    start, accepted, first, on_trial = case, list[Accepted](), None, False
     while True:
         progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
         tried = trials(case)
         first = first or tried
         described = max((trial.gain for trial in tried.fitted if trial.candidate.description), default=0.0)
-        good = [trial for trial in tried.fitted if trial.gain >= described and _convincing(case, trial, accepted, held)]
+        good = [
+            trial
+            for trial in tried.fitted
+            if trial.gain >= described and convincing(case, trial, earlier=[each.trial for each in accepted], held=held)
+        ]
+        if not (good or accepted):  # where one does not suffice, two may
+            good = [trial for trial in tried.fitted if promising(case, trial)]
+            on_trial = bool(good)
         if not good or len(accepted) == MOST_EFFECTS:
             break
-        accepted.append(Accepted(before=case, trial=good[0], tried=tried))
+        best = max(good, key=partial(worth, case))
+        accepted.append(Accepted(before=case, trial=best, tried=tried))
         case = with_all(start, accepted)
+    if on_trial and not _together(start, case):
+        case, accepted = start, []
     if len(accepted) > 1:
         progress("asking of each effect whether the others need it")
         kept = revised(start, accepted)
@@ -111,26 +111,13 @@ def _rest(final: Case, accepted: Accepted) -> float:
     return left_at_its_places(accepted.before.model.misfits, accepted.trial.model.misfits, final.model.misfits)
 
 
+def _together(first: Case, final: Case) -> bool:
+    """Whether effects of which none sufficed alone explain their places together."""
+    return explained_share(first.model.misfits, final.model.misfits) > LEAST_SHARE
+
+
 def _said(accepted: Accepted) -> str:
     return accepted.trial.candidate.description or accepted.trial.candidate.mechanism
-
-
-def _convincing(case: Case, trial: Trial, earlier: Sequence[Accepted], held: Sequence[Features]) -> bool:
-    if trial.candidate.description and not mismatches(case):
-        return False  # what does not stand out needs no description
-    share = explained_share(case.model.misfits, trial.model.misfits)
-    # an effect beyond the twin leaves small lines of its own, which are no effects
-    least = max([LEAST_GAIN, *(0.25 * each.trial.gain for each in earlier if case.model.corrections)])
-    fits = trial.gain > _LARGE and trial.model.cost < sum(misfit.seen for misfit in trial.model.misfits)
-    enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
-    return trial.gain > least and share > enough and _foretells(case, trial, held)
-
-
-def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
-    """Whether what no fit has seen is foretold no worse with the effect; beyond the twin only simulations can tell."""
-    if trial.model.corrections or case.model.corrections:
-        return True
-    return misfit_sum(misfits_of(trial.model.rig, held)) <= misfit_sum(misfits_of(case.model.rig, held))
 
 
 def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Finding:
@@ -138,13 +125,14 @@ def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Findi
     case, best, tried = accepted.before, accepted.trial, accepted.tried.fitted
     candidate = best.candidate
     parameters = identifying(candidate, final.model, final)
-    share = explained_share(case.model.misfits, best.model.misfits)
+    share = share_of(case, best)
     others: dict[str, float] = {}
     for trial in tried:
         if trial.candidate.mechanism != candidate.mechanism:
             others.setdefault(trial.candidate.mechanism, trial.gain)
     listed = tuple(others.items())
-    alike = equivalents(case, best, [trial for trial in tried if not trial.candidate.description], held)
+    rivals = [t for t in tried if not t.candidate.description and not final.has(t.candidate.mechanism)]
+    alike = equivalents(case, best, rivals, held)
     finding = Finding(
         mechanism=candidate.mechanism,
         variant=candidate.variant,

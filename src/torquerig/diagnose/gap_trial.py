@@ -1,9 +1,14 @@
-"""Backlash: a gap has no linear twin, so each width is simulated and the model's numbers are fitted around it."""
+"""Backlash: a gap has no linear twin, so each width is simulated and the model's numbers are fitted around it.
+
+What tells the width is how the flanks fly across it (``flights``), or, where an amplifier is too slow for blows, how
+long and how often the torque stays near zero (``near_zero``).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -15,6 +20,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.correction import between
 from torquerig.diagnose.expectation import Expectation
 from torquerig.diagnose.features import Features
+from torquerig.diagnose.flights import CLEARLY, blows, flight_misfit, flight_statistics
 from torquerig.diagnose.misfit import robust
 from torquerig.diagnose.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnose.phased import with_phases_of
@@ -26,14 +32,26 @@ ARCMIN = pi / 180 / 60
 _GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
 _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
-_LEAST_GAIN = 20.0  # by which the stays near zero torque must speak for a gap
+_LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
 _SEEDS = (1, 2)
 
 
+@dataclass(frozen=True)
+class FittedGap:
+    """A gap, the model fitted around it, and the misfit of what tells its width, closed and open."""
+
+    candidate: Candidate
+    model: Calibrated
+    closed: float
+    opened: float
+
+
 def gap_is_possible(case: Case) -> bool:
-    """Whether a run in which flanks may part is fitted badly; elsewhere a gap changes nothing."""
+    """Whether flanks fly, or a run in which they may part is fitted badly; elsewhere a gap changes nothing."""
     if not hasattr(mechanisms, "Backlash") or case.has("backlash") or not gears_to_sensor(case.nominal):
         return False
+    if flanks_fly(case):
+        return True
     poor = [
         float(np.mean(misfit.all() ** 2)) > _SUSPICIOUS
         for features, misfit in zip(case.seen, case.model.misfits, strict=True)
@@ -42,29 +60,35 @@ def gap_is_possible(case: Case) -> bool:
     return any(poor)
 
 
+def flanks_fly(case: Case) -> bool:
+    """Whether the recordings show more flights than a rig without a gap."""
+    return sum(len(blows(features.observed)) for features in case.seen) >= CLEARLY
+
+
 def flanks_may_part(seen: Features) -> bool:
     """Whether the torque of the run passes through zero, or near it."""
     torque = seen.observed.torque
     return float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
 
 
-def fitted_gap(case: Case, base: Rig) -> tuple[Candidate, Calibrated] | None:
-    """Return the width whose simulations stay near zero torque as the recordings do, and the model fitted around it.
+def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
+    """Return the width whose simulations come nearest to the recordings, and the model fitted around it.
 
-    None where the model without a gap stays there as they do.
+    None where the model without a gap comes as near.
 
     The numbers of the model are first fitted to what a gap leaves alone: loaded runs, and the slow torque of all. The
-    stays near zero then tell the width, and all features are fitted once more, corrected for what the gap changes.
+    width is then told, and all features are fitted once more, corrected for what the gap changes.
     """
     untouched = [_slow_part(features) if flanks_may_part(features) else features for features in case.seen]
     model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
     rigs = [with_phases_of(model.rig, features.observed) for features in case.seen]
-    gap = _width(case, rigs)
-    if gap is None:
+    told = _width(case, rigs)
+    if told is None:
         return None
+    gap, closed, opened = told
     corrections = between(_expected(case, rigs, gap), _expected(case, rigs, 0.0))
     fitted = calibrated(base, case.seen, case.model.knobs, start=model.positions, corrections=corrections)
-    return _with_gap(case, gap), fitted
+    return FittedGap(_with_gap(case, gap), fitted, closed, opened)
 
 
 def _slow_part(seen: Features) -> Features:
@@ -81,23 +105,27 @@ def _expected(case: Case, rigs: Sequence[Rig], gap: float) -> tuple[Expectation,
     return expected_from(opened[0], case.seen, simulated_runs(opened, case.seen, seeds=_SEEDS[:1]))
 
 
-def _width(case: Case, rigs: Sequence[Rig]) -> float | None:
-    """Return the gap [rad] whose stays near zero torque come nearest to the recordings'; None where none is needed."""
+def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None:
+    """Return the gap [rad] that comes nearest to the recordings, and the misfit without and with it."""
     parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
     seen = [case.seen[row] for row in parting]
-    stays = [near_zero_stays(features.observed) for features in seen]
+    flying = flanks_fly(case)
+    statistics = partial(flight_statistics, rig=case.nominal) if flying else near_zero_stays
+    apart = flight_misfit if flying else near_zero_misfit
+    told = [statistics(features.observed) for features in seen]
 
     def cost(rigs: Sequence[Rig]) -> float:
         copies = simulated_runs(rigs, seen, seeds=_SEEDS)
-        modelled = [np.mean([near_zero_stays(copy) for copy in each], axis=0) for each in copies]
-        pairs = zip(stays, modelled, strict=True)
-        return float(sum((robust(near_zero_misfit(measured, model)) ** 2).sum() for measured, model in pairs))
+        modelled = [np.mean([statistics(copy) for copy in each], axis=0) for each in copies]
+        pairs = zip(told, modelled, strict=True)
+        return float(sum((robust(apart(measured, model)) ** 2).sum() for measured, model in pairs))
 
     closed = cost([rigs[row] for row in parting])
     if closed < _LEAST_GAIN:
         return None
     costs = [cost([_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS]
-    return _minimum(_GAPS, np.array(costs)) if min(costs) < closed - _LEAST_GAIN else None
+    opened = min(costs)
+    return (_minimum(_GAPS, np.array(costs)), closed, opened) if opened < closed - _LEAST_GAIN else None
 
 
 def _minimum(gaps: NDArray[np.float64], costs: NDArray[np.float64]) -> float:

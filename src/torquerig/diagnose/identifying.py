@@ -45,7 +45,7 @@ _FIELDS: Mapping[str, Mapping[str, _Field]] = {
         "inertia_kgm2": _Field("inertia", "kg m^2"),
         "damping_ratio": _Field("damping_ratio", "1"),
     },
-    "backlash": {"gap_arcmin": _Field("gap", "arcmin", factor=_ARCMIN, spread=0.15)},
+    "backlash": {"gap_arcmin": _Field("gap", "arcmin", factor=_ARCMIN, spread=0.3)},
     "bearing_defect": {
         "order_output": _Field("order_output", "1/rev", whole_order=True),
         "ring_frequency_Hz": _Field("ring_frequency", "Hz"),

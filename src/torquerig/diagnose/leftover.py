@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import erfc, log10, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import poisson
 
 from torquerig.diagnose.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
+from torquerig.diagnose.flights import BY_CHANCE, CLEARLY, UNDRIVEN, blows
 from torquerig.diagnose.misfit import BAND_TOLERANCE, Misfit, robust
 from torquerig.diagnose.twin import Twin
 
@@ -20,6 +22,7 @@ from torquerig.diagnose.twin import Twin
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
 _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
+_DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
 _BY_CHANCE = 4.0  # squares of residuals below this are no misfit
 _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
 _MEAN_SQUARE = 3.0  # of all bands of a run
@@ -41,14 +44,34 @@ class Mismatch:
 
 def mismatches(case: Case) -> tuple[Mismatch, ...]:
     """Return the places where the case's model is significantly wrong, largest share of the misfit first."""
-    every = [_eased(case, features, misfit) for features, misfit in zip(case.seen, case.model.misfits, strict=True)]
-    squares = np.concatenate([robust(eased.all()) ** 2 for eased in every])
-    total, places = float(np.maximum(squares - _BY_CHANCE, 0).sum()) + 1e-12, squares.size
+    every = _every(case)
+    total, places = _excess(every), sum(eased.all().size for eased in every)
     found = [*_lines(case, total, places)]
     for features, eased in zip(case.seen, every, strict=True):
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
         found += [*_turning(features, eased, total, places)]
+    found += [*_flights(case)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
+
+
+def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | None:
+    """Return what share of the misfit before is ``left``, where that is but the detail of a strong effect; else None.
+
+    No model of a line or a load is right to better than some per cent, so the square of that stays.
+    """
+    if not left or any(mismatch.domain == "distribution" for mismatch in left):
+        return None
+    rest = sum(mismatch.share_of_misfit for mismatch in left) * _excess(_every(after)) / _excess(_every(before))
+    return rest if rest < _DETAIL else None
+
+
+def _every(case: Case) -> list[Misfit]:
+    return [_eased(case, features, misfit) for features, misfit in zip(case.seen, case.model.misfits, strict=True)]
+
+
+def _excess(every: Sequence[Misfit]) -> float:
+    squares = np.concatenate([robust(eased.all()) ** 2 for eased in every])
+    return float(np.maximum(squares - _BY_CHANCE, 0).sum()) + 1e-12
 
 
 def _eased(case: Case, features: Features, misfit: Misfit) -> Misfit:
@@ -136,6 +159,19 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
         domain="speed", axis="rpm", at=at, width=10.0, recordings=(features.observed.name,),
         excess_dB=20 * log10(max(worst, 1.0)), share_of_misfit=_share(misfit.turning, total),
         p_value=_chance(worst, places),
+    )  # fmt: skip
+
+
+def _flights(case: Case) -> Iterator[Mismatch]:
+    """Flights of flanks, which no model without a gap has."""
+    shown = {features.observed.name: len(blows(features.observed)) for features in case.seen}
+    number = sum(shown.values())
+    if number < CLEARLY or case.model.corrections:
+        return
+    yield Mismatch(
+        domain="distribution", axis="V", at=0.0, width=UNDRIVEN,
+        recordings=tuple(name for name, count in shown.items() if count), excess_dB=20 * log10(number / BY_CHANCE),
+        share_of_misfit=0.0, p_value=float(poisson.sf(number - 1, BY_CHANCE)),
     )  # fmt: skip
 
 

@@ -117,7 +117,10 @@ def _turning(seen: Turning, model: Floats, tolerance: Floats | float) -> Misfit:
 
 
 def _steady_lines(seen: Features, model: Expectation) -> Floats:
-    """All stretches together: power of the line over what chance leaves, against the expected size."""
+    """All stretches together: power of the line over what chance leaves, against the expected size.
+
+    The tolerance is of the geometric mean of both, so that too large a model is as wrong as too small a one.
+    """
     shown = np.isfinite(seen.amplitude)
     count = np.maximum(shown.sum(axis=0), 1)
     power = np.where(shown, np.abs(seen.amplitude) ** 2, 0.0).sum(axis=0) / count
@@ -125,19 +128,20 @@ def _steady_lines(seen: Features, model: Expectation) -> Floats:
     size, expected = np.sqrt(np.maximum(power - chance, 0.0)), model.amplitude.mean(axis=0)
     tolerance = np.hypot(LINE_TOLERANCE, _smearing(seen))
     beyond = np.broadcast_to(model.amplitude_tolerance, model.amplitude.shape).mean(axis=0)
-    bent = NONLINEARITY * expected.max(initial=0.0)
-    spread = np.sqrt(chance / count + (tolerance * expected) ** 2 + beyond**2 + bent**2)
+    bent = NONLINEARITY * min(expected.max(initial=0.0), size.max(initial=0.0))
+    spread = np.sqrt(chance / count + tolerance**2 * size * expected + beyond**2 + bent**2)
     return np.asarray(np.where(shown.any(axis=0), (size - expected) / spread, 0.0))
 
 
 def _moving_lines(seen: Features, model: Expectation) -> Floats:
-    """Each stretch by itself; neighbouring ones are about half independent."""
+    """Each stretch by itself; neighbouring ones are about half independent. Smearing only makes lines smaller."""
     shown = np.isfinite(seen.amplitude)
     size = np.abs(np.where(shown, seen.amplitude, 0.0))
     expected = np.sqrt(model.amplitude**2 + model.variance)
-    tolerance = np.hypot(RAMP_LINE_TOLERANCE, _smearing(seen))
-    bent = NONLINEARITY * model.amplitude.max(axis=1, initial=0.0)[:, None]
-    spread = np.sqrt(model.variance + (tolerance * expected) ** 2 + np.square(model.amplitude_tolerance) + bent**2)
+    bent = NONLINEARITY * np.minimum(model.amplitude.max(axis=1, initial=0.0), size.max(axis=1, initial=0.0))[:, None]
+    beyond = np.square(model.amplitude_tolerance) + bent**2
+    tolerated = RAMP_LINE_TOLERANCE**2 * size * expected + (_smearing(seen) * expected) ** 2
+    spread = np.sqrt(model.variance + tolerated + beyond)
     return np.asarray(np.where(shown, (size - expected) / spread, 0.0) / np.sqrt(2))
 
 

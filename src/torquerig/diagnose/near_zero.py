@@ -17,11 +17,15 @@ _SPREADS = np.array([0.15, 0.1, 0.15, 0.2, 0.3])  # of the logarithms
 
 
 def near_zero_stays(observed: Observed) -> Floats:
-    """Return the logarithms of number of stays per second, share of time, and length at three quantiles, shape (5,)."""
+    """Return the logarithms of number of stays per second, share of time, and length at three quantiles, shape (5,).
+
+    Of the stretches that fits may see.
+    """
+    seen = observed.mask(held=False)
     width = max(1, int(_SMOOTHED * observed.rate))
     smooth = np.convolve(observed.torque, np.full(width, 1 / width), "same")
     noise = float(np.median(np.abs(np.diff(observed.torque)))) / 0.6745 / np.sqrt(2)
-    near = np.abs(smooth) < _NOISES * noise
+    near = (np.abs(smooth) < _NOISES * noise) & seen
     edges = np.flatnonzero(np.diff(np.concatenate([[0], near.astype(int), [0]])))
     lengths = (edges[1::2] - edges[::2]) / observed.rate
     lengths = np.concatenate([lengths[lengths > _SHORTEST], [_SHORTEST]])

@@ -75,6 +75,13 @@ class Observed:
         """The test sheet, with the set-point speed as it was really held."""
         return self.recording.run
 
+    def mask(self, *, held: bool | None) -> NDArray[np.bool_]:
+        """Return which samples fits may see (``held`` False), may not see (True), or all (None)."""
+        answer = np.zeros(self.torque.size, dtype=bool)
+        for stretch in self.stretches:
+            answer[stretch.start : stretch.stop] = held is None or stretch.held == held
+        return answer
+
     @property
     def torque_unit(self) -> float:
         """Torque [N m] per unit of the recorded channel."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.calibration import Calibrated, calibrated
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.gap_trial import fitted_gap, gap_is_possible, simulated_model
+from torquerig.diagnose.gap_trial import fitted_gap, flanks_fly, gap_is_possible, simulated_model
 from torquerig.diagnose.hypotheses import is_possible, proposals
 from torquerig.diagnose.knobs import turned
 from torquerig.diagnose.neutral import descriptions
@@ -32,11 +32,15 @@ _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needles
 
 @dataclass(frozen=True)
 class Trial:
-    """A candidate fitted together with all numbers of the model; ``gain`` is what the misfit fell by, knobs paid."""
+    """A candidate fitted together with all numbers of the model; ``gain`` is what the misfit fell by, knobs paid.
+
+    ``beside`` is the misfit of what no twin expects, before and with it: how flanks fly across a gap.
+    """
 
     candidate: Candidate
     model: Calibrated
     gain: float
+    beside: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -72,7 +76,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
     fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
     gap_failed = False
-    if simulated and gap_is_possible(case) and all(trial.gain < _CLEARLY * _excess(case) for trial in fitted):
+    if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
         try:
             fitted += _gap(case)
         except SimulationError:
@@ -87,8 +91,9 @@ def _gap(case: Case) -> list[Trial]:
     found = fitted_gap(case, case.nominal_with_accepted())
     if found is None:
         return []
-    candidate, model = found
-    return [Trial(candidate, simulated_model(candidate, model), case.model.cost - model.cost - PER_KNOB)]
+    beside = (found.closed, found.opened)
+    gain = case.model.cost - found.model.cost + found.closed - found.opened - PER_KNOB
+    return [Trial(found.candidate, simulated_model(found.candidate, found.model), gain, beside)]
 
 
 def extended(case: Case, best: Trial) -> Case:
@@ -112,9 +117,19 @@ def unexplained(peaks: Sequence[Peak], case: Case, model: Calibrated) -> tuple[P
     return tuple(answer)
 
 
-def _excess(case: Case) -> float:
+def _cleared(case: Case, fitted: Sequence[Trial]) -> bool:
+    """Whether one of the effects explains nearly all that the model misses."""
+    return any(trial.gain >= _CLEARLY * excess(case) for trial in fitted)
+
+
+def excess(case: Case) -> float:
     """How far the model's misfit lies above that of a true one."""
-    return case.model.cost - sum(misfit.seen for misfit in case.model.misfits)
+    return case.model.cost - feature_count(case.model)
+
+
+def feature_count(model: Calibrated) -> int:
+    """How many features there are, which is about the cost of a true model."""
+    return sum(misfit.seen for misfit in model.misfits)
 
 
 def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
@@ -148,15 +163,14 @@ def _joint(case: Case, trial: Trial) -> Trial:
         )  # fmt: skip
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
 
-    first = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
-    well = first.model.cost < _WELL * sum(misfit.seen for misfit in first.model.misfits)
+    answer = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
+    well = answer.model.cost < _WELL * feature_count(answer.model)
     if well and trial.candidate.place is not None:  # without a line of its own it may share its torque with others
-        return first
+        return answer
     apart = case.apart if case.left and case.apart is not None else np.zeros(len(case.model.knobs))
     beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
     alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)
-    second = fitted(alone.rig, apart)
-    return max(first, second, key=lambda one: one.gain)
+    return max(answer, fitted(alone.rig, apart), key=lambda one: one.gain)
 
 
 def _polished(case: Case, trial: Trial) -> Trial:

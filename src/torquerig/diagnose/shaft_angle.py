@@ -21,6 +21,7 @@ from torquerig.signals.speed_from_torque import motor_angle_from_torque
 from torquerig.simulate.simulate import simulate
 
 _NEAR = 0.013  # [1] a set-point off by more is out of the reach of those who follow the lines around it
+_STRAYED = 0.02  # [1] from the speed that the sheet or the comb of all lines tells
 _FOLLOWED = 0.003  # [1] uncertainty of the speed above which a run's own torque does not tell it
 
 
@@ -65,11 +66,14 @@ def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAng
     run = recording.run
     stated = run.speed or 0.0
     known = [line.order for line in Twin(rig.at(run)).lines()]
-    told = speed_far_off(recording.torque(), recording.sample_rate, set_point=stated, orders=known)
+    told = speed_far_off(recording.torque(), recording.sample_rate, set_point=stated, orders=[*known, *also])
     if told is not None and abs(told / stated - 1) > _NEAR:
         recording = replace(recording, run=replace(run, speed=told))
+    asked = recording.run.speed or 0.0
     angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also)
-    return angle if angle.speed_sd < _FOLLOWED else None
+    # a course may leave the set-point by per cents after a strong line that nobody knows
+    near = abs(abs(angle.mean_speed(recording.sample_rate)) / abs(asked) - 1) < _STRAYED if asked else True
+    return angle if angle.speed_sd < _FOLLOWED and near else None
 
 
 def _simulated(recording: Recording, rig: Rig, factor: float) -> ShaftAngle:

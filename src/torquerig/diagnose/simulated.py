@@ -73,6 +73,9 @@ def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
         blocks = [copy.turning.without_lines(copy.turning.torque) for copy in copies if copy.turning is not None]
         # a copy whose motor is held fast does not turn back, and has no blocks
         return replace(spread, turning=np.mean(blocks, axis=0)) if blocks else spread
+    copies = [copy for copy in copies if copy.turning is None]
+    if not copies:  # all of them turned back, as a torque too large for the drive makes them
+        return spread
     power = _mean_power(copies, spread.power) if seen.power.size else spread.power
     sizes = [np.abs(copy.amplitude) ** 2 for copy in copies]
     chance = amplitude_variance(seen, power)
