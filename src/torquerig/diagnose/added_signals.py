@@ -24,7 +24,7 @@ _SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
 
 @dataclass(frozen=True)
 class AddedSignals:
-    """Density in each band, level in each stretch, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m].
+    """Density in each band, level in each part, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m].
 
     ``impacts`` is the amplitude [N m] that impacts without slip would give the line at each place, ``ringing`` the
     part of ``power`` that rings after them: beside its resonance no two modes are alike.
@@ -60,9 +60,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             rung = stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
             power, ringing = power + rung, ringing + rung
             struck = np.hypot(struck, _struck(stage, twin, seen))
-    level = moving_zero(
-        twin, observed, [stretch.start for stretch in seen.stretches], [stretch.stop for stretch in seen.stretches]
-    )
+    level = moving_zero(twin, observed, [part.start for part in seen.parts], [part.stop for part in seen.parts])
     return AddedSignals(power, level, tuple(tones), tuple(codes), struck, ringing)
 
 

@@ -39,6 +39,8 @@ class Candidate:
         Of one that names no cause, in words; empty for mechanisms of the library.
     price : float
         What it must gain beside, because few rigs have its like.
+    loosens : tuple of str
+        Fields of the model whose numbers have stood in for it, and must give way where it is looked at first.
     """
 
     mechanism: str
@@ -48,6 +50,7 @@ class Candidate:
     place: Place | None = None
     description: str = ""
     price: float = 0.0
+    loosens: tuple[str, ...] = ()
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

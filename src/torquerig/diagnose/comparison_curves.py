@@ -45,7 +45,8 @@ def line_wave(held: Features, side: Side, *, row: int, window: slice) -> Floats:
     """
     angle = held.observed.angle[window]
     time = np.arange(window.start, window.stop) / held.observed.rate
-    wave = np.full(angle.size, float(side.expected.level[row]))
+    own = len(held.parts) // len(held.stretches)
+    wave = np.full(angle.size, float(side.expected.level[row * own : (row + 1) * own].mean()))
     for column, place in enumerate(held.places):
         measured = held.amplitude[row, column]
         if np.isfinite(measured):

@@ -43,7 +43,7 @@ class Expectation:
         Size of the lines [N m].
     variance : ndarray, shape (stretches, places)
         Of the real and of the imaginary part of a measured amplitude, from what is random [(N m)^2].
-    level, level_variance : ndarray, shape (stretches,)
+    level, level_variance : ndarray, shape (parts,)
         [N m], [(N m)^2].
     turning : ndarray, shape (blocks,), or None
         Torque of the blocks of a run that turns back [N m].
@@ -78,7 +78,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     load = twin.load_power_between(*seen.band_edges)
     power = load + _noise(placed, seen) + added.power
     points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
-    stretches = len(seen.level)
+    stretches = len(seen.stretches)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
     amplitude = np.zeros((stretches, len(seen.places)))
     motor = np.abs(balance.motor)
@@ -88,7 +88,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
         _put(amplitude, power, seen, order(line.order), size)
     for tone, volts in added.tones:
         _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
-    level = balance.sensor + added.level
+    level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
     beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
     power = power + beside
     flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
@@ -178,11 +178,13 @@ def amplitude_variance(seen: Features, power: Floats) -> Floats:
 
 
 def _level_variance(twin: Twin, seen: Features, amplitude: Floats) -> Floats:
-    """Spread of a stretch's mean: slow variation of the load, and a hundredth of the lines that turn slowly."""
+    """Spread of a part's mean: slow variation of the load, and a hundredth of the lines that turn slowly."""
     slow = sum(
         (term.process.mean * getattr(term.process, "slow_rms", 0.0)) ** 2
         for term in twin.terms
         if isinstance(term, Load)
     )
     cutoff = max((getattr(t.process, "slow_cutoff", 1.0) for t in twin.terms if isinstance(t, Load)), default=1.0)
-    return np.asarray(slow * np.minimum(1.0, 1 / (2.2 * cutoff * seen.duration)) + (0.02**2 * amplitude**2).sum(axis=1))
+    duration = np.array([part.stop - part.start for part in seen.parts]) / seen.observed.rate
+    lines = np.repeat((0.02**2 * amplitude**2).sum(axis=1), len(seen.parts) // len(seen.stretches))
+    return np.asarray(slow * np.minimum(1.0, 1 / (2.2 * cutoff * duration)) + lines)

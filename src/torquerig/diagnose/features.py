@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import pairwise
 from math import pi
 
 import numpy as np
@@ -22,6 +23,7 @@ Floats = NDArray[np.float64]
 _FEWEST_TURNS = 0.9  # periods of a line within a stretch
 _HIGHEST = {"order": 0.4, "frequency": 0.48}  # of the sample rate: what turns is smeared, and may fold
 _CROSSING_POINTS, _LIKE = 512, 0.5  # correlation of two lines below which a regression tells them apart
+_PARTS = 4  # of a stretch of a steady run
 POINTS = 9  # speeds kept of each stretch
 
 
@@ -48,7 +50,10 @@ class Features:
         The lines that were asked for.
     amplitude : ndarray, shape (stretches, places)
         Complex [N m]; NaN where a stretch cannot show the line (too slow, too fast, or another stands there).
-    level : ndarray, shape (stretches,)
+    parts : tuple of Stretch
+        Whose mean torque is compared: quarters of the stretches of steady runs, where a zero may settle within a
+        second, else the stretches.
+    level : ndarray, shape (parts,)
         Mean torque [N m], the lines' share taken out.
     speed : ndarray, shape (stretches, POINTS)
         Of the motor [rad/s], along each stretch.
@@ -74,6 +79,7 @@ class Features:
     observed: Observed
     held: bool | None
     stretches: tuple[Stretch, ...]
+    parts: tuple[Stretch, ...]
     places: tuple[Place, ...]
     amplitude: NDArray[np.complex128]
     level: Floats
@@ -140,19 +146,22 @@ def features(
     if turns_back(observed):
         return _turning_features(observed, places, held=held, unknown=unknown)
     stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
-    amplitudes, levels, spectra, widenings = [], [], [], []
+    amplitudes, levels, spectra, widenings = [], list[float](), [], []
+    parts = [part for stretch in stretches for part in _parts(observed, stretch)]
     for stretch in stretches:
-        amplitude, level, rest, lines, widening = _lines(observed, stretch, places)
+        amplitude, slow, rest, lines, widening = _lines(observed, stretch, places)
         widenings.append(widening)
         amplitudes.append(amplitude)
-        levels.append(level)
+        own = [part for part in parts if stretch.start <= part.start < stretch.stop]
+        levels += [float(slow[part.start - stretch.start : part.stop - stretch.start].mean()) for part in own]
         if observed.steady:
             spectra.append(spectrum(rest, observed.rate, lines, smeared=observed.smearing))
     speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
     duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
     floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
     return Features(
-        observed=observed, held=held, stretches=tuple(stretches), places=tuple(places), amplitude=np.array(amplitudes),
+        observed=observed, held=held, stretches=tuple(stretches), parts=tuple(parts), places=tuple(places),
+        amplitude=np.array(amplitudes),
         level=np.array(levels), widening=np.array(widenings), unknown=tuple(unknown),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
         band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
@@ -164,7 +173,7 @@ def _turning_features(
 ) -> Features:
     floor = no_bands(observed.rate)
     return Features(
-        observed=observed, held=held, stretches=(), places=tuple(places),
+        observed=observed, held=held, stretches=(), parts=(), places=tuple(places),
         amplitude=np.zeros((0, len(places)), dtype=complex), level=np.zeros(0), speed=np.zeros((0, POINTS)),
         duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, count=floor.count,
         width=floor.width, turning=turning(observed, places, held=held, unknown=unknown),
@@ -200,7 +209,8 @@ def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) 
 
 def _lines(
     observed: Observed, stretch: Stretch, places: Sequence[Place]
-) -> tuple[NDArray[np.complex128], float, Floats, list[float], Floats]:
+) -> tuple[NDArray[np.complex128], Floats, Floats, list[float], Floats]:
+    """Return the lines' amplitudes, the torque without them, what a straight line leaves of it, where lines stand."""
     part = slice(stretch.start, stretch.stop)
     time = np.arange(stretch.start, stretch.stop) / observed.rate
     shown = shown_places(observed, stretch, places)
@@ -220,4 +230,12 @@ def _lines(
         )
         for row, each in zip(turning, found_lines, strict=True):
             amplitude[shown[row]], widening[shown[row]] = each.amplitude, each.widening
-    return amplitude, found.level, found.rest, lines, widening
+    slow = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, time.size)
+    return amplitude, slow, found.rest, lines, widening
+
+
+def _parts(observed: Observed, stretch: Stretch) -> list[Stretch]:
+    if not observed.steady:
+        return [stretch]
+    edges = np.linspace(stretch.start, stretch.stop, _PARTS + 1).astype(int).tolist()
+    return [Stretch(start, stop, stretch.held) for start, stop in pairwise(edges)]

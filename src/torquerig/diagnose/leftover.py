@@ -140,7 +140,8 @@ def _levels(features: Features, misfit: Misfit, total: float, places: int) -> It
     if misfit.level.size == 0 or float(np.abs(misfit.level).max()) < LEVEL:
         return
     observed, worst = features.observed, int(np.argmax(np.abs(misfit.level)))
-    speed = float(features.speed[worst].mean()) * 30 / np.pi
+    stretch = worst * len(features.stretches) // len(features.parts)
+    speed = float(features.speed[stretch].mean()) * 30 / np.pi
     yield Mismatch(
         domain="level" if observed.steady else "speed", axis="rpm", at=speed,
         width=float(np.ptp(features.speed)) * 30 / np.pi, recordings=(observed.name,),

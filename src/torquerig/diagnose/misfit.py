@@ -37,8 +37,8 @@ class Misfit:
     ----------
     bands : ndarray, shape (bands,)
     lines : ndarray, shape (places,) in steady runs, (stretches, places) else
-    level : ndarray, shape (stretches,)
-    price : ndarray, shape (stretches + octaves // 2,)
+    level : ndarray, shape (parts,)
+    price : ndarray, shape (parts + octaves // 2,)
         What a model pays beside: for calling its levels random (root of the logarithm of their variance over the
         floor), and for a load whose spectrum is off over two octaves and more, which no dip explains.
     turning : ndarray, shape (blocks,)

@@ -24,7 +24,7 @@ LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
 _POLISHED = 2  # of the best, which are fitted on until nothing moves
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
-_JOINT_DERIVATIVES = 4
+_JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 4, 5
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
@@ -141,7 +141,9 @@ def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
 
 def _screened(case: Case, candidate: Candidate) -> Trial:
     rig = candidate.added_to(case.model.rig)
-    model = calibrated(rig, case.seen, candidate.knobs, derivatives=2, corrections=case.model.corrections or None)
+    loose = [knob for knob in case.model.knobs if knob.field in candidate.loosens]
+    knobs, steps = (*candidate.knobs, *loose), _LOOSE_DERIVATIVES if loose else 2
+    model = calibrated(rig, case.seen, knobs, derivatives=steps, corrections=case.model.corrections or None)
     before = case.model.cost - float(case.model.positions @ case.model.positions)
     return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)
 

@@ -69,4 +69,4 @@ def _no_gap(case: Case, tried: Tried) -> str:
         return "tried, and the numbers fitted around a gap cannot be simulated"
     if gap_is_possible(case):
         return "what is left was explained without a gap"
-    return "runs whose torque comes near zero are fitted well without a gap"
+    return "the torque never stays quietly near zero and ends that in a blow, as flanks that part and meet do"

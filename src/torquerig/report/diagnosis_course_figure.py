@@ -44,12 +44,14 @@ def _draw(axes: Axes, one: Compared) -> None:
 
 def _model(axes: Axes, one: Compared, side: Side, *, colour: str, label: str, width: float) -> None:
     """Draw levels of steady stretches and ramps; the simulated course where a run turns back."""
+    for place, part in enumerate(one.held.parts):
+        span = np.array([part.start, part.stop]) / one.held.observed.rate
+        level = np.full(2, side.expected.level[place])
+        axes.plot(span, level, color=colour, linewidth=width, label="_" if place else label)
+    if one.held.turning is None:
+        return
+    time, torque = slow_course(side.copy)
     for place, (start, stop) in enumerate(held_spans(one.held)):
+        kept = np.asarray((time >= start) & (time <= stop))
         own = "_" if place else label
-        if one.held.turning is None:
-            level = float(side.expected.level[place])
-            axes.plot([start, stop], [level, level], color=colour, linewidth=width, label=own)
-        else:
-            time, torque = slow_course(side.copy)
-            kept = np.asarray((time >= start) & (time <= stop))
-            axes.plot(time[kept], torque[kept], color=colour, linewidth=0.5 * width, label=own)
+        axes.plot(time[kept], torque[kept], color=colour, linewidth=0.5 * width, label=own)
