@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from scipy.signal import welch
 
+from torquerig.diagnose.diagnose import diagnose
 from torquerig.errors import InputError
+from torquerig.mechanisms import NoiseHump
+from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Channel, Recording
 from torquerig.signals.run import Run
 from torquerig.signals.stages.band_noise import BandNoise
@@ -37,3 +42,18 @@ def test_band_noise_has_the_density_it_states() -> None:
 def test_noise_that_cannot_be_is_refused(wrong: dict[str, float]) -> None:
     with pytest.raises(InputError, match="cannot be"):
         BandNoise(**{"rms": 0.1, "frequency": 100.0, "width": 0.1, **wrong})
+
+
+def test_noise_of_a_fixed_band_gets_no_name(known_rig: Scenario, three_runs: Callable[..., list[Recording]]) -> None:
+    """It is described, modelled and written, but nothing is called missing."""
+    hidden = known_rig.rig + NoiseHump(name="hidden", rms=0.08, frequency=400.0, width=0.03)
+    outcome = diagnose(known_rig, three_runs(hidden, 5), seed=0)
+    diagnosis = outcome.diagnosis
+    assert diagnosis.verdict == "unexplained"
+    assert diagnosis.findings == ()
+    assert diagnosis.fit.after < 0.5 * diagnosis.fit.before
+    (said,) = (remark for remark in diagnosis.remarks if "no mechanism of the library explains" in remark)
+    assert "noise of a fixed band around" in said
+    found = outcome.completed.part("noise_hump")
+    assert isinstance(found, NoiseHump)
+    assert (found.frequency, found.rms) == (pytest.approx(400.0, rel=0.02), pytest.approx(0.08, rel=0.15))

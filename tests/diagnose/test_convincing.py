@@ -1,0 +1,79 @@
+"""When an effect is called missing, and which of several is looked at first."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose import convincing as judging
+from torquerig.diagnose import leftover
+from torquerig.diagnose.calibration import Calibrated
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.hypotheses import is_possible
+from torquerig.diagnose.leftover import Mismatch, detail_of
+from torquerig.diagnose.misfit import Misfit
+from torquerig.diagnose.search import Trial
+from torquerig.mechanisms import CommutationRipple
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+
+
+def model(rig: Rig, *levels: float) -> Calibrated:
+    misfits = (Misfit(np.zeros(0), np.zeros(0), np.array(levels)),)
+    cost = float(np.square(levels).sum())
+    return Calibrated(rig, (), np.zeros(0), np.zeros((0, 0)), misfits, cost)
+
+
+def trial(rig: Rig, name: str, *levels: float, before: Calibrated) -> Trial:
+    fitted = model(rig, *levels)
+    return Trial(Candidate(mechanism=name, parts=(), knobs=()), fitted, before.cost - fitted.cost)
+
+
+@pytest.fixture
+def case(wear_rig: Scenario) -> Case:
+    before = model(wear_rig.rig, *[10.0] * 40)
+    return Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+
+
+def test_what_explains_its_places_comes_before_a_stand_in_that_gains_more(case: Case, wear_rig: Scenario) -> None:
+    """The stand-in touches every place and leaves some of each; the effect makes half of them right."""
+    stand_in = trial(wear_rig.rig, "blade_pass", *[4.5] * 40, before=case.model)
+    effect = trial(wear_rig.rig, "gear_mesh", *[1.0] * 20, *[10.0] * 20, before=case.model)
+    assert stand_in.gain > effect.gain
+    assert judging.worth(case, effect) > judging.worth(case, stand_in)
+    assert judging.convincing(case, effect, earlier=(), held=())
+    assert not judging.convincing(case, stand_in, earlier=(), held=())
+
+
+def test_what_does_not_suffice_alone_may_be_half_of_a_pair(case: Case, wear_rig: Scenario) -> None:
+    much = trial(wear_rig.rig, "gear_mesh", *[4.5] * 40, before=case.model)
+    little = trial(wear_rig.rig, "gear_mesh", *[9.5] * 40, before=case.model)
+    described = replace(much, candidate=replace(much.candidate, description="noise"))
+    assert [judging.promising(case, each) for each in (much, little, described)] == [True, False, False]
+
+
+def test_no_drive_turns_its_torque_round_within_a_turn(wear_rig: Scenario) -> None:
+    deep, shallow = (CommutationRipple(name="ripple", order_motor=42.0, depth=depth) for depth in (1.5, 0.4))
+    for part, possible in ((deep, False), (shallow, True)):
+        candidate = Candidate(mechanism="commutation_ripple", parts=(part,), knobs=())
+        assert is_possible(candidate, wear_rig.rig + part) is possible
+
+
+def test_a_rest_is_detail_only_beside_what_was_found(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    def every(one: Case) -> list[Misfit]:
+        return list(one.model.misfits)
+
+    monkeypatch.setattr(leftover, "_every", every)
+    after = replace(case, model=model(case.nominal, 7.0, *[1.0] * 39))
+    left = [Mismatch(domain="order", axis="motor_shaft", at=84.0, width=0.02, recordings=("run",), excess_dB=17.0,
+                     share_of_misfit=1.0, p_value=1e-9)]  # fmt: skip
+    assert detail_of(case, after, left) is None, "a hundredth of the misfit is no detail"
+    strong = replace(case, model=model(case.nominal, *[3000.0] * 40))
+    rest = detail_of(strong, after, left)
+    assert rest is not None
+    assert 0 < rest < 0.0025
+    assert detail_of(strong, after, []) is None
+    flying = [replace(left[0], domain="distribution")]
+    assert detail_of(strong, after, flying) is None, "flights of flanks are no detail of anything"

@@ -1,0 +1,100 @@
+"""How far a model is off: too large a line is as wrong as too small a one, and the larger the worse."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.expectation import Expectation, expected
+from torquerig.diagnose.explained import explained_share, left_at_its_places
+from torquerig.diagnose.features import Features, features
+from torquerig.diagnose.misfit import LINE_TOLERANCE, Misfit, misfit
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.places import frequency, order
+from torquerig.scenario.reading import Scenario
+
+RATE = 5000.0
+
+
+@pytest.fixture(scope="module")
+def seen(by_hand: Callable[..., Observed]) -> Features:
+    """A line of 0.3 N m at order 5.3, in noise of 1 mN m, at 1000 rpm for 12 s."""
+    angle = 1000 * pi / 30 * np.arange(int(12 * RATE)) / RATE
+    noise = 1e-3 * np.random.default_rng(2).standard_normal(angle.size)
+    return features(by_hand(1.0 + 0.3 * np.cos(5.3 * angle) + noise, angle, rate=RATE), [order(5.3)])
+
+
+def with_line(seen: Features, wear_rig: Scenario, size: float) -> Expectation:
+    model = expected(wear_rig.rig.at(seen.observed.run), seen)
+    return replace(model, amplitude=np.full(model.amplitude.shape, size), variance=np.full(model.variance.shape, 1e-8))
+
+
+def test_half_and_twice_the_size_are_equally_wrong(seen: Features, wear_rig: Scenario) -> None:
+    low, high = (float(misfit(seen, with_line(seen, wear_rig, 0.3 * by)).lines[0]) for by in (0.5, 2.0))
+    assert low == pytest.approx(-high, rel=0.01)
+    assert low == pytest.approx(2**-0.5 / LINE_TOLERANCE, rel=0.02), "the tolerance is of the geometric mean"
+
+
+def test_no_model_is_so_large_that_a_larger_one_is_no_worse(seen: Features, wear_rig: Scenario) -> None:
+    off = [abs(float(misfit(seen, with_line(seen, wear_rig, size)).lines[0])) for size in (0.3, 3.0, 30.0, 300.0)]
+    assert off[0] < 1.0
+    assert np.all(np.diff(np.log(off[1:])) > 1.0)
+
+
+def test_a_large_line_of_the_model_alone_forgives_no_other_line(
+    by_hand: Callable[..., Observed], wear_rig: Scenario
+) -> None:
+    angle = 1000 * pi / 30 * np.arange(int(12 * RATE)) / RATE
+    torque = 1.0 + 0.05 * np.cos(5.3 * angle) + 1e-4 * np.random.default_rng(2).standard_normal(angle.size)
+    both = features(by_hand(torque, angle, rate=RATE), [order(5.3), order(9.7)])
+    model = with_line(both, wear_rig, 0.0)
+    alone, beside = model.amplitude.copy(), model.amplitude.copy()
+    beside[:, 1] = 100.0
+    far = [float(misfit(both, replace(model, amplitude=each)).lines[0]) for each in (alone, beside)]
+    assert far[1] > 0.7 * far[0] > 50
+
+
+def row(*values: float) -> tuple[Misfit, ...]:
+    return (Misfit(np.zeros(0), np.zeros(0), np.array(values)),)
+
+
+def test_the_share_counts_what_changes_and_what_no_feature_holds() -> None:
+    before, after = row(10.0, 0.5, 0.5), row(1.0, 0.5, 0.5)
+    assert explained_share(before, after) == pytest.approx(1.0)
+    assert explained_share(before, before) == 0.0
+    assert explained_share(before, before, beside=(100.0, 10.0)) == pytest.approx(0.9)
+
+
+def test_what_the_final_model_leaves_is_looked_at_where_the_effect_acted() -> None:
+    before, with_it = row(10.0, 10.0, 0.0), row(3.0, 3.0, 0.0)
+    assert left_at_its_places(before, with_it, row(0.5, 0.5, 30.0)) < 1.0
+    assert left_at_its_places(before, with_it, row(5.0, 5.0, 0.0)) > 6.0
+    assert left_at_its_places(before, before, row(5.0, 5.0, 0.0)) == 0.0
+
+
+def test_a_zero_that_settles_within_a_second_is_seen_in_the_first_parts(by_hand: Callable[..., Observed]) -> None:
+    time = np.arange(int(12 * RATE)) / RATE
+    tau = 0.6
+    seen = features(by_hand(1.0 + 0.4 * (1 - np.exp(-time / tau)), 100 * time, rate=RATE), [])
+    ends = [(part.start / RATE, part.stop / RATE) for part in seen.parts]
+    told = [1.4 - 0.4 * tau * (np.exp(-low / tau) - np.exp(-high / tau)) / (high - low) for low, high in ends]
+    assert len(seen.parts) == 4 * len(seen.stretches)
+    assert seen.level == pytest.approx(told, abs=1e-3)
+
+
+def test_an_order_that_sweeps_across_a_fixed_line_is_told_from_it(by_hand: Callable[..., Observed]) -> None:
+    """In a ramp, not at one speed: both stand in one stretch, and each has its own size."""
+    time = np.arange(int(12 * RATE)) / RATE
+    angle = 2 * pi * np.cumsum(2.0 + 18.0 * time / 12) / RATE
+    torque = 0.2 * np.cos(3.0 * angle) + 0.1 * np.cos(2 * pi * 30.0 * time)
+    ramp = features(by_hand(torque, angle, rate=RATE, profile="ramp"), [order(3.0), frequency(30.0)], held=None)
+    at = int(np.argmin(np.abs(ramp.line_frequency[:, 0].mean(axis=1) - 30.0)))
+    assert np.abs(ramp.amplitude[at]) == pytest.approx([0.2, 0.1], rel=0.05)
+    steady = 2 * pi * 10.0 * time
+    torque = 0.2 * np.cos(3.0 * steady) + 0.1 * np.cos(2 * pi * 30.0 * time + 1.0)
+    one = features(by_hand(torque, steady, rate=RATE), [order(3.0), frequency(30.0)])
+    assert np.isnan(one.amplitude[:, 1]).all()
