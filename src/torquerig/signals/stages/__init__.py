@@ -6,6 +6,7 @@ In the measuring body
 In the electronics
     amplifier        the analog low-pass                  tone         mains hum, pulse-width modulation
     drift            a zero that moves                    noise        white noise of the sensor
+    band_noise       noise of a fixed band
     clip             saturation                           dropout      moments without signal
     converter        range and codes                      rounding     coarser codes
 Beside the torque
