@@ -60,8 +60,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             rung = stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
             power, ringing = power + rung, ringing + rung
             struck = np.hypot(struck, _struck(stage, twin, seen))
-    level = moving_zero(twin, observed, [part.start for part in seen.parts], [part.stop for part in seen.parts])
-    return AddedSignals(power, level, tuple(tones), tuple(codes), struck, ringing)
+    return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing)
 
 
 def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
@@ -76,6 +75,11 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
             density = stage.density(np.array([at]), each * revolutions) * np.abs(twin.amplifier(np.array([at]))) ** 2
             answer[column] = np.sqrt(2 * float(density[0]) * each * revolutions)
     return answer
+
+
+def zero_of(twin: Twin, seen: Features) -> Floats:
+    """Mean of what a moving zero adds to each part of a run [N m], shape (parts,)."""
+    return moving_zero(twin, seen.observed, [part.start for part in seen.parts], [part.stop for part in seen.parts])
 
 
 def moving_zero(twin: Twin, observed: Observed, starts: ArrayLike, stops: ArrayLike) -> Floats:

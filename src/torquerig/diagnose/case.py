@@ -18,6 +18,9 @@ from torquerig.diagnose.places import SAME_ORDER, Place
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 
+# fields of a model that make its slow torque, and stand in for an effect that changes it
+SLOW_TORQUE = ("mean_by_occupancy_percent", "viscous", "coulomb", "slow_rms", "slow_cutoff")
+
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:

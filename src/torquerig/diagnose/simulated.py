@@ -9,10 +9,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.added_signals import zero_of
 from torquerig.diagnose.expectation import Expectation, amplitude_variance, expected
 from torquerig.diagnose.features import Features, features
 from torquerig.diagnose.observed import Observed, speed_of
 from torquerig.diagnose.sample_faults import bridged
+from torquerig.diagnose.twin import Twin
 from torquerig.rig.rig import Rig
 from torquerig.simulate.simulate import simulate
 
@@ -83,7 +85,8 @@ def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
         every = np.concatenate(sizes)
         shown = np.isfinite(every)
         mean = (np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1))[None, :]
-        level = np.full(seen.level.shape, np.mean([copy.level.mean() for copy in copies]))
+        twin = Twin(rig.at(seen.observed.run))
+        level = zero_of(twin, seen) + np.mean([(copy.level - zero_of(twin, copy)).mean() for copy in copies])
     else:
         mean, level = np.mean(sizes, axis=0), np.mean([copy.level for copy in copies], axis=0)
     amplitude = np.sqrt(np.maximum(np.nan_to_num(mean) - 2 * chance, 0.0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from torquerig import mechanisms
-from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.loaded_part import loaded_part
 
@@ -20,4 +20,5 @@ def propose(case: Case) -> Iterator[Candidate]:
         return
     for start in _STARTS:
         part = mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=start)
-        yield Candidate(mechanism="quadratic_drag", parts=(part,), knobs=(Knob(part.name, "coefficient", 1.5),))
+        knobs = (Knob(part.name, "coefficient", 1.5),)
+        yield Candidate(mechanism="quadratic_drag", parts=(part,), knobs=knobs, loosens=SLOW_TORQUE)

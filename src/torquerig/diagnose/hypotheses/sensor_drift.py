@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import mechanisms
-from torquerig.diagnose.added_signals import moving_zero
-from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.added_signals import zero_of
+from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.misfit import LEVEL_FLOOR
@@ -18,7 +18,6 @@ from torquerig.diagnose.twin import Twin
 _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording
 _START = 0.15  # [V] where the levels tell no span
 _SPREAD = 0.3  # [V]
-_STOOD_IN = ("mean_by_occupancy_percent", "viscous", "coulomb", "slow_rms", "slow_cutoff")
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -38,7 +37,7 @@ def propose(case: Case) -> Iterator[Candidate]:
             knobs = [Knob(part.name, "span", max(_SPREAD, 0.3 * abs(part.span)), factor=False)]
             knobs += [] if part.time_constant is None else [Knob(part.name, "time_constant", 0.7)]
             yield Candidate(
-                mechanism="sensor_drift", parts=(part,), knobs=tuple(knobs), variant=variant, loosens=_STOOD_IN
+                mechanism="sensor_drift", parts=(part,), knobs=tuple(knobs), variant=variant, loosens=SLOW_TORQUE
             )
 
 
@@ -50,9 +49,7 @@ def _span(case: Case, constant: float | None) -> tuple[float, float]:
         if features.turning is not None:
             continue
         twin = Twin((case.model.rig + unit).at(features.observed.run))
-        shape = moving_zero(
-            twin, features.observed, [part.start for part in features.parts], [part.stop for part in features.parts]
-        )
+        shape = zero_of(twin, features)
         left = features.level - expected(case.model.rig, features).level
         shared = [np.ones(left.size)] if features.observed.steady else [np.ones(left.size), features.speed.mean(axis=1)]
         chance = float(np.hypot(np.std(np.diff(left)) / np.sqrt(2), LEVEL_FLOOR)) if left.size > 1 else np.inf

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import product
 
 from torquerig import mechanisms
-from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.loaded_part import loaded_part
 from torquerig.rig.rig import Rig
@@ -35,10 +35,12 @@ def _best(case: Case, at: str, rig: Rig) -> Iterator[Candidate]:
         )
         ranked.append((case.misfit_of(rig + part), part))
     part = min(ranked, key=lambda item: item[0])[1]
-    yield Candidate(mechanism="stribeck_friction", parts=(part,), knobs=_knobs(part))
+    yield Candidate(mechanism="stribeck_friction", parts=(part,), knobs=_knobs(part), loosens=SLOW_TORQUE)
     if any(features.turning is not None for features in case.seen):
         own = replace(part, coulomb_backward=part.coulomb, static_backward=part.static)
-        yield Candidate(mechanism="stribeck_friction", parts=(own,), knobs=_knobs(own), variant="by_direction")
+        yield Candidate(
+            mechanism="stribeck_friction", parts=(own,), knobs=_knobs(own), variant="by_direction", loosens=SLOW_TORQUE
+        )
 
 
 def _knobs(part: mechanisms.StribeckFriction) -> tuple[Knob, ...]:
