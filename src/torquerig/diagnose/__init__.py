@@ -29,6 +29,7 @@ Deciding
     next_run        which run would tell                   candidate_runs  the menu of runs
     set_aside       what was not fitted, and why           leftover     where a model is significantly wrong
     held_out        how well no fit's data are predicted   comparison   both models beside the recordings
+    whole_fit       whether a model fits as a whole        convincing   when an effect may be named
     comparison_curves  its curves                          confidence   how sure a finding is
     null_table      least gains from clean rigs, by the scenario's content
     diagnose        all of it in order                     diagnosis    the outcome, and its JSON

@@ -24,6 +24,7 @@ from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS, explanation
 from torquerig.diagnose.shaft_angle import shaft_angles
+from torquerig.diagnose.whole_fit import LARGEST, misfit_as_a_whole
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
@@ -100,6 +101,8 @@ def diagnose(
     left = mismatches(after)
     detail = detail_of(before, after, left)
     left = left if detail is None else ()
+    if not (left or found or found_by_search.descriptions) and fit.after > LARGEST:
+        left = (misfit_as_a_whole(after),)
     verdict = _verdict(found, left, faults, described=bool(found_by_search.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
