@@ -1,0 +1,33 @@
+"""Where a model that fits nowhere quite, and nowhere badly, is worst."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+
+import numpy as np
+
+from torquerig.diagnose.calibration import Calibrated
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.features import features
+from torquerig.diagnose.misfit import Misfit
+from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.whole_fit import misfit_as_a_whole
+from torquerig.scenario.reading import Scenario
+
+RATE = 5000.0
+
+
+def test_the_worst_kind_of_the_worst_run_is_told(by_hand: Callable[..., Observed], wear_rig: Scenario) -> None:
+    time = np.arange(int(6 * RATE)) / RATE
+    noise = np.random.default_rng(1).standard_normal(time.size)
+    seen = tuple(features(by_hand(noise, 100 * time, rate=RATE, name=name), []) for name in ("one", "two"))
+    size, none = seen[0].band.size, np.zeros(0)
+    good = Misfit(np.full(size, 1.0), none, np.full(16, 0.8))
+    bad = Misfit(np.full(size, 2.0), none, np.full(16, 3.0))
+    model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (good, bad), 0.0)
+    told = misfit_as_a_whole(Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=()))
+    assert (told.recordings, told.domain, told.axis) == (("two",), "speed", "rpm")
+    assert abs(told.at - 100 * 30 / pi) < 1.0
+    assert told.p_value < 1e-9
+    assert 6.0 < told.excess_dB < 10.0
