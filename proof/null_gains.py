@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from proof.library import library_of
+from torquerig.diagnose.convincing import share_of
 from torquerig.diagnose.diagnose import diagnose
-from torquerig.diagnose.explained import explained_share
 from torquerig.diagnose.search import Trial, trials
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -44,7 +44,7 @@ def null_gains(scenario: Scenario, recordings: Sequence[Recording], *, seed: int
         best.setdefault(trial.candidate.mechanism, trial)
     return tuple(
         NullGain(
-            mechanism=name, gain=trial.gain, share=explained_share(case.model.misfits, trial.model.misfits)
+            mechanism=name, gain=trial.gain, share=share_of(case, trial)
         )
         for name, trial in best.items()
     )  # fmt: skip

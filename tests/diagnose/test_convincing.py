@@ -14,6 +14,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.leftover import Mismatch, detail_of
 from torquerig.diagnose.misfit import Misfit
+from torquerig.diagnose.null_table import NullTable
 from torquerig.diagnose.search import Trial
 from torquerig.mechanisms import CommutationRipple
 from torquerig.rig.rig import Rig
@@ -52,6 +53,16 @@ def test_what_does_not_suffice_alone_may_be_half_of_a_pair(case: Case, wear_rig:
     little = trial(wear_rig.rig, "gear_mesh", *[9.5] * 40, before=case.model)
     described = replace(much, candidate=replace(much.candidate, description="noise"))
     assert [judging.promising(case, each) for each in (much, little, described)] == [True, False, False]
+
+
+def test_a_table_of_clean_rigs_asks_for_more_than_the_built_in_gain(case: Case, wear_rig: Scenario) -> None:
+    effect = trial(wear_rig.rig, "gear_mesh", *[1.0] * 20, *[10.0] * 20, before=case.model)
+    table = NullTable(key="", made_by="", seeds=(1,), clean_rigs=20, chance=0.002, thresholds={"gear_mesh": 1e5})
+    other = replace(table, thresholds={"blade_pass": 1e5})
+    judged = [
+        judging.convincing(replace(case, thresholds=each), effect, earlier=(), held=()) for each in (table, other)
+    ]
+    assert judged == [False, True]
 
 
 def test_no_drive_turns_its_torque_round_within_a_turn(wear_rig: Scenario) -> None:

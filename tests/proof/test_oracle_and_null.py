@@ -4,11 +4,15 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from proof import oracle as room
 from proof.library import CLASSES, library_of
+from proof.null import clean_jobs
+from proof.null import main as null_table_made
 from proof.null_gains import NullGain, as_rows, from_rows
 from proof.oracle import oracle
+from proof.rig_program.draw import answer_of
 from proof.thresholds import CHANCE, FEWEST, best_gains, exceeded_once, thresholds
 from torquerig import mechanisms
 
@@ -86,3 +90,17 @@ def test_only_what_could_have_been_named_counts():
     few = thresholds(rigs[:3], least_share=0.8)
     assert [one.gain for one in few] == [None, None]
     assert from_rows(as_rows(rigs[0])) == rigs[0]
+
+
+def test_a_null_table_is_made_of_rigs_with_nothing_hidden(tmp_path):
+    jobs = clean_jobs(5, 40, tmp_path)
+    assert len(jobs) == 13
+    assert all(answer_of(job.case)["effects"] == [] for job in jobs)
+    assert len({job.gains for job in jobs}) == 13
+
+
+def test_too_few_clean_rigs_make_no_table(tmp_path):
+    told = CliRunner().invoke(null_table_made, ["--seed", "5", "--cases", "20", "--out", str(tmp_path / "clean")])
+    assert told.exit_code != 0
+    assert "clean rigs are too few" in told.output
+    assert not (tmp_path / "clean").exists()

@@ -59,7 +59,7 @@ def command(
         else:
             outcome = diagnose(made, read, seed=seed, progress=progress)
     data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
-    if outcome.diagnosis.findings:
+    if outcome.completes:
         target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
         text = scenario_text(
             outcome.completed, title=made.title, operating_point=made.document.data.get("operating_point", {}),

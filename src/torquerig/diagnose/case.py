@@ -12,6 +12,7 @@ from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.misfit import misfit_sum
+from torquerig.diagnose.null_table import NullTable
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.peaks import Peak
 from torquerig.diagnose.places import SAME_ORDER, Place
@@ -78,6 +79,8 @@ class Case:
         Lines that the model does not have.
     accepted : tuple of Candidate
         What was added to the nominal rig, in this order.
+    thresholds : NullTable or None
+        Least gains that were made for the scenario.
     apart : ndarray, shape (knobs,), or None
         Positions of the model's own knobs when the left lines are not looked at: what is missing bends the others.
     """
@@ -88,6 +91,7 @@ class Case:
     model: Calibrated
     left: tuple[Peak, ...]
     accepted: tuple[Candidate, ...] = field(default=())
+    thresholds: NullTable | None = None
     apart: NDArray[np.float64] | None = None
 
     def nominal_with_accepted(self) -> Rig:

@@ -33,10 +33,16 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     """
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
-    least = max([LEAST_GAIN, *(_OF_EARLIER * each.gain for each in earlier if case.model.corrections)])
+    least = max([_least_gain(case, trial), *(_OF_EARLIER * each.gain for each in earlier if case.model.corrections)])
     fits = trial.gain > _LARGE and trial.model.cost < feature_count(trial.model)
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
+
+
+def _least_gain(case: Case, trial: Trial) -> float:
+    if case.thresholds is None:
+        return LEAST_GAIN
+    return case.thresholds.least_gain(trial.candidate.mechanism, built_in=LEAST_GAIN)
 
 
 def promising(case: Case, trial: Trial) -> bool:

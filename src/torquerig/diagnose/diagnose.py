@@ -19,6 +19,7 @@ from torquerig.diagnose.identifying import identifying
 from torquerig.diagnose.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.leftover import Mismatch, detail_of, mismatches
 from torquerig.diagnose.lines_left import known_places, lines_left, strong_orders
+from torquerig.diagnose.null_table import null_table, without_table
 from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
@@ -65,6 +66,11 @@ class Outcome:
     held: tuple[Features, ...]
     left: tuple[Mismatch, ...]
 
+    @property
+    def completes(self) -> bool:
+        """Whether the completed rig has parts that the scenario lacks, named or described."""
+        return len(self.completed.parts) > len(self.before.nominal.parts) or bool(self.diagnosis.findings)
+
 
 def diagnose(
     scenario: Scenario, recordings: Sequence[Recording], *, seed: int = 0, progress: Progress = lambda _: None
@@ -76,6 +82,7 @@ def diagnose(
     InputError, RecordingError
         Where the recordings are of different rigs, contradict the scenario, or are too short to tell anything.
     """
+    thresholds, unknown = null_table(scenario), without_table(scenario)
     scenario = with_free_names(scenario, MECHANISMS)
     nominal = with_free_load(scenario.rig.at(recordings[0].run))
     check_recordings(recordings, nominal)
@@ -89,6 +96,7 @@ def diagnose(
     contradicted = list(off_set_points(recordings, runs))
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
+    before = replace(before, thresholds=thresholds)
     fitted = {run.name for run in before.runs}
     found_by_search = searched(before, [each for each in held if each.observed.name in fitted], progress)
     after, findings = found_by_search.case, found_by_search.findings
@@ -115,6 +123,7 @@ def diagnose(
             *(f"no mechanism of the library explains {what}" for what in found_by_search.descriptions),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
+            *([unknown] if thresholds is None else []),
         ),
         set_aside=reasons(before, found_by_search, found),
         next_experiment=run_for_the_rest(found_by_search) if verdict == "unexplained" else None,

@@ -66,7 +66,8 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
             on_trial = bool(good)
         if not good or len(accepted) == MOST_EFFECTS:
             break
-        best = max(good, key=partial(worth, case))
+        of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
+        best = max(of_each.values(), key=partial(worth, case))
         accepted.append(Accepted(before=case, trial=best, tried=tried))
         case = with_all(start, accepted)
     if on_trial and not _together(start, case):

@@ -74,9 +74,10 @@ def _blurred(case: Case, seen: Features) -> bool:
 
 
 def flanks_may_part(seen: Features) -> bool:
-    """Whether the torque of the run passes through zero, or near it."""
+    """Whether the torque of the run passes through zero, or near it, or rests there."""
     torque = seen.observed.torque
-    return float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
+    low = float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
+    return low or len(blows(seen.observed)) >= CLEARLY
 
 
 def fitted_gap(case: Case, base: Rig) -> FittedGap | None:

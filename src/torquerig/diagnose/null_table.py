@@ -59,7 +59,7 @@ def without_table(scenario: Scenario) -> str:
     """Return what a diagnosis says where no table was made for its scenario."""
     return (
         "the least gains are the built-in ones: no clean rigs were run for this scenario (content "
-        f"{content_key(scenario)[:12]}); torquerig prove makes its table"
+        f"{content_key(scenario)[:12]})"
     )
 
 

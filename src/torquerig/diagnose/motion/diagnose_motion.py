@@ -61,6 +61,11 @@ class MotionOutcome:
     neutrals: tuple[Neutral, ...]
     completed: Rig
 
+    @property
+    def completes(self) -> bool:
+        """Whether the completed rig has parts that the scenario lacks."""
+        return bool(self.diagnosis.findings)
+
     def as_json(self) -> dict[str, Any]:
         """Return the diagnosis in the contract's form."""
         data = as_json(self.diagnosis)
