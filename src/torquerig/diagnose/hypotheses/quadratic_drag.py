@@ -13,12 +13,12 @@ _STARTS = (1e-5, 1e-4, 1e-3)  # [N m s^2/rad^2]
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield drags of three sizes on the loaded part, where the runs differ in speed."""
+    """Yield that of a few sizes on the loaded part which fits best, where the runs differ in speed."""
     at = loaded_part(case.nominal)
     speeds = [abs(float(speed)) for features in case.seen for speed in features.speed.mean(axis=1)]
     if at is None or not speeds or min(speeds) > 0.9 * max(speeds):
         return
-    for start in _STARTS:
-        part = mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=start)
-        knobs = (Knob(part.name, "coefficient", 1.5),)
-        yield Candidate(mechanism="quadratic_drag", parts=(part,), knobs=knobs, loosens=SLOW_TORQUE)
+    sizes = [mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=start) for start in _STARTS]
+    part = min(sizes, key=lambda one: case.misfit_of(case.model.rig + one))
+    knobs = (Knob(part.name, "coefficient", 1.5),)
+    yield Candidate(mechanism="quadratic_drag", parts=(part,), knobs=knobs, loosens=SLOW_TORQUE)
