@@ -66,9 +66,12 @@ def misfits_of(
 def calibrated(
     rig: Rig, seen: Sequence[Features], knobs: Sequence[Knob], *, start: NDArray[np.float64] | None = None,
     derivatives: int = _MOST_DERIVATIVES, corrections: Sequence[Correction] | None = None,
-    jacobian: NDArray[np.float64] | None = None,
+    jacobian: NDArray[np.float64] | None = None, near: bool = True,
 ) -> Calibrated:  # fmt: skip
-    """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior)."""
+    """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior).
+
+    ``jacobian`` and ``near`` as for ``minimum``.
+    """
     from threadpoolctl import threadpool_limits
 
     def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -77,7 +80,7 @@ def calibrated(
 
     first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
-        found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives, jacobian=jacobian)
+        found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives, jacobian=jacobian, near=near)
         covariance = np.asarray(np.linalg.inv(found.jacobian.T @ found.jacobian + np.eye(len(knobs))), dtype=np.float64)
     fitted = turned(rig, knobs, found.positions)
     misfits = misfits_of(fitted, seen, corrections)

@@ -155,9 +155,9 @@ def _opened(
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
     knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
     rig = _with(nominal, [c for c in faults.candidates if c.mechanism == "quantization"])
-    apart = calibrated(rig, [each.without(unknown) for each in seen], knobs).positions
-    model = calibrated(rig, seen, knobs, start=apart)
-    return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart), held
+    apart = calibrated(rig, [each.without(unknown) for each in seen], knobs)
+    model = calibrated(rig, seen, knobs, start=apart.positions, jacobian=apart.jacobian, near=False)
+    return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart.positions), held
 
 
 def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Finding]:

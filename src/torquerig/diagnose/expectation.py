@@ -16,7 +16,7 @@ from torquerig.diagnose.regression import HANN_NOISE
 from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
 from torquerig.diagnose.skirts import skirts
 from torquerig.diagnose.turning import STEPS, Turning
-from torquerig.diagnose.twin import LineSource, Twin
+from torquerig.diagnose.twin import Twin, passed
 from torquerig.diagnose.winding import wound_torque
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
@@ -81,10 +81,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     stretches = len(seen.stretches)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
     amplitude = np.zeros((stretches, len(seen.places)))
-    motor = np.abs(balance.motor)
-    for line in twin.lines():
-        passed = line.transfer(np.maximum(line.order * points / (2 * pi), 0.05))
-        size = _size(passed, line, motor, steady=observed.steady)
+    for line, size in zip(twin.lines(), _sizes(twin, points, balance.motor, steady=observed.steady), strict=True):
         _put(amplitude, power, seen, order(line.order), size)
     for tone, volts in added.tones:
         _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
@@ -133,10 +130,16 @@ def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
     )  # fmt: skip
 
 
-def _size(passed: NDArray[np.complex128], line: LineSource, motor: Floats, *, steady: bool) -> Floats:
-    """Amplitude in each stretch; where the speed moves, as a regression over the stretch would see it."""
-    gain = np.full(motor.size, abs(passed[0])) if steady else np.abs(passed.reshape(-1, POINTS).mean(axis=1))
-    return np.asarray(gain * line.amplitude * (motor if line.by_load else 1.0))
+def _sizes(twin: Twin, points: Floats, motor: Floats, *, steady: bool) -> Floats:
+    """Amplitude of each line in each stretch; where the speed moves, as a regression over the stretch would see it."""
+    lines = twin.lines()
+    if not lines:
+        return np.zeros((0, motor.size))
+    orders = np.array([line.order for line in lines])[:, None]
+    at_each = passed([line.transfer for line in lines], np.maximum(orders * points / (2 * pi), 0.05))
+    gain = np.abs(at_each if steady else at_each.reshape(len(lines), -1, POINTS).mean(axis=2))
+    source = [line.amplitude * (np.abs(motor) if line.by_load else np.ones(motor.size)) for line in lines]
+    return np.asarray(gain * np.array(source))
 
 
 def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:

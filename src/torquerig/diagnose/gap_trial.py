@@ -96,7 +96,10 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
         return None
     gap, closed, opened = told
     corrections = between(_expected(case, rigs, gap), _expected(case, rigs, 0.0))
-    fitted = calibrated(base, case.seen, case.model.knobs, start=model.positions, corrections=corrections)
+    fitted = calibrated(
+        base, case.seen, case.model.knobs, start=model.positions, corrections=corrections,
+        jacobian=case.model.jacobian, near=False,
+    )  # fmt: skip
     return FittedGap(_with_gap(case, gap), fitted, closed, opened)
 
 

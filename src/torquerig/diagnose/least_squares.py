@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Residuals = Callable[[Floats], Floats]
+from torquerig.diagnose.difference_quotients import Floats, Residuals, quotients
 
-_STEP = 1e-6  # of the difference quotients
 _DAMPING, _EASED, _RAISED, _MOST_DAMPING = 1e-3, 0.2, 8.0, 1e5
 _CONVERGED = 1e-3  # relative fall of the cost below which a step with fresh derivatives is the last
 _STALE = 2e-2  # relative fall of the cost below which kept derivatives are made anew
@@ -27,11 +23,18 @@ class Minimum:
 
 
 def minimum(
-    residuals: Residuals, start: Floats, *, limit: float, derivatives: int, jacobian: Floats | None = None
+    residuals: Residuals,
+    start: Floats,
+    *,
+    limit: float,
+    derivatives: int,
+    jacobian: Floats | None = None,
+    near: bool = True,
 ) -> Minimum:
     """Return where ``|residuals|^2 + |positions|^2`` is least, within ``limit`` either way.
 
-    A ``jacobian`` of the first knobs, known from an earlier fit near ``start``, saves making theirs at the beginning.
+    A ``jacobian`` of the first knobs from an earlier fit tells which knobs share residuals; where that fit ended
+    ``near`` the start, it saves making their derivatives at the beginning.
 
     Levenberg-Marquardt steps; between fresh difference quotients, of which there are at most ``derivatives`` sets, the
     derivatives follow by Broyden's rank-one update.
@@ -39,12 +42,11 @@ def minimum(
     Source: Marquardt 1963, SIAM J. Appl. Math. 11; Broyden 1965, Math. Comp. 19. Local: it finds the valley that
     ``start`` lies in.
     """
-    here, found = np.clip(start, -limit, limit), None
+    here = np.clip(start, -limit, limit)
     found = residuals(here)
-    kept = 0 if jacobian is None else jacobian.shape[1]
-    slopes, made, fresh = _slopes(residuals, here, found, first=kept), int(kept == 0), kept == 0
-    if jacobian is not None:
-        slopes[:, :kept] = jacobian
+    known = np.zeros((found.size, 0)) if jacobian is None else jacobian
+    fresh = jacobian is None or not near
+    slopes, made = quotients(residuals, here, found, known=known, kept=not fresh), int(fresh)
     cost, damping = _cost(found, here), _DAMPING
     while damping < _MOST_DAMPING:
         there = np.clip(here + _move(slopes, found, here, damping=damping, limit=limit), -limit, limit)
@@ -68,22 +70,12 @@ def minimum(
             continue
         elif made >= derivatives:
             break
-        slopes, made, fresh = _slopes(residuals, here, found), made + 1, True
+        slopes, made, fresh = quotients(residuals, here, found, known=slopes), made + 1, True
     return Minimum(here, slopes, cost)
 
 
 def _cost(found: Floats, here: Floats) -> float:
     return float(found @ found + here @ here)
-
-
-def _slopes(residuals: Residuals, here: Floats, found: Floats, *, first: int = 0) -> Floats:
-    """Return the difference quotients of the knobs from ``first`` on, the columns before left 0."""
-    answer = np.zeros((found.size, here.size))
-    for column in range(first, here.size):
-        beside = here.copy()
-        beside[column] += _STEP if here[column] <= 0 else -_STEP
-        answer[:, column] = (residuals(beside) - found) / (beside[column] - here[column])
-    return answer
 
 
 def _move(slopes: Floats, found: Floats, here: Floats, *, damping: float, limit: float) -> Floats:

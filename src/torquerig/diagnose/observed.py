@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import pi
 
 import numpy as np
@@ -97,7 +98,7 @@ class Observed:
         """Whether the speed was held."""
         return self.run.profile == "steady"
 
-    @property
+    @cached_property
     def mean_speed(self) -> float:
         """Mean speed of the motor [rad/s]."""
         return float(self.speed.mean())

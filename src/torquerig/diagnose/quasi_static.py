@@ -42,6 +42,8 @@ def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiSta
 
 
 def _opposing(term: object, speed: Floats, acceleration: Floats) -> Floats:
+    if isinstance(term, Inertia):
+        return yielding_torque(term, speed, acceleration)
     smoothing = getattr(term, "smoothing", 1.0)
     return np.asarray(
         yielding_torque(term, speed, acceleration) + dry_torque(term, speed) * np.abs(np.tanh(speed / smoothing))

@@ -74,9 +74,12 @@ def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
     rows = [row for row, knob in enumerate(final.knobs) if knob.part not in gone]
     knobs = tuple(final.knobs[row] for row in rows)
     corrections = final.corrections or None
-    from_there = calibrated(rig, first.seen, knobs, start=final.positions[rows], corrections=corrections)
-    afresh = calibrated(rig, first.seen, knobs, start=np.zeros(len(knobs)), corrections=corrections)
-    model = min(from_there, afresh, key=lambda each: each.cost)
+    known = None if final.jacobian is None else final.jacobian[:, rows]
+    there, afresh = (
+        calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known, near=False)
+        for start in (final.positions[rows], np.zeros(len(knobs)))
+    )
+    model = min(there, afresh, key=lambda each: each.cost)
     return replace(bare, model=model, left=unexplained(first.left, first, model), apart=None)
 
 

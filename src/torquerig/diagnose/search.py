@@ -156,30 +156,31 @@ def _joint(case: Case, trial: Trial) -> Trial:
     names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
     base = case.nominal_with_accepted()
 
-    def fitted(own: Rig, nuisance: NDArray[np.float64], jacobian: NDArray[np.float64] | None = None) -> Trial:
+    def fitted(own: Rig, nuisance: NDArray[np.float64], *, near: bool) -> Trial:
         placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
         start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
         model = calibrated(
             placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
-            derivatives=_JOINT_DERIVATIVES, corrections=held, jacobian=jacobian,
+            derivatives=_JOINT_DERIVATIVES, corrections=held, jacobian=case.model.jacobian, near=near,
         )  # fmt: skip
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
 
-    answer = fitted(trial.model.rig, case.model.positions, case.model.jacobian)
+    answer = fitted(trial.model.rig, case.model.positions, near=True)
     well = answer.model.cost < _WELL * feature_count(answer.model)
     if well and trial.candidate.place is not None:  # without a line of its own it may share its torque with others
         return answer
     apart = case.apart if case.left and case.apart is not None else np.zeros(len(case.model.knobs))
     beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
     alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)
-    return max(answer, fitted(alone.rig, apart), key=lambda one: one.gain)
+    return max(answer, fitted(alone.rig, apart, near=False), key=lambda one: one.gain)
 
 
 def _polished(case: Case, trial: Trial) -> Trial:
     """Fit on from where the joint fit stopped."""
     rig = trial.candidate.added_to(case.nominal_with_accepted())
     model = calibrated(
-        rig, case.seen, trial.model.knobs, start=trial.model.positions, corrections=case.model.corrections or None
-    )
+        rig, case.seen, trial.model.knobs, start=trial.model.positions, corrections=case.model.corrections or None,
+        jacobian=trial.model.jacobian, near=False,
+    )  # fmt: skip
     better = model if model.cost < trial.model.cost else trial.model
     return replace(trial, model=better, gain=trial.gain + trial.model.cost - better.cost)

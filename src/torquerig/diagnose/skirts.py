@@ -32,16 +32,16 @@ def _by_phase(twin: Twin, seen: Features) -> Floats:
     angle: the random load over the turns to it, through the motor's impedance ``J s + kp + ki / s``, all shafts taken
     as rigid.
     """
-    answer = np.zeros(seen.band.size)
-    shown = np.where(np.isfinite(seen.amplitude), np.abs(seen.amplitude) ** 2, 0.0)
-    power = shown.sum(axis=0) / np.maximum(np.isfinite(seen.amplitude).sum(axis=0), 1)
-    revolutions = abs(seen.observed.mean_speed) / (2 * pi)
-    for place, square in zip(seen.places, power.tolist(), strict=True):
-        if place.domain == "order" and square > 0:
-            at = place.at * revolutions
-            apart = np.maximum(np.abs(seen.band - at), max(_FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at))
-            answer += 0.25 * square * place.at**2 * _straying(twin, apart)
-    return answer
+    turning = [column for column, place in enumerate(seen.places) if place.domain == "order"]
+    shown = np.isfinite(seen.amplitude[:, turning])
+    square = np.where(shown, np.abs(seen.amplitude[:, turning]) ** 2, 0.0).sum(axis=0)
+    power = square / np.maximum(shown.sum(axis=0), 1)
+    orders = np.array([seen.places[column].at for column in turning])[power > 0]
+    at = orders[:, None] * abs(seen.observed.mean_speed) / (2 * pi)
+    apart = np.maximum(
+        np.abs(seen.band - at), np.maximum(_FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at)
+    )  # fmt: skip
+    return np.asarray((0.25 * power[power > 0] * orders**2) @ _straying(twin, apart))
 
 
 def _by_size(twin: Twin, seen: Features) -> Floats:
@@ -50,14 +50,15 @@ def _by_size(twin: Twin, seen: Features) -> Floats:
     A ripple of depth d at the frequency f_n has ``d^2 / 4 S(f - f_n) |H(f)|^2`` beside it, S being the density of what
     the speed loop answers to the load and H the transfer of a motor's torque to the reading.
     """
-    answer = np.zeros(seen.band.size)
-    revolutions = abs(seen.observed.mean_speed) / (2 * pi)
-    for line in twin.lines():
-        if line.by_load and line.amplitude > 0:
-            apart = np.abs(seen.band - line.order * revolutions)
-            passed = np.abs(line.transfer(seen.band)) ** 2
-            answer += 0.25 * line.amplitude**2 * twin.answered_power(apart) * passed
-    return answer
+    lines = [line for line in twin.lines() if line.by_load and line.amplitude > 0]
+    if not lines:
+        return np.zeros(seen.band.size)
+    at = np.array([line.order for line in lines])[:, None] * abs(seen.observed.mean_speed) / (2 * pi)
+    through = {id(line.transfer): line.transfer for line in lines}
+    passing = {name: np.abs(transfer(seen.band)) ** 2 for name, transfer in through.items()}
+    answered = twin.answered_power(np.abs(seen.band - at))
+    depths = np.array([0.25 * line.amplitude**2 for line in lines])[:, None]
+    return np.asarray((depths * answered * np.array([passing[id(line.transfer)] for line in lines])).sum(axis=0))
 
 
 def _straying(twin: Twin, frequencies: Floats) -> Floats:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import pi
 
 import numpy as np
@@ -47,8 +48,22 @@ class Shafts:
 
     def at(self, response: Response, frequencies: NDArray[np.float64]) -> Response:
         """Return a response at other frequencies [Hz], by its real and imaginary part over the logarithm."""
-        where, grid = np.log(np.clip(frequencies, *_RANGE)), np.log(self.frequency)
-        return np.asarray(np.interp(where, grid, response.real) + 1j * np.interp(where, grid, response.imag))
+        return np.asarray(self.each_at([response], frequencies[None])[0])
+
+    def each_at(self, responses: Sequence[Response], frequencies: NDArray[np.float64]) -> Response:
+        """Return each response, n of them, at its own row of frequencies [Hz], shape (n, points)."""
+        different = {id(response): response for response in responses}
+        table, named = np.stack(list(different.values())), list(different)
+        row = np.array([named.index(id(response)) for response in responses])[:, None]
+        where = np.log(np.clip(frequencies, *_RANGE))
+        right = np.clip(np.searchsorted(self._log, where), 1, self._log.size - 1)
+        low, high = self._log[right - 1], self._log[right]
+        before, after = table[row, right - 1], table[row, right]
+        return np.asarray(before + (after - before) * ((where - low) / (high - low)))
+
+    @cached_property
+    def _log(self) -> NDArray[np.float64]:
+        return np.log(self.frequency)
 
 
 _solved: OrderedDict[Hashable, Shafts] = OrderedDict()

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi, sqrt
 
@@ -25,18 +25,45 @@ _NOTHING = 1e-30  # [(N m)^2/Hz]
 _BLADE_SERIES = tuple(float(2 * np.mean(_PULSE * np.cos(k * _TURN))) for k in range(1, 8))  # zero to peak
 
 
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """The transfer of something to the reading: ``response`` of the shafts on their grid, then the sensor's low-pass.
+
+    Where ``answer`` is given it is multiplied by the size of that response at ``slower`` times the frequency.
+    """
+
+    twin: Twin
+    response: Response
+    answer: Response | None = None
+    slower: float = 1.0
+
+    def __call__(self, frequencies: Floats) -> Response:
+        """Return the transfer at frequencies [Hz], shape (points,)."""
+        return np.asarray(passed([self], frequencies[None])[0])
+
+
 @dataclass(frozen=True)
 class LineSource:
     """A line that follows the shafts: order on the motor shaft, amplitude at its source, transfer to the reading.
 
-    ``transfer`` takes frequencies [Hz]; ``by_load`` marks amplitudes that are a share of the motor's torque.
+    ``by_load`` marks amplitudes that are a share of the motor's torque.
     """
 
     owner: str
     order: float
     amplitude: float
-    transfer: Callable[[Floats], Response]
+    transfer: Passage
     by_load: bool = False
+
+
+def passed(passages: Sequence[Passage], frequencies: Floats) -> Response:
+    """Return the transfers of a twin's passages, n of them, each at its row of frequencies [Hz], shape (n, points)."""
+    twin = passages[0].twin
+    answer = twin.shafts.each_at([each.response for each in passages], frequencies) * twin.amplifier(frequencies)
+    for row, each in enumerate(passages):
+        if each.answer is not None:
+            answer[row] *= np.abs(twin.shafts.at(each.answer, each.slower * frequencies[row]))
+    return answer
 
 
 class Twin:
@@ -63,25 +90,28 @@ class Twin:
         ratio = 1j * frequencies / self.cutoff
         return np.asarray(1 / (1 + sqrt(2) * ratio + ratio**2))
 
-    def torque_on(self, node: str, against: str = GROUND) -> Callable[[Floats], Response]:
+    def torque_on(self, node: str, against: str = GROUND) -> Passage:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
         reading = self.shafts.reading
-        passed = reading[node] if against == GROUND else reading[node] - reading[against]
-        return self._read(passed)
+        return Passage(self, reading[node] if against == GROUND else reading[node] - reading[against])
 
-    def error_in(self, spring: str) -> Callable[[Floats], Response]:
+    def error_in(self, spring: str) -> Passage:
         """Return the transfer of a kinematic error in ``spring`` [rad at its b side] to the reading [N m per rad]."""
         term = self.springs[spring]
         reading = self.shafts.reading
         force = term.stiffness + 2j * pi * self.shafts.frequency * term.damping
-        passed = force * (reading[term.b] - reading[term.a] / (term.ratio * term.efficiency))
-        return self._read(passed + force if spring == self.rig.measured else passed)
+        response = force * (reading[term.b] - reading[term.a] / (term.ratio * term.efficiency))
+        return Passage(self, response + force if spring == self.rig.measured else response)
 
-    def _read(self, passed: Response) -> Callable[[Floats], Response]:
-        return lambda frequencies: self.shafts.at(passed, frequencies) * self.amplifier(frequencies)
+    def lines(self) -> tuple[LineSource, ...]:
+        """Return every line of the rig that follows a shaft."""
+        return self._lines
 
-    def lines(self) -> Iterator[LineSource]:
-        """Yield every line of the rig that follows a shaft."""
+    @cached_property
+    def _lines(self) -> tuple[LineSource, ...]:
+        return tuple(self._each_line())
+
+    def _each_line(self) -> Iterator[LineSource]:
         turns = self.turns
         for term in self.terms:
             if isinstance(term, HarmonicTorque):
@@ -134,13 +164,8 @@ class Twin:
                 slow = wave.order * self.turns[term.angle]
                 if slow < order and 0.5 * depth * wave.amplitude > 0:
                     for side in (order - slow, order + slow):
-                        beside = self._passed_beside(passed, answer, slow / side)
+                        beside = replace(passed, answer=answer, slower=slow / side)
                         yield LineSource(drive.name, side, 0.5 * depth * wave.amplitude, beside)
-
-    def _passed_beside(
-        self, passed: Callable[[Floats], Response], answer: Response, slower: float
-    ) -> Callable[[Floats], Response]:
-        return lambda frequencies: passed(frequencies) * np.abs(self.shafts.at(answer, slower * frequencies))
 
     @cached_property
     def turns(self) -> dict[str, float]:

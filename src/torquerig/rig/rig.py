@@ -107,6 +107,10 @@ class Rig:
 
     def stages(self) -> tuple[Stage, ...]:
         """Return the measuring chain from the shaft to the file; parts at one position keep their order."""
+        return self._stages
+
+    @cached_property
+    def _stages(self) -> tuple[Stage, ...]:
         placed = [stage for part in self.parts for stage in part.stages(self)]
         return tuple(item.stage for item in sorted(placed, key=lambda item: item.position))
 
