@@ -12,8 +12,8 @@ from torquerig.diagnose.correction import Correction, corrected
 from torquerig.diagnose.expectation import expected
 from torquerig.diagnose.features import Features
 from torquerig.diagnose.knobs import Knob, turned
-from torquerig.diagnose.least_squares import minimum
-from torquerig.diagnose.misfit import Misfit, misfit, misfit_sum, robust
+from torquerig.diagnose.least_squares import minimum, weights
+from torquerig.diagnose.misfit import BEND, Misfit, misfit, misfit_sum
 from torquerig.rig.rig import Rig
 
 _MOST_DERIVATIVES = 6  # sets of them
@@ -40,7 +40,7 @@ class Calibrated:
     corrections : tuple of Correction
         One per run where an effect is beyond the twin; else empty.
     jacobian : ndarray, shape (features, knobs)
-        Of the robust residuals to the positions.
+        Of the residuals to the positions.
     """
 
     rig: Rig
@@ -76,14 +76,17 @@ def calibrated(
 
     def residuals(positions: NDArray[np.float64]) -> NDArray[np.float64]:
         each = misfits_of(turned(rig, knobs, positions), seen, corrections)
-        return np.concatenate([robust(one.paid()) for one in each])
+        return np.concatenate([one.paid() for one in each])
 
     first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
-        found = minimum(residuals, first, limit=_LIMIT, derivatives=derivatives, jacobian=jacobian, near=near)
-        covariance = np.asarray(np.linalg.inv(found.jacobian.T @ found.jacobian + np.eye(len(knobs))), dtype=np.float64)
-    fitted = turned(rig, knobs, found.positions)
-    misfits = misfits_of(fitted, seen, corrections)
+        found = minimum(
+            residuals, first, limit=_LIMIT, derivatives=derivatives, bend=BEND, jacobian=jacobian, near=near
+        )
+        fitted = turned(rig, knobs, found.positions)
+        misfits = misfits_of(fitted, seen, corrections)
+        counted = weights(np.concatenate([one.paid() for one in misfits]), BEND)[:, None] * found.jacobian
+        covariance = np.asarray(np.linalg.inv(found.jacobian.T @ counted + np.eye(len(knobs))), dtype=np.float64)
     cost = misfit_sum(misfits) + float(found.positions @ found.positions)
     held = () if corrections is None else tuple(corrections)
     return Calibrated(fitted, tuple(knobs), found.positions, covariance, misfits, cost, held, found.jacobian)

@@ -17,6 +17,7 @@ from torquerig.diagnose.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Pla
 from torquerig.diagnose.regression import regressed
 from torquerig.diagnose.smeared import WIDE, gathered
 from torquerig.diagnose.turning import Turning, turning, turns_back
+from torquerig.diagnose.waves import waves
 
 Floats = NDArray[np.float64]
 
@@ -214,9 +215,9 @@ def _lines(
     part = slice(stretch.start, stretch.stop)
     time = np.arange(stretch.start, stretch.stop) / observed.rate
     shown = shown_places(observed, stretch, places)
-    phases = [places[index].phase(observed.angle[part], time) for index in shown]
     window = np.hanning(time.size) if observed.steady else None
-    found = regressed(observed.torque[part], np.array(phases).reshape(len(shown), time.size), window=window)
+    own = waves([places[index] for index in shown], observed.angle[part], time)
+    found = regressed(observed.torque[part], own, window=window)
     amplitude = np.full(len(places), np.nan, dtype=complex)
     amplitude[shown] = found.amplitude
     mean = float(np.abs(observed.speed[part]).mean())

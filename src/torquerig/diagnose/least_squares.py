@@ -8,9 +8,13 @@ import numpy as np
 
 from torquerig.diagnose.difference_quotients import Floats, Residuals, quotients
 
-_DAMPING, _EASED, _RAISED, _MOST_DAMPING = 1e-3, 0.2, 8.0, 1e5
-_CONVERGED = 1e-3  # relative fall of the cost below which a step with fresh derivatives is the last
-_STALE = 2e-2  # relative fall of the cost below which kept derivatives are made anew
+_RADIUS, _LEAST_RADIUS, _RETRIED = 3.0, 0.02, 1.0  # length of a step: at most, at least, and with derivatives made anew
+_HELD = 0.25  # of the fall that the derivatives promise: less tells that the step was too long or they are stale
+_TOLERANCE = 1e-3  # of the cost: a step that promises less is the last
+_LITTLE = 0.8  # of the cost where derivatives were made: above it they are taken to hold
+_FAR_LESS = 0.1  # times that for a step that does not hold what derivatives promise
+_STILL = 1e-5  # length of a step that is none
+_HALVINGS = 40
 
 
 @dataclass(frozen=True)
@@ -28,61 +32,102 @@ def minimum(
     *,
     limit: float,
     derivatives: int,
+    bend: float = np.inf,
+    tolerance: float = _TOLERANCE,
     jacobian: Floats | None = None,
     near: bool = True,
 ) -> Minimum:
-    """Return where ``|residuals|^2 + |positions|^2`` is least, within ``limit`` either way.
+    """Return where ``sum robust_square(residuals) + |positions|^2`` is least, within ``limit`` either way.
 
     A ``jacobian`` of the first knobs from an earlier fit tells which knobs share residuals; where that fit ended
     ``near`` the start, it saves making their derivatives at the beginning.
 
-    Levenberg-Marquardt steps; between fresh difference quotients, of which there are at most ``derivatives`` sets, the
-    derivatives follow by Broyden's rank-one update.
+    Levenberg-Marquardt steps on reweighted residuals; between fresh difference quotients, of which there are at most
+    ``derivatives`` sets, the derivatives follow by Broyden's rank-one update.
 
-    Source: Marquardt 1963, SIAM J. Appl. Math. 11; Broyden 1965, Math. Comp. 19. Local: it finds the valley that
-    ``start`` lies in.
+    Source: Marquardt 1963, SIAM J. Appl. Math. 11; Broyden 1965, Math. Comp. 19; Holland and Welsch 1977, Commun.
+    Statist. A6 (the weights). Local: it finds the valley that ``start`` lies in.
     """
     here = np.clip(start, -limit, limit)
     found = residuals(here)
     known = np.zeros((found.size, 0)) if jacobian is None else jacobian
     fresh = jacobian is None or not near
     slopes, made = quotients(residuals, here, found, known=known, kept=not fresh), int(fresh)
-    cost, damping = _cost(found, here), _DAMPING
-    while damping < _MOST_DAMPING:
-        there = np.clip(here + _move(slopes, found, here, damping=damping, limit=limit), -limit, limit)
-        new = residuals(there)
-        fall = cost - _cost(new, there)
+    cost = since = _cost(found, here, bend)
+    radius, failed = _RADIUS, 0
+    while radius > _LEAST_RADIUS:
+        there = here + _move(slopes, found, here, radius=radius, limit=limit, bend=bend)
         moved = there - here
-        length = float(moved @ moved)
-        if length == 0.0:
+        length = float(np.linalg.norm(moved))
+        if length < _STILL:
             break
-        updated = slopes + np.outer(new - found - slopes @ moved, moved) / length
+        promised = cost - _cost(found + slopes @ moved, there, bend)
+        new = residuals(there)
+        fall = cost - _cost(new, there, bend)
+        updated = slopes + np.outer(new - found - slopes @ moved, moved) / length**2
+        held = fall > _HELD * promised
+        failed = 0 if held else failed + 1
+        radius = max(radius, min(2 * length, _RADIUS)) if held else 0.3 * length
+        small = promised < tolerance * cost * (1.0 if held else _FAR_LESS)
         if fall > 0:
-            done = fall < (_CONVERGED if fresh else _STALE) * cost
-            here, found, cost, damping = there, new, cost - fall, max(damping * _EASED, 1e-6)
-            slopes, was_fresh, fresh = updated, fresh, False
-            if not done:
-                continue
-            if was_fresh or made >= derivatives:
-                break
-        elif fresh:
-            damping *= _RAISED
-            continue
-        elif made >= derivatives:
+            here, found, cost, slopes = there, new, cost - fall, updated
+        elif not fresh:
+            slopes = updated
+        was_fresh, fresh = fresh, fresh and fall <= 0
+        if small and (was_fresh or cost > _LITTLE * since):
             break
-        slopes, made, fresh = quotients(residuals, here, found, known=slopes), made + 1, True
+        if not was_fresh and (small or failed > 1):
+            if made >= derivatives:
+                break
+            slopes, made, fresh, failed = quotients(residuals, here, found, known=slopes), made + 1, True, 0
+            since = cost
+            radius = max(radius, _RETRIED)
     return Minimum(here, slopes, cost)
 
 
-def _cost(found: Floats, here: Floats) -> float:
-    return float(found @ found + here @ here)
+def robust_square(residuals: Floats, bend: float) -> Floats:
+    """Return the square of each residual, growing no faster than linearly beyond ``bend`` (pseudo-Huber).
+
+    ``2 b^2 (sqrt(1 + (r / b)^2) - 1)``: no single residual rules a fit.
+    """
+    return np.asarray(2 * residuals**2 / (1 + np.sqrt(1 + (residuals / bend) ** 2)))
 
 
-def _move(slopes: Floats, found: Floats, here: Floats, *, damping: float, limit: float) -> Floats:
-    """Return the step; knobs that stand at their limit and want beyond it stay."""
-    gradient = slopes.T @ found + here
+def weights(residuals: Floats, bend: float) -> Floats:
+    """Return by what each residual's square counts in a step towards the least ``robust_square``."""
+    return np.asarray(1 / np.sqrt(1 + (residuals / bend) ** 2))
+
+
+def _cost(found: Floats, here: Floats, bend: float) -> float:
+    return float(robust_square(found, bend).sum() + here @ here)
+
+
+def _move(slopes: Floats, found: Floats, here: Floats, *, radius: float, limit: float, bend: float) -> Floats:
+    """Return the best step about as long as ``radius`` at most that leaves no knob beyond its limit."""
+    weighted = slopes * weights(found, bend)[:, None]
+    gradient, curvature = weighted.T @ found + here, weighted.T @ slopes + np.eye(here.size)
     free = (np.abs(here) < limit) | (gradient * here > 0)
-    curvature = slopes[:, free].T @ slopes[:, free] + np.eye(int(free.sum()))
     step = np.zeros(here.size)
-    step[free] = -np.linalg.solve(curvature + damping * np.diag(np.diag(curvature)), gradient[free])
+    for _ in range(here.size):
+        bound = np.where(free, 0.0, step)
+        step = bound.copy()
+        step[free] = _within(radius, (gradient + curvature @ bound)[free], curvature[np.ix_(free, free)])
+        beyond = free & (np.abs(here + step) > limit)
+        if not beyond.any():
+            break
+        step[beyond] = np.sign(step[beyond]) * limit - here[beyond]
+        free &= ~beyond
     return step
+
+
+def _within(radius: float, gradient: Floats, curvature: Floats) -> Floats:
+    """Return where ``gradient @ step + step @ curvature @ step / 2`` is least on steps no longer than ``radius``."""
+    size, shape = np.linalg.eigh(curvature)
+    along = shape.T @ gradient
+    damping = 0.0
+    if np.linalg.norm(along / size) > radius:
+        low, high = 0.0, float(np.linalg.norm(along)) / radius
+        for _ in range(_HALVINGS):
+            damping = 0.5 * (low + high)
+            low, high = (damping, high) if np.linalg.norm(along / (size + damping)) > radius else (low, damping)
+    return np.asarray(-shape @ (along / (size + damping)))

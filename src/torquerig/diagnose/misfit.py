@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.expectation import Expectation
 from torquerig.diagnose.features import Features
+from torquerig.diagnose.least_squares import robust_square
 from torquerig.diagnose.turning import Turning
 
 Floats = NDArray[np.float64]
@@ -26,7 +27,7 @@ TURNING_FLOOR = 0.015  # [N m]
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
 _UNMEASURED_ANGLE = 0.015
 _GATHERED = 0.08  # steady lines are gathered over their smeared width and lose little [1]
-_ROBUST = 4.0  # residuals beyond this count by their size, no longer by their square
+BEND = 4.0  # residuals beyond this count by their size, no longer by their square
 
 
 @dataclass(frozen=True)
@@ -100,8 +101,7 @@ def _wide(excess: Floats) -> Floats:
 
 def robust(residuals: Floats) -> Floats:
     """Return the residuals with the large ones pulled in, so that no single one rules a fit (pseudo-Huber)."""
-    scaled = residuals / _ROBUST
-    return np.asarray(np.sign(residuals) * _ROBUST * np.sqrt(2 * (np.sqrt(1 + scaled**2) - 1)))
+    return np.asarray(np.sign(residuals) * np.sqrt(robust_square(residuals, BEND)))
 
 
 def misfit_sum(misfits: Sequence[Misfit]) -> float:

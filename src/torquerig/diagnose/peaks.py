@@ -13,6 +13,7 @@ from torquerig.diagnose.features import shown_places
 from torquerig.diagnose.observed import Observed
 from torquerig.diagnose.places import Place, frequency, order
 from torquerig.diagnose.regression import regressed
+from torquerig.diagnose.waves import waves
 
 Floats = NDArray[np.float64]
 
@@ -117,8 +118,7 @@ def _rest(run: Observed, start: int, stop: int, known: Sequence[Place]) -> Float
 
     shown = [known[index] for index in shown_places(run, Stretch(start, stop, False), known)]
     time = np.arange(start, stop) / run.rate
-    phases = np.array([place.phase(run.angle[start:stop], time) for place in shown]).reshape(len(shown), time.size)
-    return regressed(run.torque[start:stop], phases).rest
+    return regressed(run.torque[start:stop], waves(shown, run.angle[start:stop], time)).rest
 
 
 def _over_floor(power: Floats) -> Floats:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.places import order
 from torquerig.diagnose.quasi_static import quasi_static
 from torquerig.diagnose.regression import regressed
 from torquerig.diagnose.turning import turns_back
 from torquerig.diagnose.twin import LineSource, Twin
+from torquerig.diagnose.waves import waves
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.rig import Rig
 
@@ -31,7 +34,7 @@ def with_phases_of(rig: Rig, observed: Observed) -> Rig:
     twin = Twin(rig.at(observed.run))
     sources = {(line.owner, round(line.order, 6)): line for line in twin.lines()}
     orders = sorted({order for _, order in sources})
-    pieces = _amplitudes(twin, observed, np.array(orders))
+    pieces = _amplitudes(twin, observed, orders)
     for ripple in rig.parts_of(TorqueRipple):
         turns = twin.turns[rig.node(ripple.at)]
         phases = {
@@ -42,7 +45,7 @@ def with_phases_of(rig: Rig, observed: Observed) -> Rig:
     return rig
 
 
-def _amplitudes(twin: Twin, observed: Observed, orders: Floats) -> list[tuple[NDArray[np.complex128], Floats]]:
+def _amplitudes(twin: Twin, observed: Observed, orders: Sequence[float]) -> list[tuple[NDArray[np.complex128], Floats]]:
     """Complex amplitude and frequency [Hz] of every order in each piece of the run."""
     step = max(1, int(observed.rate / _THINNED))
     angle, speed, torque = observed.angle[::step], observed.speed[::step], observed.torque[::step]
@@ -54,8 +57,9 @@ def _amplitudes(twin: Twin, observed: Observed, orders: Floats) -> list[tuple[ND
         edges = np.linspace(0, angle.size, max(1, round(angle.size / rate / _PIECE)) + 1).astype(int)
     answer = []
     for start, stop in itertools.pairwise(edges):
-        found = regressed(torque[start:stop], np.outer(orders, angle[start:stop]))
-        at = np.maximum(orders * float(np.abs(speed[start:stop]).mean()) / (2 * np.pi), _SLOWEST)
+        time = np.arange(start, stop) / rate
+        found = regressed(torque[start:stop], waves([order(each) for each in orders], angle[start:stop], time))
+        at = np.maximum(np.array(orders) * float(np.abs(speed[start:stop]).mean()) / (2 * np.pi), _SLOWEST)
         answer.append((found.amplitude, at))
     return answer
 

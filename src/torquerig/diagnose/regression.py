@@ -34,15 +34,14 @@ HANN_NOISE = 1.5  # spread of an amplitude under a Hann window, as a factor on i
 
 
 def regressed(
-    values: NDArray[np.float64], phases: NDArray[np.float64], *, window: NDArray[np.float64] | None = None
+    values: NDArray[np.float64], waves: NDArray[np.complex128], *, window: NDArray[np.float64] | None = None
 ) -> Regression:
-    """Return the least-squares amplitudes of lines whose phases [rad] are the rows of ``phases``, (lines, samples).
+    """Return the least-squares amplitudes of lines whose waves, ``exp(i phase)``, are the rows of ``waves``.
 
     ``window`` weighs the samples: a Hann window keeps strong slow noise from leaking into weak fast lines, at the price
     of ``HANN_NOISE`` and of resolution.
     """
-    count, lines = values.size, phases.shape[0]
-    waves = np.exp(1j * phases)
+    count, lines = values.size, waves.shape[0]
     basis = np.vstack([np.ones(count), np.linspace(-1.0, 1.0, count), waves.real, -waves.imag])
     weighted = basis if window is None else basis * window
     gram = weighted @ basis.T

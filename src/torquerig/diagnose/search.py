@@ -24,7 +24,7 @@ LEAST_GAIN = 40.0  # what an effect must gain to be called missing
 _FINALISTS = 5
 _POLISHED = 2  # of the best, which are fitted on until nothing moves
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
-_JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 4, 3
+_JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 3, 3
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
@@ -166,8 +166,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
 
     answer = fitted(trial.model.rig, case.model.positions, near=True)
-    well = answer.model.cost < _WELL * feature_count(answer.model)
-    if well and trial.candidate.place is not None:  # without a line of its own it may share its torque with others
+    if answer.model.cost < _WELL * feature_count(answer.model):
         return answer
     apart = case.apart if case.left and case.apart is not None else np.zeros(len(case.model.knobs))
     beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
