@@ -6,6 +6,7 @@ linear rig stays there and then jumps.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi
 
@@ -30,6 +31,7 @@ _SHORTEST = 4e-3  # [s]
 UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
 _NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
 _SLOPE = 2.5e-3  # [s] each way, over which the speed at the parting is taken
+_LONGEST = 0.95  # quantile of the distances: single ones are misjudged
 _ARCMIN = pi / 180 / 60
 _SPREADS = np.array([0.5, 0.3, 0.3, 0.5, 0.4, 0.4])  # of the logarithms, between two like runs
 
@@ -103,6 +105,12 @@ def flight_statistics(observed: Observed, rig: Rig) -> Floats:
     lengths = np.quantile([*length, _SHORTEST], [0.5, 0.9])
     distances = np.quantile([*distance, 0.5], [0.5, 0.75, 0.9])
     return np.asarray(np.log(np.array([number + 0.1, *lengths, *(distances + 0.5)])))
+
+
+def longest_flight(runs: Sequence[Observed], rig: Rig) -> float:
+    """Return how far [rad] flanks were seen to move before they met: at most the gap, less chance in single flights."""
+    every = [abs(flight.distance) for observed in runs for flight in flights(observed, rig)]
+    return float(np.quantile(every, _LONGEST)) if every else np.inf
 
 
 def flight_misfit(measured: Floats, model: Floats) -> Floats:

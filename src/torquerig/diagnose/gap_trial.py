@@ -20,7 +20,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.correction import between
 from torquerig.diagnose.expectation import Expectation
 from torquerig.diagnose.features import Features
-from torquerig.diagnose.flights import CLEARLY, blows, flight_misfit, flight_statistics
+from torquerig.diagnose.flights import CLEARLY, blows, flight_misfit, flight_statistics, longest_flight
 from torquerig.diagnose.misfit import robust
 from torquerig.diagnose.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnose.phased import with_phases_of
@@ -29,8 +29,12 @@ from torquerig.diagnose.twin import Twin
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
+Floats = NDArray[np.float64]
+
 ARCMIN = pi / 180 / 60
 _GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
+_BEYOND = 0.15  # [1] by which the gap may be wider than the longest flight across it
+_FINE = np.geomspace(_GAPS[0], _GAPS[-1], 121)
 _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
 _LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
@@ -126,29 +130,34 @@ def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None
     apart = flight_misfit if flying else near_zero_misfit
     told = [statistics(features.observed) for features in seen]
 
-    def cost(rigs: Sequence[Rig]) -> float:
+    def shown(rigs: Sequence[Rig]) -> Floats:
         copies = simulated_runs(rigs, seen, seeds=_SEEDS)
-        modelled = [np.mean([statistics(copy) for copy in each], axis=0) for each in copies]
+        return np.array([np.mean([statistics(copy) for copy in each], axis=0) for each in copies])
+
+    def cost(modelled: Floats) -> float:
         pairs = zip(told, modelled, strict=True)
         return float(sum((robust(apart(measured, model)) ** 2).sum() for measured, model in pairs))
 
-    closed = cost([rigs[row] for row in parting])
+    closed = cost(shown([rigs[row] for row in parting]))
     if closed < _LEAST_GAIN:
         return None
-    costs = [cost([_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS]
-    opened = min(costs)
-    return (_minimum(_GAPS, np.array(costs)), closed, opened) if opened < closed - _LEAST_GAIN else None
+    each = np.array([shown([_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS])
+    course = _smoothed(each)
+    costs = np.array([cost(modelled) for modelled in course])
+    longest = longest_flight([features.observed for features in seen], case.nominal) if flying else np.inf
+    at = int(np.argmin(costs + (np.log(np.maximum(_FINE / longest, 1.0)) / _BEYOND) ** 2))
+    return (float(_FINE[at]), closed, float(costs[at])) if costs[at] < closed - _LEAST_GAIN else None
 
 
-def _minimum(gaps: NDArray[np.float64], costs: NDArray[np.float64]) -> float:
-    """Return the minimum of a parabola over the logarithm of the gap through the best and its neighbours."""
-    at = int(np.argmin(costs))
-    if not 0 < at < gaps.size - 1:
-        return float(gaps[at])
-    x = np.log(gaps[at - 1 : at + 2] / gaps[at])
-    bend, slope, _ = np.polyfit(x, costs[at - 1 : at + 2], 2)
-    shift = -slope / (2 * bend) if bend > 0 else 0.0
-    return float(gaps[at] * np.exp(np.clip(shift, x[0], x[2])))
+def _smoothed(each: Floats) -> Floats:
+    """Return statistics at fine steps of the gap, shape (fine, ...), from those at ``_GAPS``, shape (gaps, ...).
+
+    Two simulations with one gap differ by chance more than those of neighbouring gaps should, so each statistic is
+    taken as a parabola over the gap's logarithm.
+    """
+    bent = np.polynomial.polynomial.polyfit(np.log(_GAPS), each.reshape(_GAPS.size, -1), 2)
+    at_each = np.polynomial.polynomial.polyval(np.log(_FINE), bent).T
+    return np.asarray(at_each.reshape(_FINE.size, *each.shape[1:]))
 
 
 def _with_gap(case: Case, gap: float) -> Candidate:
