@@ -161,6 +161,12 @@ def test_commutation_ripple_is_a_share_of_the_motor_torque(speed_rpm: float) -> 
     assert line(made, 7) > 10 * line(made, 8)
 
 
+def test_harmonics_of_a_commutation_ripple_are_lines_of_their_own_depth() -> None:
+    ripple = CommutationRipple(name="it", order_motor=7, depth=0.1, harmonics=(0.0, 0.02))
+    waves = {wave.order: wave.amplitude for wave in ripple.drive_ripple("motor", shaft(ripple))}
+    assert waves == {7: 0.1, 21: 0.02}
+
+
 def test_planet_modulation_puts_side_lines_at_the_planet_order() -> None:
     """Amplitude modulation m = 0.5 gives m/2 at z - n and z + n; the transfer changes little from 81 to 87."""
     mesh = GearMesh(name="it", order_output=84, transmission_error=(5e-5,), planets=3, planet_modulation=0.5)

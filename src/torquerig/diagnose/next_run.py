@@ -140,11 +140,15 @@ def _imagined(rig: Rig, run: Run, like: Observed) -> Observed:
 
 
 def _places(case: Case, rigs: Sequence[Rig], run: Run) -> list[Place]:
-    """Return the places of the recordings and of every line and tone that a rival has in the run."""
+    """Return the places of the recordings and of every line and tone that a rival has in the run.
+
+    But for side lines: no diagnosis looks for one that is not there, so its lack would tell nothing.
+    """
     places = dict.fromkeys(case.seen[0].places)
     for rig in rigs:
         placed = rig.at(run)
-        places.update((order(line.order), None) for line in Twin(placed).lines())
+        own = [line for line in Twin(placed).lines() if line.transfer.answer is None]
+        places.update((order(line.order), None) for line in own)
         for stage in placed.stages():
             if isinstance(stage, Tone):
                 tones = [folded(k * stage.frequency, case.runs[0].rate) for k in range(1, len(stage.amplitudes) + 1)]

@@ -15,8 +15,9 @@ from torquerig.rig.terms import Term, Wave
 
 @dataclass(frozen=True, kw_only=True)
 class CommutationRipple(Part):
-    """``T = T_motor (1 + d cos(k theta + phi))``: a line of motor order k that grows with the load.
+    """``T = T_motor (1 + d cos(k theta + phi) + sum_h d_h cos(h k theta + phi_h))``: lines that grow with the load.
 
+    ``harmonics`` are d_2, d_3, ...: a dip at each commutation is no cosine.
     k = 6p for six-step commutation, dead time and the pair of 5th and 7th back-EMF harmonics (Jahns & Soong 1996,
     IEEE Trans. Industrial Electronics 43(2)); k = 2p for unequal current gains (Chung & Sul 1998, IEEE Trans. Industry
     Applications 34(5)). The depth is a measured one; from the machine itself it follows in six_step_commutation,
@@ -29,6 +30,7 @@ class CommutationRipple(Part):
     order_motor: Annotated[float, Parameter("1", "order on the motor shaft", above=0)]
     depth: Annotated[float, Parameter("1", "share of the motor torque, zero to peak", low=0)]
     phase: float | None = None
+    harmonics: tuple[Annotated[float, Parameter("1", "share at a multiple of the order", low=0)], ...] = ()
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return none, the drive carries the ripple; InputError where ``at`` is no motor."""
@@ -38,6 +40,11 @@ class CommutationRipple(Part):
 
     def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
         """Return the ripple if ``motor`` is the one it lives in."""
-        if motor != self.at or self.depth == 0:
+        if motor != self.at:
             return ()
-        return (Wave(order=self.order_motor, amplitude=self.depth, phase=self.phase, phase_key=self.name),)
+        first = Wave(order=self.order_motor, amplitude=self.depth, phase=self.phase, phase_key=self.name)
+        others = [
+            Wave(order=multiple * self.order_motor, amplitude=depth, phase_key=f"{self.name}.{multiple}")
+            for multiple, depth in enumerate(self.harmonics, start=2)
+        ]
+        return tuple(wave for wave in (first, *others) if wave.amplitude > 0)

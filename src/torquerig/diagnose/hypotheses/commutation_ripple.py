@@ -6,14 +6,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from torquerig import mechanisms
-from torquerig.diagnose.case import Candidate, Case, line_factor
+from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.knobs import Knob
 from torquerig.diagnose.places import SAME_ORDER
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 
 _STRONGEST = 5
-_START = 0.01
+_START, _SMALL = 0.01, 1e-3
+_HARMONICS = 4
 _BESIDE_THE_FIELD = 20.0
 _DEEPEST = 1.2  # of the motor's torque
 
@@ -30,14 +31,27 @@ def propose(case: Case) -> Iterator[Candidate]:
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
             )
-            depth = _START * line_factor(case, case.model.rig + part, peak.place)
+            part = replace(part, depth=_START * line_factor(case, case.model.rig + part, peak.place))
+            part, harmonics = _with_harmonics(case, part)
             yield Candidate(
                 mechanism="commutation_ripple",
-                parts=(replace(part, depth=depth),),
-                knobs=(Knob(part.name, "depth", 1.0),),
+                parts=(part,),
+                knobs=(Knob(part.name, "depth", 1.0), *harmonics),
                 place=peak.place,
                 price=0.0 if electrical else _BESIDE_THE_FIELD,
             )
+
+
+def _with_harmonics(case: Case, part: mechanisms.CommutationRipple) -> tuple[mechanisms.CommutationRipple, list[Knob]]:
+    """Return the ripple with those of its harmonics that stand among the left lines, and their knobs."""
+    seen = {h: place for h in range(2, _HARMONICS + 1) if (place := left_line(case, h * part.order_motor))}
+    sizes = [_SMALL if h in seen else 0.0 for h in range(2, max(seen, default=1) + 1)]
+    for harmonic, place in seen.items():
+        alone = replace(
+            part, depth=0.0, harmonics=tuple(_SMALL if h == harmonic - 2 else 0.0 for h in range(len(sizes)))
+        )
+        sizes[harmonic - 2] = _SMALL * line_factor(case, case.model.rig + alone, place)
+    return replace(part, harmonics=tuple(sizes)), [Knob(part.name, "harmonics", 1.0, key=h - 2) for h in seen]
 
 
 def possible(part: Part) -> bool:
