@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from proof.library import library_of
-from torquerig.diagnose.convincing import share_of
+from torquerig.diagnose.choosing.convincing import share_of
+from torquerig.diagnose.choosing.search import Trial, trials
 from torquerig.diagnose.diagnose import diagnose
-from torquerig.diagnose.search import Trial, trials
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
 

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 from proof.library import library_of
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.identifying import identifying
+from torquerig.diagnose.choosing.search import Trial, extended, trials
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Diagnosis, Finding
-from torquerig.diagnose.held_out import held_out
-from torquerig.diagnose.identifying import identifying
-from torquerig.diagnose.search import Trial, extended, trials
+from torquerig.diagnose.judging.held_out import held_out
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from proof.baselines.named_lines import BLADES, MAINS, TEETH
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.places import SAME_ORDER
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import SAME_ORDER
 from torquerig.rig.parts import Motor
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of

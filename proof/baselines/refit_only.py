@@ -7,7 +7,7 @@ from typing import Any
 from proof.baselines.verdict import verdict
 from torquerig.diagnose.diagnose import Outcome
 from torquerig.diagnose.diagnosis import METRIC
-from torquerig.diagnose.leftover import mismatches
+from torquerig.diagnose.judging.leftover import mismatches
 
 
 def refit_only(outcome: Outcome) -> dict[str, Any]:

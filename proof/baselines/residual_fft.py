@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from proof.baselines.named_lines import NamedLine, named_lines
 from proof.baselines.verdict import Named, verdict
 from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 

@@ -14,7 +14,7 @@ from proof.baselines.residual_fft import lines_of
 from proof.baselines.stlsq import solver, stlsq
 from proof.baselines.verdict import Named, verdict
 from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.rig.rig import Rig
 
 Floats = NDArray[np.float64]

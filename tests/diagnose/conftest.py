@@ -12,8 +12,8 @@ import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.diagnose.observed import Observed, observed
-from torquerig.diagnose.shaft_angle import ShaftAngle
+from torquerig.diagnose.looking.observed import Observed, observed
+from torquerig.diagnose.looking.shaft_angle import ShaftAngle
 from torquerig.document import read_document
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.rig import Rig

@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.bands import BANDS_PER_OCTAVE, band_edges, bands, no_bands, spectrum
+from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE, band_edges, bands, no_bands, spectrum
 
 RATE, SAMPLES, STRETCHES = 2000.0, 4000, 4
 SIGMA = 0.2

@@ -8,8 +8,8 @@ from math import pi
 
 import numpy as np
 
-from torquerig.diagnose.candidate_runs import candidate_runs
-from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.advising.candidate_runs import candidate_runs
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.scenario.reading import Scenario
 
 RATE = 500.0

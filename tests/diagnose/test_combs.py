@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from torquerig.diagnose.combs import without_comb
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import frequency, order
+from torquerig.diagnose.looking.combs import without_comb
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import frequency, order
 
 
 def peak(at: float) -> Peak:

@@ -7,15 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnose import convincing as judging
-from torquerig.diagnose import leftover
-from torquerig.diagnose.calibration import Calibrated
 from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing import convincing as judging
+from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.misfit import Misfit
 from torquerig.diagnose.hypotheses import is_possible
-from torquerig.diagnose.leftover import Mismatch, detail_of
-from torquerig.diagnose.misfit import Misfit
+from torquerig.diagnose.judging import leftover
+from torquerig.diagnose.judging.leftover import detail_of
 from torquerig.diagnose.null_table import NullTable
-from torquerig.diagnose.search import Trial
 from torquerig.mechanisms import CommutationRipple
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario

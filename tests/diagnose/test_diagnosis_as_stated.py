@@ -9,10 +9,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnose.calibration import calibrated
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import as_json
-from torquerig.diagnose.knobs import Knob, nuisance_knobs, turned
+from torquerig.diagnose.fitting.calibration import calibrated
+from torquerig.diagnose.fitting.knobs import Knob, nuisance_knobs, turned
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnose.difference_quotients import quotients
+from torquerig.diagnose.fitting.difference_quotients import quotients
 
 
 def scattered(seed: int) -> np.ndarray:

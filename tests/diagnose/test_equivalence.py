@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnose.equivalence import CHANCE, difference
-from torquerig.diagnose.misfit import Misfit
+from torquerig.diagnose.choosing.equivalence import CHANCE, difference
+from torquerig.diagnose.fitting.misfit import Misfit
 
 NONE = np.zeros(0)
 

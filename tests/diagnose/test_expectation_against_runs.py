@@ -9,15 +9,15 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.expectation import expected
-from torquerig.diagnose.features import Features, features
-from torquerig.diagnose.misfit import misfit
-from torquerig.diagnose.observed import observed
-from torquerig.diagnose.places import frequency, order
-from torquerig.diagnose.quasi_static import quasi_static
-from torquerig.diagnose.search import LEAST_GAIN
-from torquerig.diagnose.shaft_angle import ShaftAngle, shaft_angles
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.choosing.search import LEAST_GAIN
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.misfit import misfit
+from torquerig.diagnose.linear.quasi_static import quasi_static
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.observed import observed
+from torquerig.diagnose.looking.places import frequency, order
+from torquerig.diagnose.looking.shaft_angle import ShaftAngle, shaft_angles
 from torquerig.mechanisms import (
     BladePass,
     CommutationRipple,

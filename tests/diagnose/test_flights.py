@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.flights import CLEARLY, blows, flight_misfit, flight_statistics, flights
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.shaft_angle import ShaftAngle
-from torquerig.diagnose.simulated import simulated
+from torquerig.diagnose.expecting.simulated import simulated
+from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, flights
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.shaft_angle import ShaftAngle
 from torquerig.mechanisms import Backlash
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -64,7 +64,7 @@ def test_a_torque_that_stays_high_or_passes_zero_in_haste_is_no_flight(by_hand: 
 def turning_back(wear_rig: Scenario, record: Callable[..., Recording]) -> Observed:
     recording = record(wear_rig.rig, 3, rpm=600.0, occupancy=0.0, profile="reversal", duration=6.0, rate=RATE)
     angle = recording.channels["encoder_count"].in_si()
-    from torquerig.diagnose.observed import observed
+    from torquerig.diagnose.looking.observed import observed
 
     return observed(recording, ShaftAngle(angle, True, "by the encoder"), ratio=5.0, factor=1.0)
 

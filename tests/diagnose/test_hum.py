@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from torquerig.diagnose.hum import fundamental, harmonics_of, hum_places
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import frequency, order
+from torquerig.diagnose.looking.hum import fundamental, harmonics_of, hum_places
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import frequency, order
 
 
 def line(at: float, excess: float = 100.0) -> Peak:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from torquerig.diagnose.least_squares import minimum
+from torquerig.diagnose.fitting.least_squares import minimum
 
 LIMIT = 5.0
 

@@ -9,12 +9,12 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.expectation import Expectation, expected
-from torquerig.diagnose.explained import explained_share, left_at_its_places
-from torquerig.diagnose.features import Features, features
-from torquerig.diagnose.misfit import LINE_TOLERANCE, Misfit, misfit
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.places import frequency, order
+from torquerig.diagnose.choosing.explained import explained_share, left_at_its_places
+from torquerig.diagnose.expecting.expectation import Expectation, expected
+from torquerig.diagnose.fitting.misfit import LINE_TOLERANCE, Misfit, misfit
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import frequency, order
 from torquerig.scenario.reading import Scenario
 
 RATE = 5000.0

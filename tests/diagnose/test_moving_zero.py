@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.expectation import expected
-from torquerig.diagnose.features import features
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.simulated import expected_by_simulation, simulated
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.expecting.simulated import expected_by_simulation, simulated
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.mechanisms import SensorDrift
 from torquerig.scenario.reading import Scenario
 

@@ -10,9 +10,9 @@ import pytest
 from threadpoolctl import threadpool_limits
 
 from torquerig import mechanisms
+from torquerig.diagnose.choosing.search import Tried
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Finding
-from torquerig.diagnose.search import Tried
 from torquerig.mechanisms import Cogging, CommutationRipple, PwmAliasing
 from torquerig.rig.part import Part
 from torquerig.scenario.reading import Scenario
@@ -112,7 +112,7 @@ def test_every_mechanism_is_found_fitted_or_set_aside_with_a_reason(comb_at_one_
 def test_a_mechanism_that_is_not_there_is_set_aside_for_that(
     comb_at_one_speed: Outcome, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from torquerig.diagnose.set_aside import set_aside
+    from torquerig.diagnose.choosing.set_aside import set_aside
 
     monkeypatch.delattr(mechanisms, "SensorDrift")
     monkeypatch.delattr(mechanisms, "Backlash")

@@ -8,10 +8,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.order_or_fixed import DECIDED, evidence, may_be_fixed, rather_fixed
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import order
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.order_or_fixed import DECIDED, evidence, may_be_fixed, rather_fixed
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import order
 from torquerig.scenario.reading import Scenario
 
 RATE, SAMPLES, SPEED = 2000.0, 16_000, 1000 / 60 * 2 * pi

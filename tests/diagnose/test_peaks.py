@@ -8,10 +8,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.lines_left import lines_left
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.peaks import peaks
-from torquerig.diagnose.places import Place, frequency, order
+from torquerig.diagnose.looking.lines_left import lines_left
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.peaks import peaks
+from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.scenario.reading import Scenario
 
 RATE, SAMPLES = 2000.0, 16_000

@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.regression import HANN_NOISE, regressed
+from torquerig.diagnose.looking.regression import HANN_NOISE, regressed
 
 SAMPLES, TRIALS = 1000, 400
 TIME = np.arange(SAMPLES) / SAMPLES

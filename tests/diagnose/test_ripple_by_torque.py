@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.linear.twin import Twin
 from torquerig.mechanisms import CommutationRipple, TorqueRipple
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.run import Run

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import butter, lfilter, welch
 
-from torquerig.diagnose.rounding_noise import rounding_density, rounding_tolerance
+from torquerig.diagnose.expecting.rounding_noise import rounding_density, rounding_tolerance
 
 RATE = 5000.0
 FREQUENCY = np.geomspace(1.0, 2400.0, 90)

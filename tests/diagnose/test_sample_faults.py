@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnose.sample_faults import bridged, coarse_codes, dropouts, flat_tops, gaps
+from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, gaps
 from torquerig.diagnose.sample_findings import sample_findings
 from torquerig.mechanisms import Clipping, Quantization, SignalDropout
 from torquerig.rig.rig import Rig

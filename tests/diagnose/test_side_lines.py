@@ -7,11 +7,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnose.lines_left import lines_left
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import order
-from torquerig.diagnose.side_lines import without_side_lines
+from torquerig.diagnose.looking.lines_left import lines_left
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.side_lines import without_side_lines
 from torquerig.scenario.reading import Scenario
 
 RATE, SAMPLES = 4000.0, 48_000

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.signal import welch
 
-from torquerig.diagnose.skirts import _straying
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.expecting.skirts import _straying
+from torquerig.diagnose.linear.twin import Twin
 from torquerig.mechanisms import TorqueRipple
 from torquerig.scenario.reading import Scenario
 from torquerig.simulate.simulate import simulate

@@ -8,10 +8,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import frequency, order
-from torquerig.diagnose.steady_tone import _share_in_line, sounds_all_along
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import frequency, order
+from torquerig.diagnose.looking.steady_tone import _share_in_line, sounds_all_along
 
 RATE, SAMPLES = 5000.0, 60_000
 TIME = np.arange(SAMPLES) / RATE

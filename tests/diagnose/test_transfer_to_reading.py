@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnose.transfer import on_grid
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.linear.transfer import on_grid
+from torquerig.diagnose.linear.twin import Twin
 from torquerig.mechanisms import ToothMesh, TorsionalMode
 from torquerig.rig.parts import Body, Gear
 from torquerig.rig.rig import Rig

@@ -8,10 +8,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.features import features
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.places import order
-from torquerig.diagnose.turning import turning, turns_back
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.turning import turning, turns_back
 
 RATE, LENGTH = 5000.0, 6.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

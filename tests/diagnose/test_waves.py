@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnose.places import frequency, order
-from torquerig.diagnose.waves import waves
+from torquerig.diagnose.looking.places import frequency, order
+from torquerig.diagnose.looking.waves import waves
 
 TIME = np.arange(5000) / 1000
 ANGLE = 104.7 * TIME + 3 * np.sin(2 * TIME)

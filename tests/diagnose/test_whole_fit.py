@@ -7,12 +7,12 @@ from math import pi
 
 import numpy as np
 
-from torquerig.diagnose.calibration import Calibrated
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.features import features
-from torquerig.diagnose.misfit import Misfit
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.whole_fit import misfit_as_a_whole
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.misfit import Misfit
+from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.scenario.reading import Scenario
 
 RATE = 5000.0

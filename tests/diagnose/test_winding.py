@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from torquerig.diagnose.kernel import elastic_plastic
-from torquerig.diagnose.twin import Twin
-from torquerig.diagnose.winding import compliance, wound_torque
+from torquerig.diagnose.linear.kernel import elastic_plastic
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.linear.winding import compliance, wound_torque
 from torquerig.mechanisms import StribeckFriction, TorqueRipple
 from torquerig.rig.parts import Coupling, Gear, TorqueSensor
 from torquerig.scenario.reading import Scenario

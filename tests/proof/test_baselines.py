@@ -15,7 +15,7 @@ from proof.baselines.stlsq import own_stlsq, pysindy_stlsq, stlsq
 from proof.baselines.verdict import Named, verdict
 from proof.prove.diagnosing import nominal_scenario
 from proof.scoring.claims import claim_of
-from torquerig.diagnose.observed import Observed, Stretch
+from torquerig.diagnose.looking.observed import Observed, Stretch
 from torquerig.signals.recording import Channel, Recording
 from torquerig.signals.run import Run
 

@@ -15,9 +15,9 @@ from threadpoolctl import threadpool_limits
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
-from torquerig.diagnose.comparison import Compared, compared, most_telling
-from torquerig.diagnose.comparison_curves import held_spans, line_wave, order_spectrum, window_of
 from torquerig.diagnose.diagnose import Outcome, diagnose
+from torquerig.diagnose.showing.comparison import Compared, compared, most_telling
+from torquerig.diagnose.showing.comparison_curves import held_spans, line_wave, order_spectrum, window_of
 from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.report.diagnosis_causes import FOUND, KNOWN, causes

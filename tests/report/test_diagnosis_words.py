@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut
-from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, Mismatch
 from torquerig.report.diagnosis_words import chance_text, kind_text, place_text, verdict_sentence
 
 FIT = HeldOut(nominal=9.0, before=8.0, after=1.05, improvement=(0.87, 0.8, 0.9))

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.calibration import Calibrated, misfits_of
-from torquerig.diagnose.expectation import expected
-from torquerig.diagnose.features import Features
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.misfit import misfit_sum
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.fitting.misfit import misfit_sum
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import SAME_ORDER, Place
 from torquerig.diagnose.null_table import NullTable
-from torquerig.diagnose.observed import Observed
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.places import SAME_ORDER, Place
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 

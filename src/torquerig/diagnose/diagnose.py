@@ -6,26 +6,26 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 
-from torquerig.diagnose.calibration import calibrated
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.combs import without_comb
-from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, UsedRecording, Verdict
-from torquerig.diagnose.features import Features, features
+from torquerig.diagnose.choosing.identifying import identifying
+from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, Mismatch, UsedRecording, Verdict
 from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
+from torquerig.diagnose.fitting.calibration import calibrated
+from torquerig.diagnose.fitting.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.free_names import with_free_names
-from torquerig.diagnose.held_out import held_out
-from torquerig.diagnose.hum import hum_places
-from torquerig.diagnose.identifying import identifying
-from torquerig.diagnose.knobs import nuisance_knobs, with_free_load
-from torquerig.diagnose.leftover import Mismatch, detail_of, mismatches
-from torquerig.diagnose.lines_left import known_places, lines_left, strong_orders
+from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.judging.leftover import detail_of, mismatches
+from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
+from torquerig.diagnose.looking.combs import without_comb
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.hum import hum_places
+from torquerig.diagnose.looking.lines_left import known_places, lines_left, strong_orders
+from torquerig.diagnose.looking.observed import Observed, observed
+from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.diagnose.null_table import null_table, without_table
-from torquerig.diagnose.observed import Observed, observed
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS, explanation
-from torquerig.diagnose.shaft_angle import shaft_angles
-from torquerig.diagnose.whole_fit import LARGEST, misfit_as_a_whole
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario

@@ -6,20 +6,20 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
+from torquerig.diagnose.advising.next_run import next_run
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.confidence import confidence
-from torquerig.diagnose.convincing import convincing, promising, share_of, worth
+from torquerig.diagnose.choosing.confidence import confidence
+from torquerig.diagnose.choosing.convincing import convincing, promising, share_of, worth
+from torquerig.diagnose.choosing.equivalence import equivalents
+from torquerig.diagnose.choosing.explained import LARGEST_REST, LEAST_SHARE, explained_share, left_at_its_places
+from torquerig.diagnose.choosing.identifying import identifying
+from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
+from torquerig.diagnose.choosing.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
+from torquerig.diagnose.choosing.set_aside import set_aside
 from torquerig.diagnose.diagnosis import Finding
-from torquerig.diagnose.equivalence import equivalents
-from torquerig.diagnose.explained import LARGEST_REST, LEAST_SHARE, explained_share, left_at_its_places
-from torquerig.diagnose.features import Features
-from torquerig.diagnose.identifying import identifying
+from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.neutral import in_words
-from torquerig.diagnose.next_run import next_run
-from torquerig.diagnose.revising import Accepted, only, revised, with_all
-from torquerig.diagnose.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
 from torquerig.diagnose.sentences import explanation
-from torquerig.diagnose.set_aside import set_aside
 
 Progress = Callable[[str], None]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import log10, pi
 
-from torquerig.diagnose.leftover import Mismatch
-from torquerig.diagnose.observed import Observed
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.errors import InputError, RecordingError
 from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.sample_faults import bridged, coarse_codes, dropouts, flat_tops
+from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording

@@ -8,10 +8,10 @@ from math import pi
 
 import numpy as np
 
-from torquerig.diagnose.comparison import Compared
 from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.leftover import Mismatch
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.showing.comparison import Compared
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.stages.tone import Tone, folded

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from torquerig.diagnose.comparison import Compared, Side
-from torquerig.diagnose.comparison_curves import held_spans, slow_course
+from torquerig.diagnose.showing.comparison import Compared, Side
+from torquerig.diagnose.showing.comparison_curves import held_spans, slow_course
 from torquerig.report.diagnosis_spectrum_figure import AFTER, BEFORE, RECORDED
 from torquerig.report.picture import new_figure
 

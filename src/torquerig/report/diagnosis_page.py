@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from torquerig import __version__
-from torquerig.diagnose.comparison import Compared, compared
 from torquerig.diagnose.diagnose import Outcome
 from torquerig.diagnose.diagnosis import METRIC, Finding
+from torquerig.diagnose.showing.comparison import Compared, compared
 from torquerig.report import diagnosis_pictures as pictures
 from torquerig.report import diagnosis_tables as tables
 from torquerig.report.diagnosis_words import WORDS, mechanism_text, verdict_sentence

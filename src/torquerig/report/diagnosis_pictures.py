@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from torquerig.diagnose.comparison import Compared, most_telling
 from torquerig.diagnose.diagnose import Outcome
+from torquerig.diagnose.showing.comparison import Compared, most_telling
 from torquerig.report.diagnosis_causes import causes
 from torquerig.report.diagnosis_course_figure import diagnosis_course_figure
 from torquerig.report.diagnosis_places_figure import MOST, diagnosis_places_figure

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.report.diagnosis_words import chance_text, place_text
 from torquerig.report.picture import new_figure
 

@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator
 
-from torquerig.diagnose.comparison import Compared, Side
-from torquerig.diagnose.misfit import BAND_TOLERANCE
+from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE
+from torquerig.diagnose.showing.comparison import Compared, Side
 from torquerig.report.diagnosis_spectrum_figure import AFTER, BEFORE
 from torquerig.report.picture import new_figure
 

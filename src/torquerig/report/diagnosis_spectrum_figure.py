@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from numpy.typing import NDArray
 
-from torquerig.diagnose.comparison import Compared
-from torquerig.diagnose.comparison_curves import order_spectrum
+from torquerig.diagnose.showing.comparison import Compared
+from torquerig.diagnose.showing.comparison_curves import order_spectrum
 from torquerig.report.diagnosis_causes import KNOWN, Cause
 from torquerig.report.envelope import envelope
 from torquerig.report.picture import new_figure

@@ -8,12 +8,11 @@ from typing import Any, get_args, get_type_hints
 
 import numpy as np
 
-from torquerig.diagnose.calibration import Calibrated
-from torquerig.diagnose.comparison import Compared
 from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.diagnosis import Finding
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.diagnosis import Finding, Mismatch
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.showing.comparison import Compared
 from torquerig.parameter import Parameter
 from torquerig.report.diagnosis_words import chance_text, kind_text, mechanism_text, place_text
 from torquerig.report.layout import Cell, Table, number, plain, words

@@ -7,8 +7,8 @@ from math import pi
 import numpy as np
 from matplotlib.figure import Figure
 
-from torquerig.diagnose.comparison import Compared
-from torquerig.diagnose.comparison_curves import line_wave, window_of
+from torquerig.diagnose.showing.comparison import Compared
+from torquerig.diagnose.showing.comparison_curves import line_wave, window_of
 from torquerig.report.diagnosis_spectrum_figure import AFTER, BEFORE, RECORDED
 from torquerig.report.envelope import envelope
 from torquerig.report.picture import new_figure

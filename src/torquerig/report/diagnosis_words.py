@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from torquerig.diagnose.diagnosis import Diagnosis, Finding
-from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.diagnosis import Diagnosis, Finding, Mismatch
 from torquerig.report.layout import plain
 
 _SMALLEST = 1e-12

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.impacts import impact_orders
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.loaded_part import loaded_part
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.linear.loaded_part import loaded_part
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.impacts import impact_orders
 
 _AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3)  # [N m]
 _DAMPING = 0.05

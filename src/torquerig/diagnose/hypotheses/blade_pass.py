@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, line_factor
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.loaded_part import loaded_part
-from torquerig.diagnose.places import SAME_ORDER
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.linear.loaded_part import loaded_part
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.places import SAME_ORDER
 
 _STRONGEST = 5
 _MOST_BLADES = 60

@@ -7,8 +7,8 @@ from math import lcm
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.places import Place
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.places import Place
 from torquerig.rig.parts import Motor
 
 _START = 0.001  # [N m]

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.places import SAME_ORDER
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.places import SAME_ORDER
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 

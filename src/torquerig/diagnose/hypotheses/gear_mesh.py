@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.places import SAME_ORDER, order
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.parts import BeltStage, Gear
 from torquerig.scenario.kinematics import gears_to_sensor
 

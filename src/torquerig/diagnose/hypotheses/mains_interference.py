@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.hum import ALWAYS, GRIDS, fundamental, harmonics_of
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.order_or_fixed import fixed_lines
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.hypotheses.fixed_lines import fixed_lines
+from torquerig.diagnose.looking.hum import ALWAYS, GRIDS, fundamental, harmonics_of
 
 _START = 2e-3  # [V]
 

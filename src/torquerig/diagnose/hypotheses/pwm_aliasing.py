@@ -8,10 +8,10 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.order_or_fixed import doubtful_lines, fixed_lines
-from torquerig.diagnose.peaks import Peak
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.hypotheses.fixed_lines import doubtful_lines, fixed_lines
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.peaks import Peak
 
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading
 _STRONGEST = 3

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.linear.loaded_part import loaded_part
 
 _STARTS = (1e-5, 1e-4, 1e-3)  # [N m s^2/rad^2]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.parts import Body, Motor, TorqueSensor
 from torquerig.scenario.kinematics import gears_to_sensor
 

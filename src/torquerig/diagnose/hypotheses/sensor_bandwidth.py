@@ -8,7 +8,7 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.rig.parts import TorqueSensor
 
 _LOWEST = 15.0  # [Hz]

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig import mechanisms
-from torquerig.diagnose.added_signals import zero_of
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
-from torquerig.diagnose.expectation import expected
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.misfit import LEVEL_FLOOR
-from torquerig.diagnose.twin import Twin
+from torquerig.diagnose.expecting.added_signals import zero_of
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.fitting.misfit import LEVEL_FLOOR
+from torquerig.diagnose.linear.twin import Twin
 
 _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording
 _START = 0.15  # [V] where the levels tell no span

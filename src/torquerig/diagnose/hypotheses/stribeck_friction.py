@@ -8,8 +8,8 @@ from itertools import product
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.rig import Rig
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]

@@ -8,8 +8,8 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.loaded_part import loaded_part
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.parts import Body
 
 _FREQUENCIES = np.geomspace(15.0, 900.0, 48)

@@ -9,7 +9,7 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.lines import Line, lines_in
 from torquerig.diagnose.motion.moved import Moved, imposed_part

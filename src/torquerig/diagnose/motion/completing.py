@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion import cogging, friction, gap, others
 from torquerig.diagnose.motion.evidence import LEAST_GAIN, gained, root_mean_square, samples_that_count
 from torquerig.diagnose.motion.fitted import FittedMotion, fitted

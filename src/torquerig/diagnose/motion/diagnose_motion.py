@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, UsedRecording, Verdict, as_json
-from torquerig.diagnose.knobs import nuisance_knobs
-from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
+from torquerig.diagnose.fitting.knobs import nuisance_knobs
 from torquerig.diagnose.motion.completing import Step, completed
 from torquerig.diagnose.motion.fitted import FittedMotion, residuals_of
 from torquerig.diagnose.motion.friction import without_peak

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.knobs import Knob, turned
+from torquerig.diagnose.fitting.knobs import Knob, turned
 from torquerig.diagnose.motion.evidence import root_mean_square, samples_that_count
 from torquerig.diagnose.motion.moved import BAND, Mask, Moved
 from torquerig.diagnose.motion.predicted import predicted

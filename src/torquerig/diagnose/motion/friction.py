@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.lines import moving
 from torquerig.diagnose.motion.moved import Moved, imposed_part

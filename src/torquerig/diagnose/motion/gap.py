@@ -8,7 +8,7 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.moved import Moved
 from torquerig.rig.parts import Gear, Link

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.knobs import Knob
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.friction import carrier
 from torquerig.diagnose.motion.moved import BAND, Moved

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import erfc, log10, pi, sqrt
 
-from torquerig.diagnose.leftover import Mismatch
+from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.level import BINS, level_off
 from torquerig.diagnose.motion.lines import Line, in_a_line, lines_in, moving

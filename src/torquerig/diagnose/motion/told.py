@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import exp, pi
 from typing import Any
 
-from torquerig.diagnose.confidence import confidence
+from torquerig.diagnose.choosing.confidence import confidence
 from torquerig.diagnose.diagnosis import Finding, Stated
 from torquerig.diagnose.motion.completing import Step, Tried
 from torquerig.diagnose.motion.evidence import root_mean_square

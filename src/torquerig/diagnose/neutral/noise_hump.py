@@ -8,10 +8,10 @@ import numpy as np
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.expectation import expected
-from torquerig.diagnose.features import Features
-from torquerig.diagnose.knobs import Knob
-from torquerig.diagnose.misfit import misfit
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.fitting.misfit import misfit
+from torquerig.diagnose.looking.features import Features
 
 NAME = "noise_hump"
 _WIDTHS = (0.01, 0.05, 0.2)

@@ -1,0 +1,68 @@
+"""When is an effect called missing? It gains enough, explains its places, and foretells what no fit has seen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.explained import LEAST_SHARE, LEAST_SHARE_WHERE_ALL_FITS, explained_share
+from torquerig.diagnose.choosing.search import LEAST_GAIN, Trial, excess, feature_count
+from torquerig.diagnose.fitting.calibration import misfits_of
+from torquerig.diagnose.fitting.misfit import misfit_sum
+from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnose.looking.features import Features
+
+_WHOLLY = 6  # power of the share by which gains are compared
+_LARGE = 100.0  # gain above which a smaller share is enough, if the model then fits as a whole
+_OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
+_PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
+
+
+def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequence[Features]) -> bool:
+    """Whether the trial may be named.
+
+    Parameters
+    ----------
+    case : Case
+        Before it.
+    trial : Trial
+    earlier : sequence of Trial
+        What was taken into the model before.
+    held : sequence of Features
+        Of the stretches that no fit has seen.
+    """
+    if trial.candidate.description and not mismatches(case):
+        return False  # what does not stand out needs no description
+    least = max([_least_gain(case, trial), *(_OF_EARLIER * each.gain for each in earlier if case.model.corrections)])
+    fits = trial.gain > _LARGE and trial.model.cost < feature_count(trial.model)
+    enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
+    return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
+
+
+def _least_gain(case: Case, trial: Trial) -> float:
+    if case.thresholds is None:
+        return LEAST_GAIN
+    return case.thresholds.least_gain(trial.candidate.mechanism, built_in=LEAST_GAIN)
+
+
+def promising(case: Case, trial: Trial) -> bool:
+    """Whether the trial takes away so much that it is worth asking what another beside it would do."""
+    much = trial.gain > max(_PROMISING_GAIN * excess(case), LEAST_GAIN)
+    return much and not trial.candidate.description and share_of(case, trial) > _PROMISING_SHARE
+
+
+def worth(case: Case, trial: Trial) -> float:
+    """Return the gain, less for what leaves a rest at its places: a stand-in may gain more than what is there."""
+    return trial.gain * max(share_of(case, trial), 0.0) ** _WHOLLY
+
+
+def share_of(case: Case, trial: Trial) -> float:
+    """Return the part of the misfit at its places that the trial explains [1]."""
+    return explained_share(case.model.misfits, trial.model.misfits, beside=trial.beside)
+
+
+def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
+    """Whether what no fit has seen is foretold no worse with the effect; beyond the twin only simulations can tell."""
+    if trial.model.corrections or case.model.corrections:
+        return True
+    return misfit_sum(misfits_of(trial.model.rig, held)) <= misfit_sum(misfits_of(case.model.rig, held))

@@ -1,0 +1,45 @@
+"""How much of what a model missed an effect explains, at the very places where it changes something."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.fitting.misfit import Misfit, robust
+
+LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
+_CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
+LEAST_SHARE = 0.8
+LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out
+
+
+def explained_share(
+    before: Sequence[Misfit], after: Sequence[Misfit], *, beside: tuple[float, float] = (0.0, 0.0)
+) -> float:
+    """Return 1 - (excess misfit left) / (excess misfit before) over the features that the effect changes.
+
+    An effect that is there explains its places down to chance; one that only resembles what is there leaves a rest.
+    ``beside`` are misfits before and after of what no feature holds.
+    """
+    old = np.concatenate([robust(misfit.all()) ** 2 for misfit in before])
+    new = np.concatenate([robust(misfit.all()) ** 2 for misfit in after])
+    place = old - new > _CHANGED
+    excess = float(np.maximum(old[place] - 1, 0).sum()) + beside[0]
+    return 1 - (float(np.maximum(new[place] - 1, 0).sum()) + beside[1]) / excess if excess > 0 else 0.0
+
+
+def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], final: Sequence[Misfit]) -> float:
+    """Return the mean robust square that the final model leaves at the features that the effect changed, 1 by chance.
+
+    Large where an effect took what it could of something else, and nothing found since took the rest. Only the slow
+    torque counts: a few large lines and the bands beside them miss by what no model of a strong line gets right.
+    """
+    old, new, rest = (np.concatenate([_slow(misfit) for misfit in each]) for each in (before, with_it, final))
+    place = old - new > _CHANGED
+    return float(rest[place].mean()) if place.any() else 0.0
+
+
+def _slow(misfit: Misfit) -> NDArray[np.float64]:
+    return robust(np.concatenate([misfit.level, misfit.turning])) ** 2

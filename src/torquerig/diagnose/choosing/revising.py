@@ -1,0 +1,99 @@
+"""Looking back once all effects are in: each must be needed beside the others, and still be the best of its kind.
+
+An effect that was taken first, while another was missing, may have stood in for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.search import LEAST_GAIN, PER_KNOB, Trial, Tried, extended, trials, unexplained
+from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Accepted:
+    """A trial that was taken into the model, with the case before it and all that were tried there."""
+
+    before: Case
+    trial: Trial
+    tried: Tried
+
+
+def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
+    """Return the effects that remain when each had to prove itself beside the others.
+
+    Parameters
+    ----------
+    first : Case
+        The calibrated nominal model, with all left lines.
+    accepted : sequence of Accepted
+        In the order in which they were taken.
+    """
+    kept = list(accepted)
+    at = 0
+    while len(kept) > 1 and at < len(kept) - 1:  # the last one was chosen beside all others
+        if kept[at].trial.model.corrections:
+            at += 1
+            continue
+        others = _without(first, kept, at)
+        final = kept[-1].trial.model
+        if others.model.cost - final.cost < LEAST_GAIN + PER_KNOB * len(kept[at].trial.candidate.knobs):
+            kept = [*kept[:at], *kept[at + 1 :]]
+            before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
+            kept[-1] = replace(kept[-1], before=before, trial=_as_last(kept, others.model))
+            continue
+        tried = trials(others, simulated=False)
+        better = tried.fitted[0] if tried.fitted else None
+        if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
+            kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
+            continue
+        at += 1
+    return tuple(kept)
+
+
+def _other(one: Trial, other: Trial) -> bool:
+    return one.candidate.mechanism != other.candidate.mechanism
+
+
+def _as_last(kept: Sequence[Accepted], model: Calibrated) -> Trial:
+    """Return the last trial with the model that holds what is kept."""
+    return replace(kept[-1].trial, model=model)
+
+
+def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
+    """Return the case with all effects but one, its numbers fitted again from where they stood."""
+    candidates = [each.trial.candidate for row, each in enumerate(accepted) if row != index]
+    bare = replace(first, accepted=tuple(candidates))
+    rig, gone = bare.nominal_with_accepted(), {part.name for part in accepted[index].trial.candidate.parts}
+    final = accepted[-1].trial.model
+    rows = [row for row, knob in enumerate(final.knobs) if knob.part not in gone]
+    knobs = tuple(final.knobs[row] for row in rows)
+    corrections = final.corrections or None
+    known = None if final.jacobian is None else final.jacobian[:, rows]
+    there, afresh = (
+        calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known, near=False)
+        for start in (final.positions[rows], np.zeros(len(knobs)))
+    )
+    model = min(there, afresh, key=lambda each: each.cost)
+    return replace(bare, model=model, left=unexplained(first.left, first, model), apart=None)
+
+
+def with_all(case: Case, accepted: Sequence[Accepted]) -> Case:
+    """Return the case with the effects in its model."""
+    for each in accepted:
+        case = extended(case, each.trial)
+    return case
+
+
+def only(first: Case, accepted: Sequence[Accepted], gone: Accepted) -> tuple[Case, list[Accepted]]:
+    """Return the case and the effects without one of them, the numbers fitted again."""
+    case = _without(first, accepted, accepted.index(gone))
+    kept = [each for each in accepted if each is not gone]
+    if kept:
+        kept[-1] = replace(kept[-1], trial=_as_last(kept, case.model))
+    return (case if kept else first), kept

@@ -1,0 +1,185 @@
+"""Which effects complete the model: each hypothesis fitted beside the model's own numbers, the best kept, and again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing.gap_trial import fitted_gap, flanks_fly, gap_is_possible, simulated_model
+from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
+from torquerig.diagnose.fitting.knobs import turned
+from torquerig.diagnose.hypotheses import is_possible, proposals
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.neutral import descriptions
+from torquerig.errors import SimulationError
+from torquerig.rig.rig import Rig
+
+MOST_EFFECTS = 3
+PER_KNOB = 5.0  # what a further number must gain, beside the square of its own position
+LEAST_GAIN = 40.0  # what an effect must gain to be called missing
+_FINALISTS = 5
+_POLISHED = 2  # of the best, which are fitted on until nothing moves
+_WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
+_JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 3, 3
+_WELL = 1.2  # misfit per feature below which a fit needs no second start
+_EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
+_CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A candidate fitted together with all numbers of the model; ``gain`` is what the misfit fell by, knobs paid.
+
+    ``beside`` is the misfit of what no twin expects, before and with it: how flanks fly across a gap.
+    """
+
+    candidate: Candidate
+    model: Calibrated
+    gain: float
+    beside: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Tried:
+    """The hypotheses, best first: ``fitted`` with all numbers free, ``screened`` all of them, the model held fast.
+
+    ``gap_failed`` where a gap was to be tried, and the model around it could not be simulated.
+    """
+
+    fitted: tuple[Trial, ...]
+    screened: tuple[Trial, ...]
+    gap_failed: bool = False
+
+
+def trials(case: Case, *, simulated: bool = True) -> Tried:
+    """Return the hypotheses fitted to what the model leaves.
+
+    All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
+    numbers free. ``simulated`` ones, which take longest, may be left out.
+    """
+    screened = [_screened(case, candidate) for candidate in (*proposals(case), *descriptions(case))]
+    screened.sort(key=lambda trial: -trial.gain)
+    top = screened[0].gain if screened else 0.0
+    finalists: list[Trial] = []
+    for trial in screened:
+        if (
+            trial.gain > _WORTHWHILE * top
+            and trial.gain > 0
+            and len(finalists) < _FINALISTS
+            and not _repeated(trial, finalists)
+        ):
+            finalists.append(trial)
+    fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
+    fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
+    gap_failed = False
+    if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
+        try:
+            fitted += _gap(case)
+        except SimulationError:
+            gap_failed = True
+    fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
+    fitted.sort(key=lambda trial: -trial.gain)
+    return Tried(tuple(fitted), tuple(screened), gap_failed)
+
+
+def _gap(case: Case) -> list[Trial]:
+    """Return the trial of the fitted gap, or none where the recordings need none."""
+    found = fitted_gap(case, case.nominal_with_accepted())
+    if found is None:
+        return []
+    beside = (found.closed, found.opened)
+    gain = case.model.cost - found.model.cost + found.closed - found.opened - PER_KNOB
+    return [Trial(found.candidate, simulated_model(found.candidate, found.model), gain, beside)]
+
+
+def extended(case: Case, best: Trial) -> Case:
+    """Return the case with the winner in its model, and of the left lines those that it does not explain."""
+    left = unexplained(case.left, case, best.model)
+    return replace(case, model=best.model, accepted=(*case.accepted, best.candidate), left=left, apart=None)
+
+
+def unexplained(peaks: Sequence[Peak], case: Case, model: Calibrated) -> tuple[Peak, ...]:
+    """Return those of the peaks that a model of the case does not explain."""
+    answer: list[Peak] = []
+    for peak in peaks:
+        misses = []
+        for features, misfit in zip(case.seen, model.misfits, strict=True):
+            if features.turning is not None:
+                continue
+            column = features.places.index(peak.place)
+            misses.append(float(np.abs(np.atleast_2d(misfit.lines)[:, column]).max()))
+        if max(misses, default=0.0) > _EXPLAINED:
+            answer.append(peak)
+    return tuple(answer)
+
+
+def _cleared(case: Case, fitted: Sequence[Trial]) -> bool:
+    """Whether one of the effects explains nearly all that the model misses."""
+    return any(trial.gain >= _CLEARLY * excess(case) for trial in fitted)
+
+
+def excess(case: Case) -> float:
+    """How far the model's misfit lies above that of a true one."""
+    return case.model.cost - feature_count(case.model)
+
+
+def feature_count(model: Calibrated) -> int:
+    """How many features there are, which is about the cost of a true model."""
+    return sum(misfit.seen for misfit in model.misfits)
+
+
+def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
+    """Whether the same mechanism stands among ``others`` for the same line already."""
+    mine = trial.candidate
+    same = [o for o in others if o.candidate.mechanism == mine.mechanism]
+    return any(o.candidate.place == mine.place and o.candidate.variant == mine.variant for o in same) or len(same) > 1
+
+
+def _screened(case: Case, candidate: Candidate) -> Trial:
+    rig = candidate.added_to(case.model.rig)
+    loose = [knob for knob in case.model.knobs if knob.field in candidate.loosens]
+    knobs, steps = (*candidate.knobs, *loose), _LOOSE_DERIVATIVES if loose else 2
+    model = calibrated(rig, case.seen, knobs, derivatives=steps, corrections=case.model.corrections or None)
+    before = case.model.cost - float(case.model.positions @ case.model.positions)
+    return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)
+
+
+def _joint(case: Case, trial: Trial) -> Trial:
+    """Fit all numbers together, from where the model stands and from where it stands apart from lines it lacks.
+
+    What is missing bends the numbers of the model that lacks it, sometimes too far to come back from.
+    """
+    names, held = [part.name for part in trial.candidate.parts], case.model.corrections or None
+    base = case.nominal_with_accepted()
+
+    def fitted(own: Rig, nuisance: NDArray[np.float64], *, near: bool) -> Trial:
+        placed = replace(trial.candidate, parts=tuple(own.part(name) for name in names))
+        start = np.concatenate([nuisance, np.zeros(len(placed.knobs))])
+        model = calibrated(
+            placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
+            derivatives=_JOINT_DERIVATIVES, corrections=held, jacobian=case.model.jacobian, near=near,
+        )  # fmt: skip
+        return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
+
+    answer = fitted(trial.model.rig, case.model.positions, near=True)
+    if answer.model.cost < _WELL * feature_count(answer.model):
+        return answer
+    apart = case.apart if case.left and case.apart is not None else np.zeros(len(case.model.knobs))
+    beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
+    alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)
+    return max(answer, fitted(alone.rig, apart, near=False), key=lambda one: one.gain)
+
+
+def _polished(case: Case, trial: Trial) -> Trial:
+    """Fit on from where the joint fit stopped."""
+    rig = trial.candidate.added_to(case.nominal_with_accepted())
+    model = calibrated(
+        rig, case.seen, trial.model.knobs, start=trial.model.positions, corrections=case.model.corrections or None,
+        jacobian=trial.model.jacobian, near=False,
+    )  # fmt: skip
+    better = model if model.cost < trial.model.cost else trial.model
+    return replace(trial, model=better, gain=trial.gain + trial.model.cost - better.cost)

@@ -1,0 +1,102 @@
+"""What the electronics add to a reading, whatever the shafts do: tones, a moving zero, rings, coarse codes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import pi
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.signals.recording import Recording
+from torquerig.signals.stages.drift import Drift
+from torquerig.signals.stages.ringing import Ringing
+from torquerig.signals.stages.rounding import Rounding
+from torquerig.signals.stages.tone import Tone, folded
+
+Floats = NDArray[np.float64]
+_MULTIPLE = 0.02  # [1/rev of the motor] so near a place stands on a multiple of the impacts
+_SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
+
+
+@dataclass(frozen=True)
+class AddedSignals:
+    """Density in each band, level in each part, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m].
+
+    ``impacts`` is the amplitude [N m] that impacts without slip would give the line at each place, ``ringing`` the
+    part of ``power`` that rings after them: beside its resonance no two modes are alike.
+    """
+
+    power: Floats
+    level: Floats
+    tones: tuple[tuple[float, float], ...]
+    codes: tuple[float, ...] = ()
+    impacts: Floats | float = 0.0
+    ringing: Floats | float = 0.0
+
+
+def added_signals(twin: Twin, seen: Features) -> AddedSignals:
+    """Return what the measuring chain adds to a reading of zero over the run of ``seen``."""
+    observed, bands = seen.observed, seen.band.size
+    unit = observed.torque_unit
+    power = np.zeros(bands)
+    tones: list[tuple[float, float]] = []
+    codes: list[float] = []
+    struck: Floats | float = 0.0
+    ringing: Floats | float = 0.0
+    for stage in twin.rig.stages():
+        if isinstance(stage, Tone):
+            tones += [
+                (folded(harmonic * stage.frequency, observed.rate), volts * unit)
+                for harmonic, volts in enumerate(stage.amplitudes, start=1)
+            ]
+        elif isinstance(stage, Rounding):
+            codes.append(stage.step * unit)
+        elif isinstance(stage, Ringing):
+            impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
+            rung = stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
+            power, ringing = power + rung, ringing + rung
+            struck = np.hypot(struck, _struck(stage, twin, seen))
+    return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing)
+
+
+def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
+    """Amplitude at each place that is a multiple of the impacts' order: all power between two multiples in one line."""
+    each = stage.order * stage.turns
+    revolutions = abs(seen.observed.mean_speed) / (2 * pi)
+    answer = np.zeros(len(seen.places))
+    for column, place in enumerate(seen.places):
+        at = place.frequency(abs(seen.observed.mean_speed))
+        beside = abs(at / revolutions - round(at / revolutions / each) * each) if revolutions else np.inf
+        if beside < _MULTIPLE:
+            density = stage.density(np.array([at]), each * revolutions) * np.abs(twin.amplifier(np.array([at]))) ** 2
+            answer[column] = np.sqrt(2 * float(density[0]) * each * revolutions)
+    return answer
+
+
+def zero_of(twin: Twin, seen: Features) -> Floats:
+    """Mean of what a moving zero adds to each part of a run [N m], shape (parts,)."""
+    return moving_zero(twin, seen.observed, [part.start for part in seen.parts], [part.stop for part in seen.parts])
+
+
+def moving_zero(twin: Twin, observed: Observed, starts: ArrayLike, stops: ArrayLike) -> Floats:
+    """Mean of what a moving zero adds between samples ``starts`` and ``stops`` of a run [N m], shape (starts,)."""
+    drifts = [stage for stage in twin.rig.stages() if isinstance(stage, Drift)]
+    if not drifts:
+        return np.zeros(np.size(starts))
+    recording = observed.recording
+    name = recording.torque_name()
+    count = max(2, round(recording.duration * _SLOW_RATE))
+    silence = replace(recording.channels[name], values=np.zeros(count))
+    silent = Recording(sample_rate=count / recording.duration, channels={name: silence}, run=recording.run)
+    share = count / recording.samples
+    low = (np.asarray(starts) * share).astype(int)
+    high = np.maximum((np.asarray(stops) * share).astype(int), low + 1)
+    total = np.zeros(low.size)
+    for drift in drifts:
+        summed = np.concatenate([[0.0], np.cumsum(drift.apply(silent).channels[name].in_si())])
+        total += (summed[high] - summed[low]) / (high - low)
+    return total

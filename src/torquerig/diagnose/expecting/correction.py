@@ -1,0 +1,61 @@
+"""What an effect beyond the linear twin changes in the features, from two simulations alike but for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.expecting.expectation import Expectation
+from torquerig.diagnose.expecting.simulated import expected_by_simulation
+from torquerig.diagnose.looking.features import Features
+from torquerig.rig.rig import Rig
+
+Floats = NDArray[np.float64]
+
+_FURTHEST = 1e4  # ratio of densities beyond which noise decides
+_CHANCE = 0.25  # share of a simulated change that differs from one start to the next
+
+
+@dataclass(frozen=True)
+class Correction:
+    """Factor on the density, addition to the square of the amplitudes, additions to level and turning torque."""
+
+    power: Floats
+    squares: Floats
+    level: Floats
+    turning: Floats | None
+
+
+def corrections(with_effect: Rig, without: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> list[Correction]:
+    """Return the correction of every run; the same random numbers on both sides cancel."""
+    return between(
+        expected_by_simulation(with_effect, seen, seeds=seeds), expected_by_simulation(without, seen, seeds=seeds)
+    )
+
+
+def between(after: Sequence[Expectation], before: Sequence[Expectation]) -> list[Correction]:
+    """Return what leads from the simulated features ``before`` to those ``after``, run by run."""
+    answer = []
+    for one, other in zip(after, before, strict=True):
+        ratio = np.clip(np.nan_to_num(one.power / np.maximum(other.power, 1e-300), nan=1.0), 1 / _FURTHEST, _FURTHEST)
+        turning = None if one.turning is None or other.turning is None else one.turning - other.turning
+        answer.append(Correction(ratio, one.amplitude**2 - other.amplitude**2, one.level - other.level, turning))
+    return answer
+
+
+def corrected(model: Expectation, correction: Correction) -> Expectation:
+    """Return the twin's expectation with the correction applied."""
+    if model.turning is not None and correction.turning is not None:
+        return replace(model, turning=model.turning + correction.turning)
+    power = model.power * correction.power if model.power.size == correction.power.size else model.power
+    return replace(
+        model,
+        power_tolerance=_CHANCE * np.abs(np.log(correction.power)) if power.size else 0.0,
+        amplitude_tolerance=_CHANCE * np.sqrt(np.abs(correction.squares)),
+        power=power,
+        amplitude=np.sqrt(np.maximum(model.amplitude**2 + correction.squares, 0.0)),
+        level=model.level + correction.level,
+    )

@@ -1,0 +1,193 @@
+"""What a model says the features of a run should be: by its linear twin, or measured on its simulations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.expecting.added_signals import added_signals, moving_zero
+from torquerig.diagnose.expecting.rounding_noise import rounding_density, rounding_tolerance
+from torquerig.diagnose.expecting.skirts import skirts
+from torquerig.diagnose.linear.quasi_static import quasi_static
+from torquerig.diagnose.linear.twin import Twin, passed
+from torquerig.diagnose.linear.winding import wound_torque
+from torquerig.diagnose.looking.features import POINTS, Features
+from torquerig.diagnose.looking.places import Place, frequency, order
+from torquerig.diagnose.looking.regression import HANN_NOISE
+from torquerig.diagnose.looking.turning import STEPS, Turning
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Load
+from torquerig.signals.stages.band_noise import BandNoise
+from torquerig.signals.stages.noise import WhiteNoise
+
+Floats = NDArray[np.float64]
+
+_LOAD_TOLERANCE = 0.05  # [1] of the slow torque: near standstill no two rigs are alike, and a load comes and goes
+_MISTIMED = 0.04  # [s] a reversal that was simulated and not measured may come so much earlier or later
+_FLANK = 0.1  # of the density at the resonance: below it, a mode's flanks begin
+_RINGING_SHAPE = 0.6  # [1] of the density's logarithm: a mode's reading may be a displacement, a speed or between
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """Expected features of one run, shapes as in ``Features``.
+
+    Parameters
+    ----------
+    power : ndarray, shape (bands,)
+        Density beside the lines [(N m)^2/Hz].
+    amplitude : ndarray, shape (stretches, places)
+        Size of the lines [N m].
+    variance : ndarray, shape (stretches, places)
+        Of the real and of the imaginary part of a measured amplitude, from what is random [(N m)^2].
+    level, level_variance : ndarray, shape (parts,)
+        [N m], [(N m)^2].
+    turning : ndarray, shape (blocks,), or None
+        Torque of the blocks of a run that turns back [N m].
+    load_share : ndarray, shape (bands,)
+        Part of ``power`` that random loads make [1].
+    power_tolerance, amplitude_tolerance : float or ndarray
+        What chance in an effect beyond the twin may add: of the density's logarithm [1], of an amplitude [N m].
+    turning_tolerance : float or ndarray, shape (blocks,)
+        What chance in the load and what nobody knows of a contact near standstill may add [N m].
+    """
+
+    power: Floats
+    amplitude: Floats
+    variance: Floats
+    level: Floats
+    level_variance: Floats
+    turning: Floats | None = None
+    load_share: Floats = field(default_factory=lambda: np.zeros(0))
+    power_tolerance: float | Floats = 0.0
+    amplitude_tolerance: float | Floats = 0.0
+    turning_tolerance: float | Floats = 0.0
+
+
+def expected(rig: Rig, seen: Features) -> Expectation:
+    """Return what the linear twin of ``rig`` expects of the run of ``seen``."""
+    observed = seen.observed
+    placed = rig.at(observed.run)
+    twin = Twin(placed)
+    if seen.turning is not None:
+        return _turning(twin, seen, seen.turning)
+    added = added_signals(twin, seen)
+    load = twin.load_power_between(*seen.band_edges)
+    power = load + _noise(placed, seen) + added.power
+    points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
+    stretches = len(seen.stretches)
+    balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
+    amplitude = np.zeros((stretches, len(seen.places)))
+    for line, size in zip(twin.lines(), _sizes(twin, points, balance.motor, steady=observed.steady), strict=True):
+        _put(amplitude, power, seen, order(line.order), size)
+    for tone, volts in added.tones:
+        _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
+    level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
+    beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
+    power = power + beside
+    flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
+    tolerance = np.hypot(beside / power, _RINGING_SHAPE * flank / power)
+    for step in added.codes:
+        rounding, doubt = _rounded(step, seen, power, amplitude)
+        power, tolerance = power + rounding, np.hypot(tolerance, doubt)
+    return Expectation(
+        power=power,
+        load_share=load / power,
+        power_tolerance=tolerance,
+        amplitude_tolerance=added.impacts,
+        amplitude=amplitude,
+        variance=amplitude_variance(seen, _floor(seen, power)),
+        level=level,
+        level_variance=_level_variance(twin, seen, amplitude),
+    )
+
+
+def _rounded(step: float, seen: Features, power: Floats, amplitude: Floats) -> tuple[Floats, Floats]:
+    """Return the density that coarse codes add, and how far the logarithm of the sum may be off."""
+    sizes, at = amplitude.mean(axis=0), seen.line_frequency.mean(axis=(0, 2))
+    rate = seen.observed.rate
+    added = rounding_density(step, rate=rate, frequency=seen.band, power=power, lines=at, sizes=sizes)
+    spread = np.sqrt(np.trapezoid(power, seen.band) + 0.5 * float((sizes**2).sum()))
+    return added, rounding_tolerance(step, added, power + added, spread=float(spread))
+
+
+def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
+    """Return the slow torque of each block and its zero: the shafts' own ringing dies out within one."""
+    step = blocks.size / STEPS / seen.observed.rate
+    gained = np.gradient(blocks.course, step)
+    wound = wound_torque(twin, speed=blocks.course, acceleration=gained, step=step, start=blocks.first)
+    torque = blocks.mean_of(wound.torque)
+    tolerance = np.hypot(blocks.mean_of(wound.tolerance), _LOAD_TOLERANCE * torque)
+    if not seen.observed.angle_measured:
+        tolerance = np.hypot(tolerance, blocks.mean_of(np.abs(np.gradient(wound.torque, step))) * _MISTIMED)
+    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + blocks.size)
+    none = np.zeros((0, len(seen.places)))
+    return Expectation(
+        np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque, turning_tolerance=tolerance
+    )  # fmt: skip
+
+
+def _sizes(twin: Twin, points: Floats, motor: Floats, *, steady: bool) -> Floats:
+    """Amplitude of each line in each stretch; where the speed moves, as a regression over the stretch would see it."""
+    lines = twin.lines()
+    if not lines:
+        return np.zeros((0, motor.size))
+    orders = np.array([line.order for line in lines])[:, None]
+    at_each = passed([line.transfer for line in lines], np.maximum(orders * points / (2 * pi), 0.05))
+    gain = np.abs(at_each if steady else at_each.reshape(len(lines), -1, POINTS).mean(axis=2))
+    source = [line.amplitude * (np.abs(motor) if line.by_load else np.ones(motor.size)) for line in lines]
+    return np.asarray(gain * np.array(source))
+
+
+def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:
+    """Add a line to the place that shows it in each stretch; where none does in a steady run, to its band."""
+    if not amplitude.size:
+        return
+    route = seen.route(place)
+    rows, column = route.rows, route.column
+    amplitude[rows, column] = np.hypot(amplitude[rows, column], size[rows])
+    if not rows.size and route.band is not None:
+        power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
+
+
+def _noise(rig: Rig, seen: Features) -> Floats:
+    """Density of what noise the measuring chain adds in each band [(N m)^2/Hz]."""
+    unit = seen.observed.torque_unit
+    power = np.zeros(seen.band.size)
+    for stage in rig.stages():
+        if isinstance(stage, WhiteNoise):
+            power += unit**2 * stage.density(seen.band, seen.observed.rate)
+        elif isinstance(stage, BandNoise):
+            power += unit**2 * stage.density_between(*seen.band_edges)
+    return power
+
+
+def _floor(seen: Features, power: Floats) -> Floats:
+    """Return the density that lines stand in: as measured, or a model lacking a line would raise its noise for it."""
+    if seen.power.size != power.size:
+        return power
+    return np.asarray(np.where(np.isfinite(seen.power), seen.power, power))
+
+
+def amplitude_variance(seen: Features, power: Floats) -> Floats:
+    """Return the spread of regressed amplitudes: density over duration, at the frequencies that each line passes."""
+    at = np.log(np.maximum(seen.line_frequency, seen.band[0]))
+    window = HANN_NOISE if seen.observed.steady else 1.0
+    spread = window * np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None]
+    return np.asarray(spread * seen.widening)
+
+
+def _level_variance(twin: Twin, seen: Features, amplitude: Floats) -> Floats:
+    """Spread of a part's mean: slow variation of the load, and a hundredth of the lines that turn slowly."""
+    slow = sum(
+        (term.process.mean * getattr(term.process, "slow_rms", 0.0)) ** 2
+        for term in twin.terms
+        if isinstance(term, Load)
+    )
+    cutoff = max((getattr(t.process, "slow_cutoff", 1.0) for t in twin.terms if isinstance(t, Load)), default=1.0)
+    duration = np.array([part.stop - part.start for part in seen.parts]) / seen.observed.rate
+    lines = np.repeat((0.02**2 * amplitude**2).sum(axis=1), len(seen.parts) // len(seen.stretches))
+    return np.asarray(slow * np.minimum(1.0, 1 / (2.2 * cutoff * duration)) + lines)

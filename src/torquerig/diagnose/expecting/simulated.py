@@ -1,0 +1,99 @@
+"""What a model says the features of a run should be, measured on its simulations: true for any effect, and dearer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.expecting.added_signals import zero_of
+from torquerig.diagnose.expecting.expectation import Expectation, amplitude_variance, expected
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.observed import Observed, speed_of
+from torquerig.diagnose.looking.sample_faults import bridged
+from torquerig.rig.rig import Rig
+from torquerig.simulate.simulate import simulate
+
+Floats = NDArray[np.float64]
+
+_WORKERS = 2
+
+
+def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
+    """Return what the rig records in the run of ``observed``, cut into the same stretches, dropouts bridged."""
+    recording = simulate(
+        rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
+    )
+    angle = recording.channels["true_motor_angle_rad"].values
+    return replace(
+        observed,
+        recording=recording,
+        torque=bridged(recording).torque(),
+        angle=angle,
+        speed=speed_of(angle, observed.rate),
+        origin="simulated",
+        angle_measured=True,
+    )
+
+
+def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
+    """Return one simulation per seed of every run, two at a time; of one rig, or of one for each run."""
+    rigs = [rig] * len(seen) if isinstance(rig, Rig) else rig
+    jobs = [(each, features.observed, seed) for each, features in zip(rigs, seen, strict=True) for seed in seeds]
+    with ThreadPoolExecutor(_WORKERS) as pool:
+        copies = list(pool.map(lambda job: simulated(job[0], job[1], seed=job[2]), jobs))
+    each = len(seeds)
+    return [copies[row * each : (row + 1) * each] for row in range(len(seen))]
+
+
+def expected_by_simulation(rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> tuple[Expectation, ...]:
+    """Return the expected features of every run, measured on simulations."""
+    return expected_from(rig, seen, simulated_runs(rig, seen, seeds=seeds))
+
+
+def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[Observed]]) -> tuple[Expectation, ...]:
+    """Return the expected features of every run from its simulated copies."""
+    return tuple(
+        _mean(rig, one, [_features(copy, one) for copy in each]) for one, each in zip(seen, copies, strict=True)
+    )
+
+
+def _features(copy: Observed, seen: Features) -> Features:
+    # a steady run is the same all along, so all of it counts
+    whole = seen.observed.steady and seen.turning is None
+    return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
+
+
+def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
+    spread = expected(rig, seen)
+    if seen.turning is not None:
+        # lines differ in phase from copy to recording and are projected out of both
+        blocks = [copy.turning.without_lines(copy.turning.torque) for copy in copies if copy.turning is not None]
+        # a copy whose motor is held fast does not turn back, and has no blocks
+        return replace(spread, turning=np.mean(blocks, axis=0)) if blocks else spread
+    copies = [copy for copy in copies if copy.turning is None]
+    if not copies:  # all of them turned back, as a torque too large for the drive makes them
+        return spread
+    power = _mean_power(copies, spread.power) if seen.power.size else spread.power
+    sizes = [np.abs(copy.amplitude) ** 2 for copy in copies]
+    chance = amplitude_variance(seen, power)
+    if seen.observed.steady:
+        every = np.concatenate(sizes)
+        shown = np.isfinite(every)
+        mean = (np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1))[None, :]
+        twin = Twin(rig.at(seen.observed.run))
+        level = zero_of(twin, seen) + np.mean([(copy.level - zero_of(twin, copy)).mean() for copy in copies])
+    else:
+        mean, level = np.mean(sizes, axis=0), np.mean([copy.level for copy in copies], axis=0)
+    amplitude = np.sqrt(np.maximum(np.nan_to_num(mean) - 2 * chance, 0.0))
+    return replace(spread, power=power, amplitude=amplitude, variance=chance, level=level)
+
+
+def _mean_power(copies: Sequence[Features], otherwise: Floats) -> Floats:
+    """Mean over the copies; where lines leave no bin, what the twin says."""
+    mean = np.mean([copy.power for copy in copies], axis=0)
+    return np.asarray(np.where(np.isfinite(mean), mean, otherwise))

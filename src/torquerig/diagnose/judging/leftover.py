@@ -1,0 +1,184 @@
+"""What still stands out when a model is as good as it gets, and whether chance could have left it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import erfc, log10, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import poisson
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN, blows
+
+# thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
+LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
+_CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
+_LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
+_DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
+_BY_CHANCE = 4.0  # squares of residuals below this are no misfit
+_BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
+_MEAN_SQUARE = 3.0  # of all bands of a run
+
+
+def mismatches(case: Case) -> tuple[Mismatch, ...]:
+    """Return the places where the case's model is significantly wrong, largest share of the misfit first."""
+    every = _every(case)
+    total, places = _excess(every), sum(eased.all().size for eased in every)
+    found = [*_lines(case, total, places)]
+    for features, eased in zip(case.seen, every, strict=True):
+        found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
+        found += [*_turning(features, eased, total, places)]
+    found += [*_flights(case)]
+    return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
+
+
+def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | None:
+    """Return what share of the misfit before is ``left``, where that is but the detail of a strong effect; else None.
+
+    No model of a line or a load is right to better than some per cent, so the square of that stays.
+    """
+    if not left or any(mismatch.domain == "distribution" for mismatch in left):
+        return None
+    rest = sum(mismatch.share_of_misfit for mismatch in left) * _excess(_every(after)) / _excess(_every(before))
+    return rest if rest < _DETAIL else None
+
+
+def _every(case: Case) -> list[Misfit]:
+    return [_eased(case, features, misfit) for features, misfit in zip(case.seen, case.model.misfits, strict=True)]
+
+
+def _excess(every: Sequence[Misfit]) -> float:
+    squares = np.concatenate([robust(eased.all()) ** 2 for eased in every])
+    return float(np.maximum(squares - _BY_CHANCE, 0).sum()) + 1e-12
+
+
+def _eased(case: Case, features: Features, misfit: Misfit) -> Misfit:
+    """Return the residuals less what a random load, or chance in an effect beyond the twin, may be forgiven."""
+    eased = misfit.scaled(1 / _slack(case))
+    return replace(eased, bands=eased.bands * _for_the_load(case, features)) if eased.bands.size else eased
+
+
+def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
+    """Lines of the runs, one entry per place, with the runs that show it."""
+    count = len(case.seen[0].places)
+    ratio = abs(case.nominal.run.gear_ratio or 1.0)
+    for column in range(count):
+        place, worst, square, names = case.seen[0].places[column], 0.0, 0.0, []
+        for features, misfit in zip(case.seen, case.model.misfits, strict=True):
+            if features.turning is not None:
+                continue
+            residual = np.atleast_2d(misfit.lines)[:, column]
+            square += float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum())
+            size = float(np.abs(residual).max(initial=0.0))
+            # a moving run has many stretches, of which a few may stray
+            size = size if features.observed.steady else float(np.sqrt(np.mean(residual**2)) * 2)
+            if size > LINE * _slack(case):
+                names.append(features.observed.name)
+            worst = max(worst, size)
+        if not names:
+            continue
+        whole = abs(place.at * ratio - round(place.at * ratio)) < 0.02 and abs(place.at - round(place.at)) > 1e-6
+        turned = place.domain == "order" and whole
+        yield Mismatch(
+            domain=place.domain,
+            axis="Hz" if place.domain == "frequency" else "output_shaft" if turned else "motor_shaft",
+            at=place.at * ratio if turned else place.at,
+            width=0.02 * ratio if turned else 0.02,
+            recordings=tuple(names),
+            excess_dB=20 * log10(max(worst, 1.0)),
+            share_of_misfit=square / total,
+            p_value=_chance(worst, places),
+        )
+
+
+def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Iterator[Mismatch]:
+    """Bands that stand out together, where a run's spectrum as a whole is wrong or some neighbours clearly are."""
+    residual = misfit.bands
+    if residual.size == 0:
+        return
+    out = np.abs(residual) > BAND
+    if np.mean(robust(residual) ** 2) > _MEAN_SQUARE:
+        out |= np.abs(residual) > 0.6 * BAND
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], out, [False]]).astype(int)))
+    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        part = slice(start, stop)
+        worst = float(np.abs(residual[part]).max())
+        if stop - start < _BAND_RUN and worst < _ALONE:
+            continue
+        low, high = float(features.band[start]), float(features.band[stop - 1])
+        mean = float(np.mean(residual[part] * np.sqrt(1 / features.count[part] + 0.05**2)))
+        yield Mismatch(
+            domain="frequency", axis="Hz", at=sqrt(low * high), width=high - low + low / BANDS_PER_OCTAVE,
+            recordings=(features.observed.name,), excess_dB=10 * mean / np.log(10),
+            share_of_misfit=_share(residual[part], total), p_value=_chance(worst, places),
+        )  # fmt: skip
+
+
+def _levels(features: Features, misfit: Misfit, total: float, places: int) -> Iterator[Mismatch]:
+    if misfit.level.size == 0 or float(np.abs(misfit.level).max()) < LEVEL:
+        return
+    observed, worst = features.observed, int(np.argmax(np.abs(misfit.level)))
+    stretch = worst * len(features.stretches) // len(features.parts)
+    speed = float(features.speed[stretch].mean()) * 30 / np.pi
+    yield Mismatch(
+        domain="level" if observed.steady else "speed", axis="rpm", at=speed,
+        width=float(np.ptp(features.speed)) * 30 / np.pi, recordings=(observed.name,),
+        excess_dB=20 * log10(float(np.abs(misfit.level).max())), share_of_misfit=_share(misfit.level, total),
+        p_value=_chance(float(np.abs(misfit.level).max()), places),
+    )  # fmt: skip
+
+
+def _turning(features: Features, misfit: Misfit, total: float, places: int) -> Iterator[Mismatch]:
+    if misfit.turning.size == 0 or float(np.sqrt(np.mean(misfit.turning**2))) < 0.5 * TURNING:
+        return
+    worst = float(np.abs(misfit.turning).max())
+    blocks = features.turning
+    at = 0.0 if blocks is None else float(blocks.speed[int(np.argmax(np.abs(misfit.turning)))]) * 30 / np.pi
+    yield Mismatch(
+        domain="speed", axis="rpm", at=at, width=10.0, recordings=(features.observed.name,),
+        excess_dB=20 * log10(max(worst, 1.0)), share_of_misfit=_share(misfit.turning, total),
+        p_value=_chance(worst, places),
+    )  # fmt: skip
+
+
+def _flights(case: Case) -> Iterator[Mismatch]:
+    """Flights of flanks, which no model without a gap has."""
+    shown = {features.observed.name: len(blows(features.observed)) for features in case.seen}
+    number = sum(shown.values())
+    if number < CLEARLY or case.model.corrections:
+        return
+    yield Mismatch(
+        domain="distribution", axis="V", at=0.0, width=UNDRIVEN,
+        recordings=tuple(name for name, count in shown.items() if count), excess_dB=20 * log10(number / BY_CHANCE),
+        share_of_misfit=0.0, p_value=float(poisson.sf(number - 1, BY_CHANCE)),
+    )  # fmt: skip
+
+
+def _for_the_load(case: Case, features: Features) -> NDArray[np.float64]:
+    """Return a factor below 1 for bands that a random load fills: its spectrum is its own, no physics of the rig."""
+    twin = Twin(case.model.rig.at(features.observed.run))
+    share = twin.load_power_between(*features.band_edges) / expected(case.model.rig, features).power
+    tight = 1 / features.count + BAND_TOLERANCE**2
+    return np.asarray(np.sqrt(tight / (tight + (_LOAD_SHAPE * np.clip(share, 0.0, 1.0)) ** 2)))
+
+
+def _slack(case: Case) -> float:
+    return _CHAOTIC if case.model.corrections else 1.0
+
+
+def _share(residual: NDArray[np.float64], total: float) -> float:
+    return float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum()) / total
+
+
+def _chance(residual: float, places: int) -> float:
+    """Two-sided probability of a normal residual so large somewhere among ``places`` (Bonferroni)."""
+    return min(1.0, places * erfc(residual / sqrt(2)))

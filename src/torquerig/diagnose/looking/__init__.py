@@ -1,0 +1,14 @@
+"""What recordings show, before any model is asked.
+
+shaft_angle     the motor's angle of each run          observed     a run made ready to compare
+sample_faults   coarse codes, flat tops, dropouts      value_features  how the values are spread
+places          an order or a frequency                waves        the waves of lines
+regression      lines of a stretch by least squares    smeared      lines of an angle that was not measured
+bands           the spectrum beside the lines          turning      a run that turns back, block by block
+features        the numbers of a run that are compared
+peaks           lines that no model asked for          lines_left   the same in passes
+side_lines      peaks that an uneven speed explains    combs        lines that are impacts' multiples
+order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
+hum             where the mains stands                 impacts      beats of a ringing band
+flights         flanks that part and meet              near_zero    how long the torque stays near zero
+"""

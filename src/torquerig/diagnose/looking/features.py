@@ -1,0 +1,242 @@
+"""What is compared of a run: its lines, its level, and the spectrum of what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.bands import bands, no_bands, spectrum
+from torquerig.diagnose.looking.observed import Observed, Stretch
+from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place
+from torquerig.diagnose.looking.regression import regressed
+from torquerig.diagnose.looking.smeared import WIDE, gathered
+from torquerig.diagnose.looking.turning import Turning, turning, turns_back
+from torquerig.diagnose.looking.waves import waves
+
+Floats = NDArray[np.float64]
+
+_FEWEST_TURNS = 0.9  # periods of a line within a stretch
+_HIGHEST = {"order": 0.4, "frequency": 0.48}  # of the sample rate: what turns is smeared, and may fold
+_CROSSING_POINTS, _LIKE = 512, 0.5  # correlation of two lines below which a regression tells them apart
+_PARTS = 4  # of a stretch of a steady run
+POINTS = 9  # speeds kept of each stretch
+
+
+@dataclass(frozen=True)
+class Route:
+    """Stretches (``rows``) that show a line and at which place; a band for where none does."""
+
+    rows: NDArray[np.int64]
+    column: NDArray[np.int64]
+    band: int | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Features:
+    """Numbers of one run, the same for a recording and for a simulation.
+
+    Parameters
+    ----------
+    held : bool or None
+        Which stretches: those that fits may see (False), may not see (True), or all (None).
+    stretches : tuple of Stretch
+        The stretches looked at.
+    places : tuple of Place
+        The lines that were asked for.
+    amplitude : ndarray, shape (stretches, places)
+        Complex [N m]; NaN where a stretch cannot show the line (too slow, too fast, or another stands there).
+    parts : tuple of Stretch
+        Whose mean torque is compared: quarters of the stretches of steady runs, where a zero may settle within a
+        second, else the stretches.
+    level : ndarray, shape (parts,)
+        Mean torque [N m], the lines' share taken out.
+    speed : ndarray, shape (stretches, POINTS)
+        Of the motor [rad/s], along each stretch.
+    duration, acceleration : ndarray, shape (stretches,)
+        [s], [rad/s^2] of the motor.
+    band : ndarray, shape (bands,)
+        Middle of each band [Hz].
+    power : ndarray, shape (bands,)
+        Mean one-sided density [(N m)^2/Hz] of what the lines leave, NaN where they leave nothing; empty where the
+        speed moves.
+    count : ndarray, shape (bands,)
+        Independent values behind each ``power``.
+    width : ndarray, shape (bands,)
+        Of each band [Hz].
+    widening : float or ndarray, shape (stretches, places)
+        Factor on the variance of the amplitudes where a smeared line was gathered.
+    unknown : tuple of Place
+        Those of the places whose lines no model had when the run was looked at.
+    turning : Turning or None
+        Of a run that turns back, which has this and none of the others.
+    """
+
+    observed: Observed
+    held: bool | None
+    stretches: tuple[Stretch, ...]
+    parts: tuple[Stretch, ...]
+    places: tuple[Place, ...]
+    amplitude: NDArray[np.complex128]
+    level: Floats
+    speed: Floats
+    duration: Floats
+    acceleration: Floats
+    band: Floats
+    power: Floats
+    count: Floats
+    width: Floats
+    turning: Turning | None = None
+    widening: float | Floats = 1.0
+    unknown: tuple[Place, ...] = ()
+    _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
+
+    @cached_property
+    def line_frequency(self) -> Floats:
+        """Where each place stands along each stretch [Hz], shape (stretches, places, POINTS)."""
+        turning = np.array([place.domain == "order" for place in self.places], dtype=bool)
+        at = np.array([place.at for place in self.places])
+        revolutions = np.abs(self.speed)[:, None, :] / (2 * pi)
+        return np.asarray(np.where(turning[None, :, None], at[None, :, None] * revolutions, at[None, :, None]))
+
+    @cached_property
+    def band_edges(self) -> tuple[Floats, Floats]:
+        """Lower and upper edge of each band [Hz], of which ``band`` is the geometric mean."""
+        low = np.sqrt(0.25 * self.width**2 + self.band**2) - 0.5 * self.width
+        return low, low + self.width
+
+    def without(self, places: Sequence[Place]) -> Features:
+        """Return the same features, the lines at ``places`` not shown."""
+        amplitude = self.amplitude.copy()
+        amplitude[:, [index for index, place in enumerate(self.places) if place in places]] = np.nan
+        return replace(self, amplitude=amplitude, _routes={})
+
+    def route(self, place: Place) -> Route:
+        """Return where a line shows: in which place of each stretch, else in which band."""
+        if place not in self._routes:
+            self._routes[place] = self._routed(place)
+        return self._routes[place]
+
+    def _routed(self, place: Place) -> Route:
+        at = np.array([place.frequency(float(speed)) for speed in np.abs(self.speed).mean(axis=1)])
+        apart = np.abs(self.line_frequency.mean(axis=2) - at[:, None]) * self.duration[:, None]
+        same = [other.domain == place.domain and abs(other.at - place.at) < SAME_ORDER for other in self.places]
+        apart[:, same] = 0.0
+        apart[~np.isfinite(self.amplitude)] = np.inf
+        column = np.argmin(apart, axis=1)
+        resolved = RESOLVED_STEADY if self.observed.steady else RESOLVED
+        rows = np.flatnonzero(apart[np.arange(at.size), column] < resolved)
+        mean, band = float(at.mean()), None
+        if self.power.size and self.band[0] < mean < self.band[-1]:
+            band = int(np.argmin(np.abs(np.log(self.band / mean))))
+        return Route(rows, column[rows], band)
+
+
+def features(
+    observed: Observed, places: Sequence[Place], *, held: bool | None = False, unknown: Sequence[Place] = ()
+) -> Features:
+    """Return the features of the stretches that fits may see (``held`` False), may not see (True), or all (None).
+
+    ``unknown`` are those of the places whose lines no model has yet.
+    """
+    if turns_back(observed):
+        return _turning_features(observed, places, held=held, unknown=unknown)
+    stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
+    amplitudes, levels, spectra, widenings = [], list[float](), [], []
+    parts = [part for stretch in stretches for part in _parts(observed, stretch)]
+    for stretch in stretches:
+        amplitude, slow, rest, lines, widening = _lines(observed, stretch, places)
+        widenings.append(widening)
+        amplitudes.append(amplitude)
+        own = [part for part in parts if stretch.start <= part.start < stretch.stop]
+        levels += [float(slow[part.start - stretch.start : part.stop - stretch.start].mean()) for part in own]
+        if observed.steady:
+            spectra.append(spectrum(rest, observed.rate, lines, smeared=observed.smearing))
+    speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
+    duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
+    floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
+    return Features(
+        observed=observed, held=held, stretches=tuple(stretches), parts=tuple(parts), places=tuple(places),
+        amplitude=np.array(amplitudes),
+        level=np.array(levels), widening=np.array(widenings), unknown=tuple(unknown),
+        speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
+        band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
+    )  # fmt: skip
+
+
+def _turning_features(
+    observed: Observed, places: Sequence[Place], *, held: bool | None, unknown: Sequence[Place]
+) -> Features:
+    floor = no_bands(observed.rate)
+    return Features(
+        observed=observed, held=held, stretches=(), parts=(), places=tuple(places),
+        amplitude=np.zeros((0, len(places)), dtype=complex), level=np.zeros(0), speed=np.zeros((0, POINTS)),
+        duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, count=floor.count,
+        width=floor.width, turning=turning(observed, places, held=held, unknown=unknown),
+        unknown=tuple(unknown),
+    )  # fmt: skip
+
+
+def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> list[int]:
+    """Return which places the stretch can show: turning often enough, below half the rate, apart from each other."""
+    speeds = np.abs(observed.speed[stretch.start : stretch.stop])
+    duration = (stretch.stop - stretch.start) / observed.rate
+    mean, top = float(speeds.mean()), float(speeds.max())
+    resolved = RESOLVED_STEADY if observed.steady else RESOLVED
+    shown: list[int] = []
+    for index, place in enumerate(places):
+        at = place.frequency(mean)
+        turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
+        near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < resolved)
+        if turning and all(_crossing(observed, stretch, place, other) for other in near):
+            shown.append(index)
+    return shown
+
+
+def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) -> bool:
+    """Whether an order sweeps across a fixed frequency in the stretch so fast that both can be told apart."""
+    if observed.steady or place.domain == other.domain:
+        return False
+    samples = np.linspace(stretch.start, stretch.stop - 1, _CROSSING_POINTS).astype(int)
+    angle, time = observed.angle[samples], samples / observed.rate
+    apart = place.phase(angle, time) - other.phase(angle, time)
+    return bool(abs(np.exp(1j * apart).mean()) < _LIKE)
+
+
+def _lines(
+    observed: Observed, stretch: Stretch, places: Sequence[Place]
+) -> tuple[NDArray[np.complex128], Floats, Floats, list[float], Floats]:
+    """Return the lines' amplitudes, the torque without them, what a straight line leaves of it, where lines stand."""
+    part = slice(stretch.start, stretch.stop)
+    time = np.arange(stretch.start, stretch.stop) / observed.rate
+    shown = shown_places(observed, stretch, places)
+    window = np.hanning(time.size) if observed.steady else None
+    own = waves([places[index] for index in shown], observed.angle[part], time)
+    found = regressed(observed.torque[part], own, window=window)
+    amplitude = np.full(len(places), np.nan, dtype=complex)
+    amplitude[shown] = found.amplitude
+    mean = float(np.abs(observed.speed[part]).mean())
+    lines = [places[index].frequency(mean) for index in shown]
+    widening = np.ones(len(places))
+    if observed.steady and observed.smearing:
+        wide = WIDE / observed.smearing * observed.rate / time.size
+        turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
+        found_lines = gathered(
+            observed.torque[part], observed.rate, [lines[r] for r in turning], smeared=observed.smearing
+        )
+        for row, each in zip(turning, found_lines, strict=True):
+            amplitude[shown[row]], widening[shown[row]] = each.amplitude, each.widening
+    slow = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, time.size)
+    return amplitude, slow, found.rest, lines, widening
+
+
+def _parts(observed: Observed, stretch: Stretch) -> list[Stretch]:
+    if not observed.steady:
+        return [stretch]
+    edges = np.linspace(stretch.start, stretch.stop, _PARTS + 1).astype(int).tolist()
+    return [Stretch(start, stop, stretch.held) for start, stop in pairwise(edges)]

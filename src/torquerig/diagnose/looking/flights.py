@@ -1,0 +1,143 @@
+"""Flights: moments in which the flanks of a gear have parted, ended by the blow with which they meet again.
+
+Between two flanks nothing drives the shafts behind the gear, so the sensor reads next to nothing, and that quietly. No
+linear rig stays there and then jumps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.linear.quasi_static import behind_sensor
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.rig.rig import Rig
+from torquerig.rig.terms import Inertia
+from torquerig.scenario.kinematics import gears_to_sensor
+
+Floats = NDArray[np.float64]
+
+CLEARLY = 5  # flights that no rig without a gap shows
+BY_CHANCE = 0.1  # flights in four runs of a rig without a gap: 22 in 226 blind rigs, three at most in one
+_SMOOTHED, _BLOW = 1e-3, 1.5e-3  # [s] short against a flight; in which a blow rises
+_HARD = 12.0  # noises that a blow rises by
+_QUIET = 12.0  # spreads of the smoothed noise within which a flight stays, from top to bottom
+_SHORTEST = 4e-3  # [s]
+UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
+_NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
+_SLOPE = 2.5e-3  # [s] each way, over which the speed at the parting is taken
+_LONGEST = 0.95  # quantile of the distances: single ones are misjudged
+_ARCMIN = pi / 180 / 60
+_SPREADS = np.array([0.5, 0.3, 0.3, 0.5, 0.4, 0.4])  # of the logarithms, between two like runs
+
+
+@dataclass(frozen=True)
+class Flight:
+    """Samples ``start`` to ``stop``, and by what angle [rad] the flanks moved meanwhile, at the gear's output."""
+
+    start: int
+    stop: int
+    distance: float
+
+
+def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
+    """Return the samples at which a quiet stay near zero torque ends in a blow.
+
+    Parameters
+    ----------
+    observed : Observed
+    held : bool or None
+        In which stretches: those that fits may see (False), may not see (True), or all (None).
+    """
+    torque, noise, smooth = observed.torque, _noise(observed), _smooth(observed)
+    rise, quiet = (round(span * observed.rate) for span in (_BLOW, _SHORTEST))
+    if noise == 0 or torque.size <= rise:
+        return []
+    jump = np.zeros(torque.size)
+    jump[:-rise] = np.abs(smooth[rise:] - smooth[:-rise])
+    starts = np.flatnonzero((jump[1:] > _HARD * noise) & (jump[:-1] <= _HARD * noise)) + 1
+    within = _QUIET * noise / np.sqrt(max(1, _SMOOTHED * observed.rate))
+    wanted = observed.mask(held=held)
+    return [
+        at
+        for at in starts[starts > 2 * quiet].tolist()
+        if wanted[at]
+        and np.ptp(smooth[at - quiet : at]) < within
+        and abs(float(np.median(smooth[at - quiet : at]))) < UNDRIVEN
+    ]
+
+
+def flights(observed: Observed, rig: Rig) -> list[Flight]:
+    """Return the flights in the stretches that fits may see.
+
+    Flanks part at the speed of the driving one. From then on only the sensor's torque T acts on the inertia J between
+    gear and sensor, ``J d omega/dt = -T``; the motor's angle is known, so the difference of both is how far they moved
+    (0 for flanks that meet again, the gap for opposite ones).
+    """
+    smooth, (inertia, turns) = _smooth(observed), _between_gear_and_sensor(rig, observed)
+    slope, found = max(1, round(_SLOPE * observed.rate)), []
+    for blow in blows(observed):
+        level = float(np.median(smooth[blow - round(_SHORTEST * observed.rate) : blow]))
+        away = np.abs(smooth - level) > _NEAR_LEVEL
+        left, met = np.flatnonzero(away[:blow]), np.flatnonzero(away[blow:])
+        start, stop = int(left[-1]) + 1 if left.size else 0, blow + int(met[0]) if met.size else blow
+        if start <= slope or stop - start < 2:
+            continue
+        driven = (observed.angle[start + slope] - observed.angle[start - slope]) * observed.rate / (2 * slope)
+        speed = driven if observed.angle_measured else observed.speed[start]
+        free = speed * turns - np.cumsum(observed.torque[start:stop]) / inertia / observed.rate
+        moved = (observed.angle[stop] - observed.angle[start]) * turns - free.sum() / observed.rate
+        found.append(Flight(start, stop, float(moved)))
+    return found
+
+
+def flight_statistics(observed: Observed, rig: Rig) -> Floats:
+    """Return the logarithms of number per second, length at two quantiles, and distance at three, shape (6,)."""
+    found = flights(observed, rig)
+    length = [(each.stop - each.start) / observed.rate for each in found]
+    distance = [abs(each.distance) / _ARCMIN for each in found]
+    number = len(found) / observed.recording.duration
+    lengths = np.quantile([*length, _SHORTEST], [0.5, 0.9])
+    distances = np.quantile([*distance, 0.5], [0.5, 0.75, 0.9])
+    return np.asarray(np.log(np.array([number + 0.1, *lengths, *(distances + 0.5)])))
+
+
+def longest_flight(runs: Sequence[Observed], rig: Rig) -> float:
+    """Return how far [rad] flanks were seen to move before they met: at most the gap, less chance in single flights."""
+    every = [abs(flight.distance) for observed in runs for flight in flights(observed, rig)]
+    return float(np.quantile(every, _LONGEST)) if every else np.inf
+
+
+def flight_misfit(measured: Floats, model: Floats) -> Floats:
+    """Return the residuals in units of how much two like runs differ, shape (6,)."""
+    return np.asarray((measured - model) / _SPREADS)
+
+
+def _noise(observed: Observed) -> float:
+    return float(np.median(np.abs(np.diff(observed.torque))) / 0.6745 / np.sqrt(2))
+
+
+def _smooth(observed: Observed) -> Floats:
+    width = max(1, int(_SMOOTHED * observed.rate))
+    return np.asarray(np.convolve(observed.torque, np.full(width, 1 / width), "same"))
+
+
+def _between_gear_and_sensor(rig: Rig, observed: Observed) -> tuple[float, float]:
+    """Return the inertia [kg m^2] between the last gear before the sensor and the sensor, and its turns per motor's.
+
+    Infinite where the model has none there: it then flies on at its speed.
+    """
+    twin = Twin(rig.at(observed.run))
+    node = rig.node(gears_to_sensor(rig)[-1].name)
+    behind = behind_sensor(twin)
+    own = [
+        term.inertia
+        for term in twin.terms
+        if isinstance(term, Inertia) and term.node not in behind and twin.turns.get(term.node) == twin.turns[node]
+    ]
+    return sum(own) or np.inf, twin.rig.speed_ratios(twin.drives[0].on)[node]

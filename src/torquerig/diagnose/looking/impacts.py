@@ -1,0 +1,95 @@
+"""Impacts that ring: orders of the shaft at which the envelope of a band beats."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import Place
+
+Floats = NDArray[np.float64]
+
+_LOWEST, _OCTAVES = 400.0, 0.5  # [Hz] below, shafts ring by themselves; width of a band
+_ORDERS = (0.1, 20.0)  # of the motor shaft
+_STEP = 0.002  # [1/rev of the motor]
+_CLEAR = 12.0  # summed log power over the local floor, for each run; two clean runs reach 9 somewhere among 1e5 places
+_HARMONICS = 3
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A band [Hz] that is struck ``motor_order`` times a turn of the motor, and how clearly [1]."""
+
+    motor_order: float
+    band: float
+    clearness: float
+
+
+def impact_orders(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Impact, ...]:
+    """Return the clearest beats of each band's squared envelope over the motor's angle, best first, at most two.
+
+    Squared envelope spectrum in the angle domain (Randall & Antoni 2011, MSSP 25(2)), summed over the first three
+    harmonics and over the steady runs. Bands whose beat is a line of the model's own families are left out.
+    """
+    steady = [run for run in runs if run.steady]
+    if not steady:
+        return ()
+    found: list[Impact] = []
+    top = 0.42 * min(run.rate for run in steady)
+    centre = _LOWEST * 2 ** (0.5 * _OCTAVES)
+    orders = np.arange(*_ORDERS, _STEP)
+    while centre < top:
+        score = np.zeros(orders.size)
+        for run in steady:
+            score += _score(run, centre, orders)
+        best = int(np.argmax(score))
+        if score[best] > _CLEAR * len(steady) and not _of_family(float(orders[best]), known):
+            found.append(Impact(float(orders[best]), centre, float(score[best])))
+        centre *= 2**_OCTAVES
+    found.sort(key=lambda impact: -impact.clearness)
+    return tuple(found[:2])
+
+
+def _of_family(at: float, known: Sequence[Place]) -> bool:
+    """Whether a beat is a difference of the model's own lines: a whole or fifth order of the motor."""
+    spacing = min((place.at for place in known if place.domain == "order"), default=1.0)
+    return abs(at / spacing - round(at / spacing)) * spacing < 2 * _STEP
+
+
+def _score(run: Observed, centre: float, orders: Floats) -> Floats:
+    """Log power of the squared envelope over its local floor, summed over harmonics of each order."""
+    used = [stretch for stretch in run.stretches if not stretch.held]
+    part = slice(used[0].start, used[-1].stop)
+    envelope = _squared_envelope(run.torque[part], run.rate, centre)
+    angle = run.angle[part]
+    even = np.linspace(angle[0], angle[-1], envelope.size)
+    power = np.abs(np.fft.rfft((np.interp(even, angle, envelope) - envelope.mean()) * np.hanning(envelope.size))) ** 2
+    step = 2 * pi / abs(float(angle[-1] - angle[0]))
+    size = int(_ORDERS[1] * (_HARMONICS + 1) / step)
+    over = _over_floor(power[:size])
+    log = np.log(np.maximum(over, 1.0))
+    score = np.zeros(orders.size)
+    for harmonic in range(1, _HARMONICS + 1):
+        score += np.interp(orders * harmonic / step, np.arange(log.size), log, right=0.0)
+    return score
+
+
+def _squared_envelope(values: Floats, rate: float, centre: float) -> Floats:
+    spectrum = np.fft.rfft(values - values.mean())
+    frequency = np.fft.rfftfreq(values.size, 1 / rate)
+    half = 2 ** (0.5 * _OCTAVES)
+    inside = (frequency > centre / half) & (frequency < centre * half)
+    analytic = np.zeros(values.size, dtype=complex)
+    analytic[: spectrum.size][inside] = 2 * spectrum[inside]
+    return np.asarray(np.abs(np.fft.ifft(analytic)) ** 2)
+
+
+def _over_floor(power: Floats) -> Floats:
+    from scipy.ndimage import median_filter
+
+    return np.asarray(power / np.maximum(median_filter(power, size=101, mode="nearest") / np.log(2), 1e-300))

@@ -1,0 +1,80 @@
+"""All lines that the model lacks, found in passes: a strong line hides weaker ones beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.order_or_fixed import may_be_fixed, rather_fixed
+from torquerig.diagnose.looking.peaks import SHIFTED, Peak, peaks
+from torquerig.diagnose.looking.places import Place, order
+from torquerig.diagnose.looking.side_lines import without_side_lines
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+
+_PASSES = 3
+_STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
+_ASKED = 5  # of the clearest: whether they may keep their frequency
+_LEADING = 150.0  # power over the floor of a line that a shaft is better followed by
+_WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
+
+
+def known_places(runs: Sequence[Observed], rig: Rig) -> list[Place]:
+    """Return where the lines of ``rig`` stand in these runs."""
+    return sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
+
+
+def strong_orders(runs: Sequence[Observed], rig: Rig) -> list[float]:
+    """Return the strong orders of the motor that ``rig`` lacks, where an angle was followed without them.
+
+    An angle that is followed by the weaker lines alone would smear them. Only orders that stand in runs of several
+    speeds count, or a line of fixed frequency would be followed.
+    """
+    if all(run.angle_measured for run in runs if run.steady):
+        return []
+    left = lines_left(runs, known_places(runs, rig), rig=rig)
+    return [
+        peak.place.at for peak in left if peak.place.domain == "order" and peak.speeds > 1 and peak.excess > _LEADING
+    ]
+
+
+def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) -> tuple[Peak, ...]:
+    """Return the peaks beside ``known``, clearest first, each found with the stronger ones taken out.
+
+    Orders that are whole on the output shaft of ``rig`` are stated as such.
+    """
+    ratio, found, beside = kinematics_of(rig).ratio, list[Peak](), list[Place]()
+    for _ in range(_PASSES):
+        carriers = [*known, *(peak.place for peak in found)]
+        seen = peaks(runs, [*carriers, *beside])
+        if not seen:
+            break
+        strong = [peak for peak in seen if peak.excess >= _STRONG * seen[0].excess]
+        new = without_side_lines(strong, runs, carriers, rig=rig)
+        beside += [peak.place for peak in strong if peak not in new]
+        for peak in new:
+            place = _whole(peak, runs, ratio)
+            if place not in {*carriers, *(other.place for other in found)}:
+                found.append(replace(peak, place=place))
+    found.sort(key=lambda peak: -peak.excess)
+    asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in found[:_ASKED]]
+    return (*asked, *found[_ASKED:])
+
+
+def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:
+    """Return the whole output order that a peak stands on, else its own place.
+
+    At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency.
+    """
+    at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
+    if peak.place.domain == "frequency":
+        if peak.speeds > 1:
+            return peak.place
+        at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
+    whole, strays = round(at * ratio) / ratio, min((run.smearing for run in shown), default=0.0)
+    if abs(at - whole) >= max(_WHOLE, SHIFTED * strays * at) or whole <= 0:
+        return peak.place
+    stays = peak.place.domain == "frequency" and rather_fixed(shown, order(whole))
+    return peak.place if stays else order(whole)

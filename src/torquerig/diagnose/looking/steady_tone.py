@@ -1,0 +1,53 @@
+"""Whether a line of fixed frequency sounds all along, as electronics do, or comes and goes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import Place
+
+Floats = NDArray[np.float64]
+
+_LINE = 3  # bins either way that hold a steady line under a Hann window
+_BESIDE, _FLOOR = 12.0, 60.0  # [Hz] either way: where bursts of some hundredths of a second spread to, and the floor
+_CLEAR = 4.0  # standard deviations by which what is beside the line must exceed the floor
+_STEADY = 0.75  # share of its power that a steady tone keeps in one line
+
+
+def sounds_all_along(peak: Peak, runs: Sequence[Observed], known: Sequence[Place]) -> bool:
+    """Whether the line keeps nearly all its power in one line, in the run that shows it best.
+
+    Of a tone of amplitude A that sounds for a share d of the time, ``d A^2`` is its power and ``d^2 A^2`` that of its
+    line; the rest is spread beside it. A tone whose frequency jumps or sweeps loses its line likewise. What stands
+    beside the lines at ``known`` is theirs.
+    """
+    shares = [_share_in_line(run, peak.place.at, known) for run in runs if run.steady and run.name in peak.runs]
+    return not shares or max(shares) > _STEADY
+
+
+def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
+    seen = [stretch for stretch in run.stretches if not stretch.held]
+    torque = run.torque[seen[0].start : seen[-1].stop]
+    power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
+    step = run.rate / torque.size
+    frequency = step * np.arange(power.size)
+    far = np.abs(frequency - at)
+    free = far > _LINE * step
+    for place in known:
+        line = place.frequency(run.mean_speed)
+        if abs(line - at) > _LINE * step:
+            free &= np.abs(frequency - line) > max(_LINE * step, run.smearing * line)
+    beside, floor = free & (far < _BESIDE), _floor(power[free & (far < _FLOOR)])
+    line_power = float(np.maximum(power[far <= _LINE * step] - floor, 0.0).sum())
+    spread = float((power[beside] - floor).sum())
+    return line_power / (line_power + (spread if spread > _CLEAR * floor * np.sqrt(beside.sum()) else 0.0) + 1e-30)
+
+
+def _floor(power: Floats) -> float:
+    """Return the mean that the lower quartile of an exponential stands for: bursts raise the median."""
+    return float(np.quantile(power, 0.25)) / float(np.log(4 / 3)) if power.size else 0.0

@@ -1,0 +1,111 @@
+"""The torque of a run that turns back, block by block, with the lines of the shafts projected out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import Place
+
+Floats = NDArray[np.float64]
+
+STEPS = 4
+_BLOCK = 0.02  # [s] long against the first mode, short against a reversal
+_OVERSAMPLED = 5  # the lines are followed at so many points of a block
+_WIDE = 1e-3  # singular values below this share of the largest carry no line
+
+
+@dataclass(frozen=True)
+class Turning:
+    """Block means of one run.
+
+    Parameters
+    ----------
+    size : int
+        Samples of a block.
+    start : ndarray, shape (blocks,)
+        First sample of each block.
+    course : ndarray, shape (steps,)
+        Speed of the motor [rad/s] over the whole run, ``STEPS`` to a block from the first sample on.
+    first : float
+        Torque at the first step [N m].
+    torque, speed, acceleration : ndarray, shape (blocks,)
+        [N m]; of the motor [rad/s], [rad/s^2].
+    lines : ndarray, shape (blocks, dimensions)
+        Orthonormal columns that span what lines of any size and phase can do to the blocks.
+    """
+
+    size: int
+    start: NDArray[np.int64]
+    course: Floats
+    first: float
+    torque: Floats
+    speed: Floats
+    acceleration: Floats
+    lines: Floats
+
+    def mean_of(self, course: Floats) -> Floats:
+        """Return the mean over each block of values that are given at the steps of the course."""
+        first = np.round(self.start * STEPS / self.size).astype(int)
+        index = np.minimum(first[:, None] + np.arange(STEPS), course.size - 1)
+        return np.asarray(course[index].mean(axis=1))
+
+    def without_lines(self, blocks: Floats, spread: Floats | float = 1.0) -> Floats:
+        """Return the part of ``blocks`` that no line can make, in units of the spread of each."""
+        weights = np.broadcast_to(1 / np.asarray(spread), blocks.shape)
+        lines, weighted = np.linalg.qr(self.lines * weights[:, None])[0], blocks * weights
+        return np.asarray(weighted - lines @ (lines.T @ weighted))
+
+
+def turns_back(observed: Observed) -> bool:
+    """Whether the motor runs both ways in this run."""
+    return float(observed.speed.min()) < -0.05 * float(np.abs(observed.speed).max()) < 0 < float(observed.speed.max())
+
+
+def block_size(observed: Observed) -> int:
+    """Return how many samples make a block of this run."""
+    return max(1, round(_BLOCK * observed.rate))
+
+
+def turning(
+    observed: Observed, places: Sequence[Place], *, held: bool | None, unknown: Sequence[Place] = ()
+) -> Turning:
+    """Return the blocks of the stretches that fits may see (``held`` False), may not see (True), or all (None).
+
+    Lines of ``unknown`` cause may be a load's, which opposes the motion whichever way it goes.
+    """
+    size = block_size(observed)
+    starts = np.concatenate([
+        np.arange(stretch.start, stretch.stop - size + 1, size)
+        for stretch in observed.stretches
+        if held is None or stretch.held == held
+    ])  # fmt: skip
+    index = starts[:, None] + np.arange(size)
+    angle = observed.angle[starts[:, None] + np.linspace(0, size - 1, _OVERSAMPLED).astype(int)]
+    ends = observed.speed[np.minimum(starts + size, observed.speed.size - 1)]
+    waves = [np.exp(1j * place.at * angle).mean(axis=1) for place in places if place.domain == "order"]
+    way = np.sign(observed.speed[starts + size // 2])
+    waves += [way * np.exp(1j * place.at * angle).mean(axis=1) for place in unknown if place.domain == "order"]
+    columns = [part for wave in waves for part in (wave.real, wave.imag)]
+    steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
+    return Turning(
+        size=size,
+        start=starts,
+        course=observed.speed[steps],
+        first=float(observed.torque[: max(1, size // STEPS)].mean()),
+        torque=observed.torque[index].mean(axis=1),
+        speed=observed.speed[starts + size // 2],
+        acceleration=(ends - observed.speed[starts]) * observed.rate / size,
+        lines=_orthonormal(np.array(columns).T.reshape(starts.size, len(columns))),
+    )
+
+
+def _orthonormal(columns: Floats) -> Floats:
+    if columns.shape[1] == 0:
+        return columns
+    left, sizes, _ = np.linalg.svd(columns, full_matrices=False)
+    return np.asarray(left[:, sizes > _WIDE * sizes[0]])

@@ -1,0 +1,30 @@
+"""How the values of a reading are spread: equal neighbours, a pile at the end, jumps; what codes and limits change."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.observed import Observed
+
+Floats = NDArray[np.float64]
+
+_JUMP = 12.0  # robust sigma of the steps
+_RELATIVE, _FLOORS = 0.15, np.array([0.01, 2e-3, 0.05])  # spread of the three numbers
+
+
+def value_features(observed: Observed, *, held: bool) -> Floats:
+    """Return the share of equal neighbours, the share of samples on the end value, and jumps per second, shape (3,)."""
+    channel = observed.recording.channels[observed.recording.torque_name()]
+    volts = np.concatenate([channel.values[s.start : s.stop] for s in observed.stretches if s.held == held])
+    steps = np.diff(volts)
+    sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
+    on_end = max(float(np.mean(volts == volts.max())), float(np.mean(volts == volts.min())))
+    jumps = float(np.sum(np.abs(steps) > _JUMP * sigma)) / (volts.size / observed.rate) if sigma > 0 else 0.0
+    return np.array([float(np.mean(steps == 0)), on_end, jumps])
+
+
+def value_misfit(measured: Floats, model: Floats) -> Floats:
+    """Return the residuals of the three numbers in units of their spread, shape (3,)."""
+    spread = np.sqrt(_FLOORS**2 + (_RELATIVE * np.maximum(measured, model)) ** 2)
+    return np.asarray((measured - model) / spread)
