@@ -64,6 +64,16 @@ BAD: dict[str, tuple[tuple[str, ...], str]] = {
     "no speed": (("no_speed.parquet",), "no_speed.parquet: the run states no motor speed"),
     "unknown channel": (("pressure.csv",), "pressure.csv"),
     "the same twice": (("good.parquet", "good.parquet"), "two recordings have the same file name"),
+    "over an input": (
+        ("good.parquet", "--model", "good.parquet"),
+        "good.parquet: is one of the inputs; choose another",
+    ),
+    "over a sidecar": (
+        ("good.parquet", "--model", "good.yaml"),
+        "good.yaml: is one of the inputs; choose another name",
+    ),
+    "over a stranger": (("good.parquet", "--model", "pressure.csv"), "pressure.csv: is there already and no diagnosis"),
+    "twice the same": (("good.parquet", "--report", "out.json"), "out.json: two results would be written there"),
     "no such folder": (("good.parquet", "--model", "no/model.yaml"), "there is no folder no; make it first"),
 }
 
@@ -95,6 +105,8 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(folder: Path) -> 
     assert [finding["mechanism"] for finding in data["findings"]] == ["quantization"]
     assert data["findings"][0]["parameters"]["step_V"]["value"] == pytest.approx(STEP, rel=1e-3)
     assert data["model"] == "codes.model.yaml"
+    main(("diagnose", "codes.parquet", "--scenario", WEAR_RIG, "--json", "codes.json"))  # its own results it replaces
+    assert json.loads((folder / "codes.json").read_text(encoding="utf-8")) == data
     written = read(folder / data["model"]).rig
     assert written.part("quantization").step == pytest.approx(STEP, rel=1e-3)  # type: ignore[attr-defined]
     again = simulate(written, duration=0.5, seed=1, settling=0.2)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from torquerig.diagnose.fitting.least_squares import minimum
+from torquerig.diagnose.fitting.least_squares import minimum, robust_square, weights
 
 LIMIT = 5.0
 
@@ -53,3 +53,29 @@ def test_a_known_jacobian_saves_evaluations_and_changes_no_minimum() -> None:
     again = minimum(counted, afresh.positions, limit=LIMIT, derivatives=20, jacobian=afresh.jacobian[:, :10])
     assert count[0] < 0.7 * first
     assert again.cost == pytest.approx(afresh.cost, rel=3e-3)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_with_outliers_the_minimum_is_that_of_the_robust_squares(seed: int) -> None:
+    """One residual in six is a hundred spreads off: scipy minimises the roots of the robust squares."""
+    rng, bend = np.random.default_rng(seed), 4.0
+    matrix, wanted = rng.standard_normal((60, 8)), rng.standard_normal(60)
+    wanted[::6] += 100 * rng.standard_normal(10)
+
+    def residuals(x: np.ndarray) -> np.ndarray:
+        return matrix @ x + 0.1 * (matrix @ x) ** 2 - wanted
+
+    found = minimum(residuals, np.zeros(8), limit=LIMIT, derivatives=20, bend=bend)
+    peer = least_squares(
+        lambda x: np.concatenate([np.sqrt(robust_square(residuals(x), bend)), x]), np.zeros(8), bounds=(-LIMIT, LIMIT)
+    )
+    assert found.cost <= 2 * peer.cost * (1 + 2e-3)
+
+
+def test_a_robust_square_is_a_square_for_small_residuals_and_grows_in_proportion_to_large_ones() -> None:
+    np.testing.assert_allclose(robust_square(np.array([0.01, -0.01]), 4.0), 1e-4, rtol=1e-5)
+    far = robust_square(np.array([1e5, 2e5]), 4.0)
+    assert far[1] / far[0] == pytest.approx(2.0, rel=1e-3)
+    at, step = np.array([3.0]), 1e-6
+    slope = (robust_square(at + step, 4.0) - robust_square(at - step, 4.0)) / (2 * step)
+    np.testing.assert_allclose(weights(at, 4.0), slope / (2 * at), rtol=1e-6)

@@ -9,10 +9,15 @@ from pathlib import Path
 import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.cli.targets import check_targets
 from torquerig.errors import InputError
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.signals.files import read_recording
+from torquerig.signals.files.sidecar import sidecar_path
+
+_PAGE = "<!-- written by torquerig diagnose -->"
+_HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was found missing."
 
 
 @click.command("diagnose")
@@ -40,12 +45,12 @@ def command(
     """
     from torquerig.cli.progress import stages
     from torquerig.diagnose.diagnose import Outcome, diagnose
-    from torquerig.diagnose.diagnosis import as_json
+    from torquerig.diagnose.diagnosis import SCHEMA, as_json
     from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
 
-    for path in (report, model, None if out == "-" else Path(out)):
-        if path is not None and not path.parent.is_dir():
-            raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
+    written = [(target, _HEAD), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
+    check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
     if report is not None and under_measured_motion(made.rig):
         raise InputError("there is no page for rigs under measured motion; leave --report out, the JSON has it all")
@@ -60,10 +65,9 @@ def command(
             outcome = diagnose(made, read, seed=seed, progress=progress)
     data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
     if outcome.completes:
-        target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
         text = scenario_text(
             outcome.completed, title=made.title, operating_point=made.document.data.get("operating_point", {}),
-            head="Written by torquerig diagnose: the nominal rig, fitted, with what was found missing.",
+            head=_HEAD,
         )  # fmt: skip
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
