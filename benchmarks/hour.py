@@ -10,14 +10,12 @@ from __future__ import annotations
 
 import argparse
 import resource
-import subprocess
-import sys
 import tempfile
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from child import cost_of
 
 from torquerig.signals.files.block_writing import write_blocks
 from torquerig.signals.recording import Channel, Recording
@@ -54,23 +52,6 @@ def blocks(samples: int) -> Iterator[Recording]:
         )  # fmt: skip
 
 
-def measured(arguments: list[str]) -> tuple[float, float, float, str]:
-    """Return seconds, processor seconds, peak memory [MB] and what was printed, of one run in a child process."""
-    code = (
-        "import resource, sys; from torquerig.cli import main; main(sys.argv[1:]); "
-        "used = resource.getrusage(resource.RUSAGE_SELF); "
-        "print(used.ru_utime + used.ru_stime, used.ru_maxrss, file=sys.stderr)"
-    )
-    start = time.perf_counter()
-    run = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=False)
-    seconds = time.perf_counter() - start
-    if run.returncode:
-        raise SystemExit(run.stderr)
-    unit = 1 if sys.platform == "darwin" else 1024
-    processor, peak = run.stderr.split()[-2:]
-    return seconds, float(processor), int(peak) * unit / 1e6, run.stdout
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--minutes", type=float, default=60.0)
@@ -92,13 +73,13 @@ def main() -> None:
             if options.info:
                 wanted = {"info": ["info", str(path)]}
             for name, arguments in wanted.items():
-                seconds, processor, megabytes, told = measured(arguments)
-                times = samples / RATE / seconds
+                cost = cost_of(arguments)
+                times = samples / RATE / cost.seconds
                 print(
-                    f"{name:>10}: {seconds:6.1f} s ({processor:.1f} s of processor), {times:5.0f} x real time, "
-                    f"peak {megabytes:.0f} MB"
+                    f"{name:>10}: {cost.seconds:6.1f} s ({cost.processor:.1f} s of processor), {times:5.0f} x real "
+                    f"time, peak {cost.megabytes:.0f} MB"
                 )
-            print(told)
+            print(cost.told)
     print(f"(this process: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB)")
 
 
