@@ -64,7 +64,9 @@ def minimum(
     bend : float
         Of ``robust_square``.
     jacobian : ndarray, shape (residuals, first knobs), or None
+        Where None, every knob is stepped alone at first.
     near : bool
+        Without a ``jacobian`` it changes nothing.
     """
     here = np.clip(start, -limit, limit)
     found = residuals(here)

@@ -13,6 +13,8 @@ The slow torque
     quadratic_drag  stribeck_friction  sensor_drift
 Beside the linear twin
     backlash
+Beside the classes
+    fixed_lines  left lines that keep their frequency      reasons  why a class was set aside
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 
 _STRONGEST = 5
-_START, _SMALL = 0.01, 1e-3
+_START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 20.0
 _DEEPEST = 1.2  # of the motor's torque
@@ -45,13 +45,11 @@ def propose(case: Case) -> Iterator[Candidate]:
 def _with_harmonics(case: Case, part: mechanisms.CommutationRipple) -> tuple[mechanisms.CommutationRipple, list[Knob]]:
     """Return the ripple with those of its harmonics that stand among the left lines, and their knobs."""
     seen = {h: place for h in range(2, _HARMONICS + 1) if (place := left_line(case, h * part.order_motor))}
-    sizes = [_SMALL if h in seen else 0.0 for h in range(2, max(seen, default=1) + 1)]
-    for harmonic, place in seen.items():
-        alone = replace(
-            part, depth=0.0, harmonics=tuple(_SMALL if h == harmonic - 2 else 0.0 for h in range(len(sizes)))
-        )
-        sizes[harmonic - 2] = _SMALL * line_factor(case, case.model.rig + alone, place)
-    return replace(part, harmonics=tuple(sizes)), [Knob(part.name, "harmonics", 1.0, key=h - 2) for h in seen]
+    depths = [0.0] * (max(seen, default=1) - 1)
+    for multiple, place in seen.items():
+        alone = replace(part, order_motor=multiple * part.order_motor, depth=_START)
+        depths[multiple - 2] = _START * line_factor(case, case.model.rig + alone, place)
+    return replace(part, harmonics=tuple(depths)), [Knob(part.name, "harmonics", 1.0, key=h - 2) for h in seen]
 
 
 def possible(part: Part) -> bool:
