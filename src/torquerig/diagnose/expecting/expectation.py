@@ -81,10 +81,11 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     stretches = len(seen.stretches)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
     amplitude = np.zeros((stretches, len(seen.places)))
+    mixed = np.zeros_like(amplitude)
     for line, size in zip(twin.lines(), _sizes(twin, points, balance.motor, steady=observed.steady), strict=True):
-        _put(amplitude, power, seen, order(line.order), size)
+        _put(amplitude, mixed, power, seen, order(line.order), size)
     for tone, volts in added.tones:
-        _put(amplitude, power, seen, frequency(tone), np.full(stretches, volts))
+        _put(amplitude, mixed, power, seen, frequency(tone), np.full(stretches, volts))
     level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
     beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
     power = power + beside
@@ -97,7 +98,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
         power=power,
         load_share=load / power,
         power_tolerance=tolerance,
-        amplitude_tolerance=added.impacts,
+        amplitude_tolerance=np.hypot(added.impacts, mixed),
         amplitude=amplitude,
         variance=amplitude_variance(seen, _floor(seen, power)),
         level=level,
@@ -142,13 +143,20 @@ def _sizes(twin: Twin, points: Floats, motor: Floats, *, steady: bool) -> Floats
     return np.asarray(gain * np.array(source))
 
 
-def _put(amplitude: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:
-    """Add a line to the place that shows it in each stretch; where none does in a steady run, to its band."""
+def _put(amplitude: Floats, mixed: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:
+    """Add a line to the place that shows it in each stretch; where none does in a steady run, to its band.
+
+    Lines that share a place add as powers; by ``mixed`` the phase of a guest, which nobody knows, may change that.
+    """
     if not amplitude.size:
         return
     route = seen.route(place)
     rows, column = route.rows, route.column
-    amplitude[rows, column] = np.hypot(amplitude[rows, column], size[rows])
+    before, own = amplitude[rows, column], size[rows] * route.part
+    both = np.hypot(before, own)
+    amplitude[rows, column] = both
+    doubt = route.guest * before * own / np.maximum(np.sqrt(2) * both, 1e-12)
+    mixed[rows, column] = np.hypot(mixed[rows, column], doubt)
     if not rows.size and route.band is not None:
         power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
 
@@ -176,8 +184,8 @@ def amplitude_variance(seen: Features, power: Floats) -> Floats:
     """Return the spread of regressed amplitudes: density over duration, at the frequencies that each line passes."""
     at = np.log(np.maximum(seen.line_frequency, seen.band[0]))
     window = HANN_NOISE if seen.observed.steady else 1.0
-    spread = window * np.interp(at, np.log(seen.band), power).mean(axis=2) / seen.duration[:, None]
-    return np.asarray(spread * seen.widening)
+    density = np.maximum(np.interp(at, np.log(seen.band), power).mean(axis=2), seen.beneath)
+    return np.asarray(window * density / seen.duration[:, None] * seen.widening)
 
 
 def _level_variance(twin: Twin, seen: Features, amplitude: Floats) -> Floats:

@@ -140,9 +140,19 @@ def _moving_lines(seen: Features, model: Expectation) -> Floats:
     expected = np.sqrt(model.amplitude**2 + model.variance)
     bent = NONLINEARITY * np.minimum(model.amplitude.max(axis=1, initial=0.0), size.max(axis=1, initial=0.0))[:, None]
     beyond = np.square(model.amplitude_tolerance) + bent**2
-    tolerated = RAMP_LINE_TOLERANCE**2 * size * expected + (_smearing(seen) * expected) ** 2
+    tolerated = RAMP_LINE_TOLERANCE**2 * size * expected + _strayed(seen, expected)
     spread = np.sqrt(model.variance + tolerated + beyond)
     return np.asarray(np.where(shown, (size - expected) / spread, 0.0) / np.sqrt(2))
+
+
+def _strayed(seen: Features, expected: Floats) -> Floats:
+    """Return what a course that was not measured takes from each line and spreads to its neighbours [(N m)^2]."""
+    lost = np.square(_smearing(seen) * expected)
+    if not lost.any():
+        return lost
+    at = seen.line_frequency.mean(axis=2) * seen.duration[:, None]
+    apart = np.square(at[:, :, None] - at[:, None, :])
+    return np.asarray((lost[:, None, :] / (1 + apart)).sum(axis=2))
 
 
 def _smearing(seen: Features) -> Floats:

@@ -16,6 +16,8 @@ _FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
 _STRONGEST = 5  # lines that are tried as a mesh
 _HARMONICS = 4
 _SMALL = 1e-6  # [rad]
+_OF_THE_FIRST = 0.1  # a harmonic that shows in bands or by its side lines alone starts there
+_STRONG = 100.0  # power over the floor of a line whose harmonics may be smeared until none stands out as a line
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -35,9 +37,11 @@ def propose(case: Case) -> Iterator[Candidate]:
 
 def _mesh(case: Case, gear: Gear | BeltStage, teeth: int) -> Candidate:
     turns = abs(gear.ratio)
+    planets = next((n for n in (3, 4, 5) if _beside(case, teeth, n, turns)), None)
     # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well
-    seen = [1, *(h for h in range(2, _HARMONICS + 1) if left_line(case, h * teeth / turns))]
-    planets = next((n for n in (3, 4, 5) if any(left_line(case, (teeth + s * n) / turns) for s in (1, -1))), None)
+    smeared = (line.excess > _STRONG for line in case.left if line.place == left_line(case, teeth / turns))
+    hidden = any(smeared) and not all(run.angle_measured for run in case.runs if run.steady)
+    seen = [1, *(h for h in range(2, _HARMONICS + 1) if hidden or _shows(case, h * teeth, planets, turns))]
     part = mechanisms.GearMesh(
         name="gear_mesh",
         gear=gear.name,
@@ -49,8 +53,22 @@ def _mesh(case: Case, gear: Gear | BeltStage, teeth: int) -> Candidate:
     sizes = list(part.transmission_error)
     for harmonic in seen:
         place = left_line(case, harmonic * teeth / turns) or order(harmonic * teeth / turns)
-        sizes[harmonic - 1] *= line_factor(case, case.model.rig + part, place)
+        shown = harmonic == 1 or left_line(case, harmonic * teeth / turns) is not None
+        factor = line_factor(case, case.model.rig + part, place)
+        sizes[harmonic - 1] = _SMALL * factor if shown else _OF_THE_FIRST * sizes[0]
     knobs = [Knob(part.name, "transmission_error", 1.0, key=harmonic - 1) for harmonic in seen]
     knobs += [Knob(part.name, "planet_modulation", 1.0)] if planets else []
     part = replace(part, transmission_error=tuple(sizes))
     return Candidate(mechanism="gear_mesh", parts=(part,), knobs=tuple(knobs), place=left_line(case, teeth / turns))
+
+
+def _beside(case: Case, order_output: int, planets: int, turns: float) -> bool:
+    """Whether a left line stands where planets would put one beside a tooth harmonic."""
+    return any(left_line(case, (order_output + side * planets) / turns) for side in (1, -1))
+
+
+def _shows(case: Case, order_output: int, planets: int | None, turns: float) -> bool:
+    """Whether a tooth harmonic is left itself or, where that hides, by a line beside it."""
+    return bool(left_line(case, order_output / turns)) or (
+        planets is not None and _beside(case, order_output, planets, turns)
+    )

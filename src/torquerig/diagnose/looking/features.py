@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.bands import bands, no_bands, spectrum
 from torquerig.diagnose.looking.observed import Observed, Stretch
-from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_STEADY, SAME_ORDER, Place
+from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_UNMEASURED, SAME_ORDER, Place
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.smeared import WIDE, gathered
 from torquerig.diagnose.looking.turning import Turning, turning, turns_back
@@ -30,10 +30,15 @@ POINTS = 9  # speeds kept of each stretch
 
 @dataclass(frozen=True)
 class Route:
-    """Stretches (``rows``) that show a line and at which place; a band for where none does."""
+    """Stretches (``rows``) that show a line and at which place; a band for where none does.
+
+    ``part`` of it shows there, and it is a ``guest`` where the place is another line's.
+    """
 
     rows: NDArray[np.int64]
     column: NDArray[np.int64]
+    part: Floats
+    guest: NDArray[np.bool_]
     band: int | None
 
 
@@ -70,7 +75,11 @@ class Features:
     width : ndarray, shape (bands,)
         Of each band [Hz].
     widening : float or ndarray, shape (stretches, places)
-        Factor on the variance of the amplitudes where a smeared line was gathered.
+        Factor on the variance of the amplitudes where others stand beside them or a smeared line was gathered.
+    reach : float or ndarray, shape (stretches, places)
+        Bins of a stretch within which whatever stands there counts as the line.
+    beneath : float or ndarray, shape (stretches, places)
+        Density that a smeared line stands in [(N m)^2/Hz], 0 where the bands tell it.
     unknown : tuple of Place
         Those of the places whose lines no model had when the run was looked at.
     turning : Turning or None
@@ -93,6 +102,8 @@ class Features:
     width: Floats
     turning: Turning | None = None
     widening: float | Floats = 1.0
+    reach: float | Floats = RESOLVED
+    beneath: float | Floats = 0.0
     unknown: tuple[Place, ...] = ()
     _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
 
@@ -129,12 +140,17 @@ class Features:
         apart[:, same] = 0.0
         apart[~np.isfinite(self.amplitude)] = np.inf
         column = np.argmin(apart, axis=1)
-        resolved = RESOLVED_STEADY if self.observed.steady else RESOLVED
-        rows = np.flatnonzero(apart[np.arange(at.size), column] < resolved)
+        nearest = apart[np.arange(at.size), column]
+        reach = np.broadcast_to(self.reach, apart.shape)[np.arange(at.size), column]
+        rows = np.flatnonzero(nearest < reach)
+        part = np.where(reach > RESOLVED_UNMEASURED, 1.0, _hann_transform(nearest))[rows]
+        if not self.observed.steady:
+            part = np.ones(rows.size)
+        guest = (0 < nearest[rows]) & (nearest[rows] < RESOLVED_UNMEASURED)
         mean, band = float(at.mean()), None
         if self.power.size and self.band[0] < mean < self.band[-1]:
             band = int(np.argmin(np.abs(np.log(self.band / mean))))
-        return Route(rows, column[rows], band)
+        return Route(rows, column[rows], part, guest, band)
 
 
 def features(
@@ -147,23 +163,23 @@ def features(
     if turns_back(observed):
         return _turning_features(observed, places, held=held, unknown=unknown)
     stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
-    amplitudes, levels, spectra, widenings = [], list[float](), [], []
+    looks, levels, spectra = list[_Lines](), list[float](), []
     parts = [part for stretch in stretches for part in _parts(observed, stretch)]
     for stretch in stretches:
-        amplitude, slow, rest, lines, widening = _lines(observed, stretch, places)
-        widenings.append(widening)
-        amplitudes.append(amplitude)
+        look = _lines(observed, stretch, places)
+        looks.append(look)
         own = [part for part in parts if stretch.start <= part.start < stretch.stop]
-        levels += [float(slow[part.start - stretch.start : part.stop - stretch.start].mean()) for part in own]
+        levels += [float(look.slow[part.start - stretch.start : part.stop - stretch.start].mean()) for part in own]
         if observed.steady:
-            spectra.append(spectrum(rest, observed.rate, lines, smeared=observed.smearing))
+            spectra.append(spectrum(look.rest, observed.rate, look.at, smeared=observed.smearing))
     speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
     duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
     floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
     return Features(
         observed=observed, held=held, stretches=tuple(stretches), parts=tuple(parts), places=tuple(places),
-        amplitude=np.array(amplitudes),
-        level=np.array(levels), widening=np.array(widenings), unknown=tuple(unknown),
+        amplitude=np.array([look.amplitude for look in looks]), widening=np.array([look.widening for look in looks]),
+        reach=np.array([look.reach for look in looks]), beneath=np.array([look.beneath for look in looks]),
+        level=np.array(levels), unknown=tuple(unknown),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
         band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
     )  # fmt: skip
@@ -187,15 +203,24 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
     speeds = np.abs(observed.speed[stretch.start : stretch.stop])
     duration = (stretch.stop - stretch.start) / observed.rate
     mean, top = float(speeds.mean()), float(speeds.max())
-    resolved = RESOLVED_STEADY if observed.steady else RESOLVED
     shown: list[int] = []
     for index, place in enumerate(places):
         at = place.frequency(mean)
         turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
-        near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < resolved)
+        near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < _resolved(observed))
         if turning and all(_crossing(observed, stretch, place, other) for other in near):
             shown.append(index)
     return shown
+
+
+def _resolved(observed: Observed) -> float:
+    """Return the bins of a stretch that two lines must stand apart to be two."""
+    return RESOLVED_UNMEASURED if observed.steady and not observed.angle_measured else RESOLVED
+
+
+def _hann_transform(bins: Floats) -> Floats:
+    """Return what a Hann window leaves of a line that stands so many bins beside the one looked for."""
+    return np.asarray(np.sinc(bins) + 0.5 * (np.sinc(bins - 1) + np.sinc(bins + 1)))
 
 
 def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) -> bool:
@@ -208,10 +233,20 @@ def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) 
     return bool(abs(np.exp(1j * apart).mean()) < _LIKE)
 
 
-def _lines(
-    observed: Observed, stretch: Stretch, places: Sequence[Place]
-) -> tuple[NDArray[np.complex128], Floats, Floats, list[float], Floats]:
-    """Return the lines' amplitudes, the torque without them, what a straight line leaves of it, where lines stand."""
+@dataclass(frozen=True)
+class _Lines:
+    """Lines of one stretch, as in ``Features``; the torque without them, what a straight line leaves of it; where."""
+
+    amplitude: NDArray[np.complex128]
+    widening: Floats
+    reach: Floats
+    beneath: Floats
+    slow: Floats
+    rest: Floats
+    at: list[float]
+
+
+def _lines(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> _Lines:
     part = slice(stretch.start, stretch.stop)
     time = np.arange(stretch.start, stretch.stop) / observed.rate
     shown = shown_places(observed, stretch, places)
@@ -220,19 +255,23 @@ def _lines(
     found = regressed(observed.torque[part], own, window=window)
     amplitude = np.full(len(places), np.nan, dtype=complex)
     amplitude[shown] = found.amplitude
+    widening = np.ones(len(places))
+    widening[shown] = found.widening
+    reach, beneath = np.full(len(places), _resolved(observed)), np.zeros(len(places))
     mean = float(np.abs(observed.speed[part]).mean())
     lines = [places[index].frequency(mean) for index in shown]
-    widening = np.ones(len(places))
     if observed.steady and observed.smearing:
         wide = WIDE / observed.smearing * observed.rate / time.size
         turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
-        found_lines = gathered(
-            observed.torque[part], observed.rate, [lines[r] for r in turning], smeared=observed.smearing
-        )
+        fixed = [r for r, index in enumerate(shown) if places[index].domain == "frequency"]
+        others = observed.torque[part] - (found.amplitude[fixed] @ own[fixed]).real
+        found_lines = gathered(others, observed.rate, [lines[r] for r in turning], smeared=observed.smearing)
         for row, each in zip(turning, found_lines, strict=True):
-            amplitude[shown[row]], widening[shown[row]] = each.amplitude, each.widening
+            at = shown[row]
+            amplitude[at], widening[at] = each.amplitude, each.widening
+            reach[at], beneath[at] = each.reach, each.floor
     slow = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, time.size)
-    return amplitude, slow, found.rest, lines, widening
+    return _Lines(amplitude, widening, reach, beneath, slow, found.rest, lines)
 
 
 def _parts(observed: Observed, stretch: Stretch) -> list[Stretch]:

@@ -22,12 +22,16 @@ class Regression:
         The straight line beside the lines.
     rest : ndarray, shape (samples,)
         What neither explains.
+    widening : ndarray, shape (lines,)
+        By what the others beside it multiply the variance of a line's amplitude [1]: the diagonal of the inverse of the
+        normal equations' matrix times its own.
     """
 
     amplitude: NDArray[np.complex128]
     level: float
     slope: float
     rest: NDArray[np.float64]
+    widening: NDArray[np.float64]
 
 
 HANN_NOISE = 1.5  # spread of an amplitude under a Hann window, as a factor on its variance without one
@@ -46,10 +50,13 @@ def regressed(
     weighted = basis if window is None else basis * window
     gram = weighted @ basis.T
     gram[np.diag_indices_from(gram)] += _RIDGE * count
-    found = np.linalg.solve(gram, weighted @ values)
+    inverse = np.linalg.inv(gram)
+    found = inverse @ (weighted @ values)
+    widened = (np.diag(inverse) * np.diag(gram))[2:]
     return Regression(
         amplitude=found[2 : 2 + lines] + 1j * found[2 + lines :],
         level=float(found[0]),
         slope=float(found[1]),
         rest=values - found @ basis,
+        widening=0.5 * (widened[:lines] + widened[lines:]),
     )

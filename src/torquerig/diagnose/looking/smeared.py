@@ -19,10 +19,24 @@ _BESIDE = 2.0  # the floor is taken from bins up to so many widths away
 
 @dataclass(frozen=True)
 class Gathered:
-    """Zero-to-peak amplitude [unit], and by what the variance of a coherent estimate must be multiplied [1]."""
+    """A line whose power was gathered.
+
+    Parameters
+    ----------
+    amplitude : float
+        Zero to peak [unit].
+    widening : float
+        By what the variance of a coherent estimate must be multiplied [1].
+    reach : float
+        Whatever stands within so many bins of the line has been gathered with it.
+    floor : float
+        One-sided density that it stands in [unit^2/Hz], the skirts of stronger lines beside it included.
+    """
 
     amplitude: float
     widening: float
+    reach: float
+    floor: float
 
 
 def gathered(values: Floats, rate: float, lines: Sequence[float], *, smeared: float) -> list[Gathered]:
@@ -46,5 +60,5 @@ def gathered(values: Floats, rate: float, lines: Sequence[float], *, smeared: fl
         widening = float(np.sqrt(max(high - low, 1) / HANN_NOISE))
         # what chance adds to a coherent estimate, so that both are read alike
         chance = 2 * HANN_NOISE * widening * floor * step
-        answer.append(Gathered(float(np.sqrt(max(2 * power + chance, 0.0))), widening))
+        answer.append(Gathered(float(np.sqrt(max(2 * power + chance, 0.0))), widening, half, floor))
     return answer
