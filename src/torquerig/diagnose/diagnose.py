@@ -13,6 +13,7 @@ from torquerig.diagnose.findings import reasons, run_for_the_rest, searched
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.free_names import with_free_names
+from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
@@ -106,7 +107,7 @@ def diagnose(
     fitted_nominal = reduce(_without, faults.candidates, before.model.rig)
     fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
-    left = mismatches(after)
+    left = left_by_simulation(after, mismatches(after))
     detail = detail_of(before, after, left)
     left = left if detail is None else ()
     if not (left or found or found_by_search.descriptions) and fit.after > LARGEST:

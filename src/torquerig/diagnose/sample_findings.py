@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops
+from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
@@ -53,4 +54,5 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
+    mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
     return SampleFindings(tuple(candidates), mended, () if flat is None else flat.runs, tuple(unnamed))

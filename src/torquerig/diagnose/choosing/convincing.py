@@ -15,7 +15,7 @@ from torquerig.diagnose.looking.features import Features
 _WHOLLY = 6  # power of the share by which gains are compared
 _LARGE = 100.0  # gain above which a smaller share is enough, if the model then fits as a whole
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
-_DETAIL = 0.02  # of what an effect gained, its own details may gain where nothing stands out any more
+_DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -35,8 +35,9 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     stands_out = bool(mismatches(case))
     if trial.candidate.description and not stands_out:
         return False  # what does not stand out needs no description
+    turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]
     detail = _OF_EARLIER if case.model.corrections else 0.0 if stands_out else _DETAIL
-    least = max([_least_gain(case, trial), *(detail * each.gain for each in earlier)])
+    least = max([_least_gain(case, trial), *(detail * each.gain for each in turning)])
     fits = trial.gain > _LARGE and trial.model.cost < feature_count(trial.model)
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)

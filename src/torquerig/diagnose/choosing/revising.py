@@ -44,8 +44,9 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
         final = kept[-1].trial.model
         if others.model.cost - final.cost < LEAST_GAIN + PER_KNOB * len(kept[at].trial.candidate.knobs):
             kept = [*kept[:at], *kept[at + 1 :]]
+            kept[-1] = replace(kept[-1], trial=_as_last(kept, others.model))  # the one without what is gone
             before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
-            kept[-1] = replace(kept[-1], before=before, trial=_as_last(kept, others.model))
+            kept[-1] = replace(kept[-1], before=before)
             continue
         tried = trials(others, simulated=False)
         better = tried.fitted[0] if tried.fitted else None

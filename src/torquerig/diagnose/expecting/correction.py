@@ -53,8 +53,10 @@ def corrected(model: Expectation, correction: Correction) -> Expectation:
     power = model.power * correction.power if model.power.size == correction.power.size else model.power
     return replace(
         model,
-        power_tolerance=_CHANCE * np.abs(np.log(correction.power)) if power.size else 0.0,
-        amplitude_tolerance=_CHANCE * np.sqrt(np.abs(correction.squares)),
+        power_tolerance=np.hypot(model.power_tolerance, _CHANCE * np.abs(np.log(correction.power)))
+        if power.size
+        else 0.0,
+        amplitude_tolerance=np.hypot(model.amplitude_tolerance, _CHANCE * np.sqrt(np.abs(correction.squares))),
         power=power,
         amplitude=np.sqrt(np.maximum(model.amplitude**2 + correction.squares, 0.0)),
         level=model.level + correction.level,

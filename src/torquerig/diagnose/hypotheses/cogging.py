@@ -12,7 +12,8 @@ from torquerig.diagnose.looking.places import Place
 from torquerig.rig.parts import Motor
 
 _START = 0.001  # [N m]
-_MULTIPLES = 6  # of slots or poles that are looked at
+_MULTIPLES = 6  # of slots or poles that are looked at, and all of them up to ...
+_NATIVE = 3  # ... so many times the native order
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -22,8 +23,9 @@ def propose(case: Case) -> Iterator[Candidate]:
             continue
         poles = 2 * motor.pole_pairs
         native = lcm(motor.slots, poles)
-        multiples = {count * times for count in (motor.slots, poles) for times in range(1, _MULTIPLES + 1)}
-        orders = dict.fromkeys((native, motor.slots, poles, *sorted({*multiples, 2 * native})))
+        furthest = {count: max(_MULTIPLES * count, _NATIVE * native) for count in (motor.slots, poles)}
+        multiples = {at for count, last in furthest.items() for at in range(count, last + 1, count)}
+        orders = dict.fromkeys((native, motor.slots, poles, *sorted(multiples)))
         seen = {at: place for at in orders if (place := left_line(case, float(at))) is not None}
         if not seen:
             continue

@@ -17,6 +17,7 @@ from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.places import SAME_ORDER
 from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN, blows
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
@@ -24,6 +25,7 @@ LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
 _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
 _DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
+_LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
 _BY_CHANCE = 4.0  # squares of residuals below this are no misfit
 _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
 _MEAN_SQUARE = 3.0  # of all bands of a run
@@ -78,6 +80,8 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
                 continue
             residual = np.atleast_2d(misfit.lines)[:, column]
             square += float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum())
+            if _of_a_law(case, features, column):
+                continue
             size = float(np.abs(residual).max(initial=0.0))
             # a moving run has many stretches, of which a few may stray
             size = size if features.observed.steady else float(np.sqrt(np.mean(residual**2)) * 2)
@@ -98,6 +102,20 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
             share_of_misfit=square / total,
             p_value=_chance(worst, places),
         )
+
+
+def _of_a_law(case: Case, features: Features, column: int) -> bool:
+    """Whether a line is but the detail of an effect's law: a multiple of its order, and small beside its own line."""
+    place, size = features.places[column], np.sqrt(np.nanmean(np.abs(features.amplitude) ** 2, axis=0))
+    for candidate in case.accepted:
+        own = candidate.place
+        if own is None or own.domain != place.domain or own not in features.places:
+            continue
+        times = place.at / own.at
+        multiple = round(times) > 1 and abs(times - round(times)) * own.at < SAME_ORDER
+        if multiple and size[column] < _LAW * size[features.places.index(own)]:
+            return True
+    return False
 
 
 def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Iterator[Mismatch]:

@@ -207,7 +207,9 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
     for index, place in enumerate(places):
         at = place.frequency(mean)
         turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
-        near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < _resolved(observed))
+        near = (
+            places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < _resolved(observed)
+        )
         if turning and all(_crossing(observed, stretch, place, other) for other in near):
             shown.append(index)
     return shown

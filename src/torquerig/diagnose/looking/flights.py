@@ -31,6 +31,7 @@ _SHORTEST = 4e-3  # [s]
 UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
 _NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
 _SLOPE = 2.5e-3  # [s] each way, over which the speed at the parting is taken
+_TRIMMED, _OF_TRIMMED = 0.95, 0.871  # quantile, and the rms of a normal variate below it
 _LONGEST = 0.95  # quantile of the distances: single ones are misjudged
 _ARCMIN = pi / 180 / 60
 _SPREADS = np.array([0.5, 0.3, 0.3, 0.5, 0.4, 0.4])  # of the logarithms, between two like runs
@@ -119,7 +120,12 @@ def flight_misfit(measured: Floats, model: Floats) -> Floats:
 
 
 def _noise(observed: Observed) -> float:
-    return float(np.median(np.abs(np.diff(observed.torque))) / 0.6745 / np.sqrt(2))
+    """Return the noise of the samples; where most are equal to the one before (coarse codes), by a trimmed mean."""
+    steps = np.abs(np.diff(observed.torque))
+    middle = float(np.median(steps)) / 0.6745
+    if middle == 0:
+        middle = float(np.sqrt(np.mean(steps[steps <= np.quantile(steps, _TRIMMED)] ** 2))) / _OF_TRIMMED
+    return middle / float(np.sqrt(2))
 
 
 def _smooth(observed: Observed) -> Floats:

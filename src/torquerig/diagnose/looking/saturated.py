@@ -1,0 +1,43 @@
+"""Moments in which the converter stood at its limit: a single hit of a heavy load may reach it, and that is no fault.
+
+A flat top of a few milliseconds rings through all bands of a quiet spectrum, where a filter had left nothing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from torquerig.signals.recording import Recording
+
+_AT_LIMIT = 0.9995  # of the converter's range
+_SLOPE = 5e-4  # [s] each side, over which the slope into and out of the moment is taken
+_MOST = 0.01  # share of the samples beyond which nothing can be rebuilt
+
+
+def rebuilt(recording: Recording, *, full_range: float) -> Recording:
+    """Return the recording with cubics over the moments at the converter's limit, by value and slope at their ends.
+
+    Parameters
+    ----------
+    recording : Recording
+    full_range : float
+        Of the converter, either way [V].
+    """
+    name = recording.torque_name()
+    volts = recording.channels[name].values
+    stuck = np.abs(volts) >= _AT_LIMIT * full_range
+    if not stuck.any() or stuck.mean() > _MOST:
+        return recording
+    reach = max(2, round(_SLOPE * recording.sample_rate))
+    stuck |= np.convolve(stuck, np.ones(2 * reach + 1), "same") > reach  # what returns for a moment is one with it
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], stuck, [False]]).astype(int)))
+    answer = volts.copy()
+    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        first, last = start - 1, stop
+        if first < reach or last + reach >= volts.size:
+            continue
+        rising, falling = (volts[first] - volts[first - reach]) / reach, (volts[last + reach] - volts[last]) / reach
+        cubic = CubicHermiteSpline([first, last], [volts[first], volts[last]], [rising, falling])
+        answer[start:stop] = cubic(np.arange(start, stop))
+    return recording.with_values(name, answer)
