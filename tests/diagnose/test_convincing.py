@@ -89,3 +89,19 @@ def test_a_rest_is_detail_only_beside_what_was_found(case: Case, monkeypatch: py
     assert detail_of(strong, after, []) is None
     flying = [replace(left[0], domain="distribution")]
     assert detail_of(strong, after, flying) is None, "flights of flanks are no detail of anything"
+
+
+def test_where_nothing_stands_out_a_strong_effects_details_are_no_second_effect(
+    case: Case, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    second = trial(wear_rig.rig, "torsional_mode", *[1.0] * 20, *[10.0] * 20, before=case.model)
+    strong = replace(second, gain=200.0 * second.gain)
+    left = Mismatch(
+        domain="frequency", axis="Hz", at=90.0, width=5.0, recordings=("run1",), excess_dB=9.0,
+        share_of_misfit=1.0, p_value=1e-9,
+    )  # fmt: skip
+    judged = []
+    for places in ((), (left,)):
+        monkeypatch.setattr(judging, "mismatches", lambda _, places=places: places)
+        judged.append(judging.convincing(case, second, earlier=[strong], held=()))
+    assert judged == [False, True]

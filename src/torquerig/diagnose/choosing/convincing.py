@@ -32,15 +32,20 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     held : sequence of Features
         Of the stretches that no fit has seen.
     """
-    stands_out = bool(mismatches(case))
-    if trial.candidate.description and not stands_out:
+    if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
-    turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]
-    detail = _OF_EARLIER if case.model.corrections else 0.0 if stands_out else _DETAIL
-    least = max([_least_gain(case, trial), *(detail * each.gain for each in turning)])
+    least = max([_least_gain(case, trial), *_gains_of_details(case, earlier)])
     fits = trial.gain > _LARGE and trial.model.cost < feature_count(trial.model)
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
+
+
+def _gains_of_details(case: Case, earlier: Sequence[Trial]) -> list[float]:
+    """Return what the details of effects that were found earlier may gain when another effect takes them up."""
+    if case.model.corrections:
+        return [_OF_EARLIER * each.gain for each in earlier]
+    turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]
+    return [_DETAIL * each.gain for each in turning] if turning and not mismatches(case) else []
 
 
 def _least_gain(case: Case, trial: Trial) -> float:

@@ -67,6 +67,32 @@ class Expectation:
     turning_tolerance: float | Floats = 0.0
 
 
+@dataclass(frozen=True)
+class _Shown:
+    """Where lines show: in the density of bands, else as amplitudes, shape (stretches, places).
+
+    ``doubt`` is by how much the phase of a guest, which nobody knows, may change an amplitude.
+    """
+
+    power: Floats
+    amplitude: Floats
+    doubt: Floats
+
+    def add(self, seen: Features, place: Place, size: Floats) -> None:
+        """Add a line to the place that shows it in each stretch, as powers; where none does, to its band."""
+        if not self.amplitude.size:
+            return
+        route = seen.route(place)
+        at = route.rows, route.column
+        before, own = self.amplitude[at], size[route.rows] * route.part
+        both = np.hypot(before, own)
+        self.amplitude[at] = both
+        crossed = route.guest * before * own / np.maximum(np.sqrt(2) * both, 1e-12)
+        self.doubt[at] = np.hypot(self.doubt[at], crossed)
+        if not route.rows.size and route.band is not None:
+            self.power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
+
+
 def expected(rig: Rig, seen: Features) -> Expectation:
     """Return what the linear twin of ``rig`` expects of the run of ``seen``."""
     observed = seen.observed
@@ -80,29 +106,28 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     points = np.abs(seen.speed).mean()[None] if observed.steady else np.abs(seen.speed).ravel()
     stretches = len(seen.stretches)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
-    amplitude = np.zeros((stretches, len(seen.places)))
-    mixed = np.zeros_like(amplitude)
+    shown = _Shown(power, *(np.zeros((stretches, len(seen.places))) for _ in range(2)))
     for line, size in zip(twin.lines(), _sizes(twin, points, balance.motor, steady=observed.steady), strict=True):
-        _put(amplitude, mixed, power, seen, order(line.order), size)
+        shown.add(seen, order(line.order), size)
     for tone, volts in added.tones:
-        _put(amplitude, mixed, power, seen, frequency(tone), np.full(stretches, volts))
+        shown.add(seen, frequency(tone), np.full(stretches, volts))
     level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
     beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
     power = power + beside
     flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
     tolerance = np.hypot(beside / power, _RINGING_SHAPE * flank / power)
     for step in added.codes:
-        rounding, doubt = _rounded(step, seen, power, amplitude)
+        rounding, doubt = _rounded(step, seen, power, shown.amplitude)
         power, tolerance = power + rounding, np.hypot(tolerance, doubt)
     return Expectation(
         power=power,
         load_share=load / power,
         power_tolerance=tolerance,
-        amplitude_tolerance=np.hypot(added.impacts, mixed),
-        amplitude=amplitude,
+        amplitude_tolerance=np.hypot(added.impacts, shown.doubt),
+        amplitude=shown.amplitude,
         variance=amplitude_variance(seen, _floor(seen, power)),
         level=level,
-        level_variance=_level_variance(twin, seen, amplitude),
+        level_variance=_level_variance(twin, seen, shown.amplitude),
     )
 
 
@@ -141,24 +166,6 @@ def _sizes(twin: Twin, points: Floats, motor: Floats, *, steady: bool) -> Floats
     gain = np.abs(at_each if steady else at_each.reshape(len(lines), -1, POINTS).mean(axis=2))
     source = [line.amplitude * (np.abs(motor) if line.by_load else np.ones(motor.size)) for line in lines]
     return np.asarray(gain * np.array(source))
-
-
-def _put(amplitude: Floats, mixed: Floats, power: Floats, seen: Features, place: Place, size: Floats) -> None:
-    """Add a line to the place that shows it in each stretch; where none does in a steady run, to its band.
-
-    Lines that share a place add as powers; by ``mixed`` the phase of a guest, which nobody knows, may change that.
-    """
-    if not amplitude.size:
-        return
-    route = seen.route(place)
-    rows, column = route.rows, route.column
-    before, own = amplitude[rows, column], size[rows] * route.part
-    both = np.hypot(before, own)
-    amplitude[rows, column] = both
-    doubt = route.guest * before * own / np.maximum(np.sqrt(2) * both, 1e-12)
-    mixed[rows, column] = np.hypot(mixed[rows, column], doubt)
-    if not rows.size and route.band is not None:
-        power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
 
 
 def _noise(rig: Rig, seen: Features) -> Floats:

@@ -17,8 +17,8 @@ from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.places import SAME_ORDER
 from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN, blows
+from torquerig.diagnose.looking.places import SAME_ORDER
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0

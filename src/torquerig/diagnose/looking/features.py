@@ -146,7 +146,7 @@ class Features:
         part = np.where(reach > RESOLVED_UNMEASURED, 1.0, _hann_transform(nearest))[rows]
         if not self.observed.steady:
             part = np.ones(rows.size)
-        guest = (0 < nearest[rows]) & (nearest[rows] < RESOLVED_UNMEASURED)
+        guest = (nearest[rows] > 0) & (nearest[rows] < RESOLVED_UNMEASURED)
         mean, band = float(at.mean()), None
         if self.power.size and self.band[0] < mean < self.band[-1]:
             band = int(np.argmin(np.abs(np.log(self.band / mean))))

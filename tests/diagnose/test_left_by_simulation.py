@@ -1,0 +1,76 @@
+"""What a linear twin leaves and a simulation of the same rig shows too is no missing physics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
+from torquerig.diagnose.fitting.misfit import misfit_sum
+from torquerig.diagnose.judging import by_simulation
+from torquerig.diagnose.judging.by_simulation import left_by_simulation
+from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.lines_left import known_places
+from torquerig.diagnose.looking.observed import observed
+from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.shaft_angle import shaft_angles
+from torquerig.errors import SimulationError
+from torquerig.mechanisms import Cogging
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+# its own ripple turns the motor by 56 * 0.6 N m / (J omega^2) of a radian, enough for a line at twice the order
+STRONG = Cogging(name="cogging", slots=12, pole_pairs=7, further={56: 0.6})
+SPEED = 158.0  # [rpm] where order 56 meets the wear part's mode
+
+
+@pytest.fixture(scope="module")
+def recording(wear_rig: Scenario, record: Callable[..., Recording]) -> Recording:
+    return record(wear_rig.rig + STRONG, 5, rpm=SPEED, duration=12.0, occupancy=0.0)
+
+
+def case_of(rig: Rig, recording: Recording) -> Case:
+    """The run against ``rig``, none of its numbers fitted."""
+    angles, factor = shaft_angles([recording], rig)
+    run = observed(recording, angles[0], ratio=kinematics_of(rig).ratio, factor=factor)
+    seen = (features(run, [*known_places([run], rig), order(112.0)]),)
+    misfits = misfits_of(rig, seen)
+    none = np.zeros(0)
+    model = Calibrated(rig, (), none, np.zeros((0, 0)), misfits, misfit_sum(misfits))
+    return Case(nominal=rig, runs=(run,), seen=seen, model=model, left=())
+
+
+def at_twice_the_order(left: tuple[Mismatch, ...]) -> list[Mismatch]:
+    return [mismatch for mismatch in left if mismatch.domain == "order" and mismatch.at in {112.0, 560.0}]
+
+
+def test_a_line_that_a_strong_ripple_makes_at_twice_its_order(wear_rig: Scenario, recording: Recording) -> None:
+    case = case_of(wear_rig.rig + STRONG, recording)
+    twin = mismatches(case)
+    assert at_twice_the_order(twin)  # the twin has none
+    assert not at_twice_the_order(left_by_simulation(case, twin))
+
+
+def test_what_the_rig_lacks_stays_left(wear_rig: Scenario, recording: Recording) -> None:
+    case = case_of(wear_rig.rig, recording)
+    twin = mismatches(case)
+    assert at_twice_the_order(left_by_simulation(case, twin)) == at_twice_the_order(twin) != []
+
+
+def test_where_nothing_can_be_simulated_all_stays(
+    wear_rig: Scenario, recording: Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: object, **__: object) -> None:
+        raise SimulationError("the motor is held fast")
+
+    monkeypatch.setattr(by_simulation, "simulated_runs", fails)
+    case = case_of(wear_rig.rig + STRONG, recording)
+    twin = mismatches(case)
+    assert left_by_simulation(case, twin) == twin

@@ -1,0 +1,62 @@
+"""Looking back at each effect: what the others do not need goes, and takes its numbers with it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing import revising
+from torquerig.diagnose.choosing.revising import Accepted, revised
+from torquerig.diagnose.choosing.search import Trial, Tried
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.mechanisms import MainsInterference, PwmAliasing, QuadraticDrag
+from torquerig.rig.part import Part
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+
+PARTS: dict[str, tuple[Part, str]] = {
+    "quadratic_drag": (QuadraticDrag(name="quadratic_drag", coefficient=1e-3), "coefficient"),
+    "mains_interference": (
+        MainsInterference(name="mains_interference", frequency=50.0, amplitudes=(0.1,)),
+        "frequency",
+    ),
+    "pwm_aliasing": (PwmAliasing(name="pwm_aliasing", frequency=900.0, amplitude=0.1), "frequency"),
+}
+NEEDED = ("mains_interference", "pwm_aliasing")
+
+
+def candidate(name: str) -> Candidate:
+    part, field = PARTS[name]
+    return Candidate(mechanism=name, parts=(part,), knobs=(Knob(name, field, 0.5),))
+
+
+def fitted(rig: Rig, knobs: Sequence[Knob]) -> Calibrated:
+    """A model that fits by as much as it holds of what is needed; every knob must stand in its rig."""
+    for knob in knobs:
+        knob.value(rig)
+    held = {part.name for part in rig.parts}
+    count = len(knobs)
+    cost = 1000.0 - 300.0 * sum(name in held for name in NEEDED)
+    return Calibrated(rig, tuple(knobs), np.zeros(count), np.eye(count), (), cost)
+
+
+def test_of_three_effects_the_first_may_go(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: fitted(rig, knobs))
+    monkeypatch.setattr(revising, "trials", lambda case, **_: Tried((), ()))
+    rig, knobs = wear_rig.rig, tuple[Knob, ...]()
+    first = case = Case(nominal=rig, runs=(), seen=(), model=fitted(rig, ()), left=())
+    accepted: list[Accepted] = []
+    for name in PARTS:
+        own = candidate(name)
+        rig, knobs = own.added_to(rig), (*knobs, *own.knobs)
+        trial = Trial(own, fitted(rig, knobs), 300.0)
+        accepted.append(Accepted(before=case, trial=trial, tried=Tried((trial,), ())))
+        case = revising.with_all(first, accepted)
+    kept = revised(first, accepted)
+    assert [each.trial.candidate.mechanism for each in kept] == list(NEEDED)
+    assert {knob.part for knob in kept[-1].trial.model.knobs} == {*NEEDED}
+    assert [part.name for part in kept[-1].before.model.rig.parts if part.name in PARTS] == [NEEDED[0]]
