@@ -25,6 +25,7 @@ _FINALISTS = 5
 _POLISHED = 2  # of the best, which are fitted on until nothing moves
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 3, 3
+_BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
 _WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
@@ -168,7 +169,9 @@ def _joint(case: Case, trial: Trial) -> Trial:
     answer = fitted(trial.model.rig, case.model.positions, near=True)
     if answer.model.cost < _WELL * feature_count(answer.model):
         return answer
-    apart = case.apart if case.left and case.apart is not None else np.zeros(len(case.model.knobs))
+    apart = case.apart if case.left and case.apart is not None else None
+    if apart is None or np.abs(apart).max(initial=0.0) > _BENT:
+        apart = np.zeros(len(case.model.knobs))
     beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
     alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)
     return max(answer, fitted(alone.rig, apart, near=False), key=lambda one: one.gain)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
@@ -11,7 +12,8 @@ from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.impacts import impact_orders
 
-_AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3)  # [N m]
+_AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0)  # [N m]
+_ASIDE = (-0.4, -0.2, 0.0, 0.2, 0.4)  # octaves that the mode may stand off the middle of the band that beats
 _DAMPING = 0.05
 
 
@@ -23,10 +25,10 @@ def propose(case: Case) -> Iterator[Candidate]:
     turns = Twin(case.nominal).turns[case.nominal.node(at)]
     for impact in impact_orders(case.runs, case.seen[0].places):
         ranked: list[tuple[float, Candidate]] = []
-        for amplitude in _AMPLITUDES:
+        for amplitude, octaves in product(_AMPLITUDES, _ASIDE):
             part = mechanisms.BearingDefect(
                 name="bearing_defect", at=at, order_output=impact.motor_order / turns,
-                ring_frequency=impact.band, damping=_DAMPING, amplitude=amplitude,
+                ring_frequency=impact.band * 2**octaves, damping=_DAMPING, amplitude=amplitude,
             )  # fmt: skip
             knobs = (
                 Knob(part.name, "amplitude", 1.0),

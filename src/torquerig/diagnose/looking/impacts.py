@@ -19,6 +19,7 @@ _ORDERS = (0.1, 20.0)  # of the motor shaft
 _STEP = 0.002  # [1/rev of the motor]
 _CLEAR = 12.0  # summed log power over the local floor, for each run; two clean runs reach 9 somewhere among 1e5 places
 _HARMONICS = 3
+_MOST_PARTS, _BETWEEN = 5, 2.0  # mean log power at the other multiples of a lower order; 0.2 by chance
 
 
 @dataclass(frozen=True)
@@ -44,12 +45,12 @@ def impact_orders(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Imp
     centre = _LOWEST * 2 ** (0.5 * _OCTAVES)
     orders = np.arange(*_ORDERS, _STEP)
     while centre < top:
-        score = np.zeros(orders.size)
-        for run in steady:
-            score += _score(run, centre, orders)
+        beats = [_beats(run, centre) for run in steady]
+        score = np.sum([beat.score(orders) for beat in beats], axis=0)
         best = int(np.argmax(score))
-        if score[best] > _CLEAR * len(steady) and not _of_family(float(orders[best]), known):
-            found.append(Impact(float(orders[best]), centre, float(score[best])))
+        at = _fundamental(beats, float(orders[best]))
+        if score[best] > _CLEAR * len(steady) and not _of_family(at, known):
+            found.append(Impact(at, centre, float(score[best])))
         centre *= 2**_OCTAVES
     found.sort(key=lambda impact: -impact.clearness)
     return tuple(found[:2])
@@ -61,8 +62,23 @@ def _of_family(at: float, known: Sequence[Place]) -> bool:
     return abs(at / spacing - round(at / spacing)) * spacing < 2 * _STEP
 
 
-def _score(run: Observed, centre: float, orders: Floats) -> Floats:
-    """Log power of the squared envelope over its local floor, summed over harmonics of each order."""
+@dataclass(frozen=True)
+class _Beats:
+    """Log power of a squared envelope over its local floor, at multiples of ``step`` [1/rev of the motor]."""
+
+    log: Floats
+    step: float
+
+    def at(self, orders: Floats) -> Floats:
+        """Return the log power at each order, 0 beyond."""
+        return np.interp(orders / self.step, np.arange(self.log.size), self.log, right=0.0)
+
+    def score(self, orders: Floats) -> Floats:
+        """Return the log power summed over the first harmonics of each order."""
+        return np.sum([self.at(orders * harmonic) for harmonic in range(1, _HARMONICS + 1)], axis=0)
+
+
+def _beats(run: Observed, centre: float) -> _Beats:
     used = [stretch for stretch in run.stretches if not stretch.held]
     part = slice(used[0].start, used[-1].stop)
     envelope = _squared_envelope(run.torque[part], run.rate, centre)
@@ -71,12 +87,16 @@ def _score(run: Observed, centre: float, orders: Floats) -> Floats:
     power = np.abs(np.fft.rfft((np.interp(even, angle, envelope) - envelope.mean()) * np.hanning(envelope.size))) ** 2
     step = 2 * pi / abs(float(angle[-1] - angle[0]))
     size = int(_ORDERS[1] * (_HARMONICS + 1) / step)
-    over = _over_floor(power[:size])
-    log = np.log(np.maximum(over, 1.0))
-    score = np.zeros(orders.size)
-    for harmonic in range(1, _HARMONICS + 1):
-        score += np.interp(orders * harmonic / step, np.arange(log.size), log, right=0.0)
-    return score
+    return _Beats(np.log(np.maximum(_over_floor(power[:size]), 1.0)), step)
+
+
+def _fundamental(beats: Sequence[_Beats], at: float) -> float:
+    """Return the lowest order of which ``at`` is a multiple and whose other multiples beat too."""
+    for divisor in range(_MOST_PARTS, 1, -1):
+        between = np.array([h for h in range(1, 2 * divisor) if h % divisor]) * at / divisor
+        if np.mean([beat.at(between).mean() for beat in beats]) > _BETWEEN:
+            return at / divisor
+    return at
 
 
 def _squared_envelope(values: Floats, rate: float, centre: float) -> Floats:
