@@ -172,3 +172,19 @@ def test_a_pile_at_zero_is_no_limit(clean: Recording) -> None:
     volts = -np.abs(clean.channels["torque_V"].values)
     volts[::50] = 0.0
     assert flat_tops([with_volts(clean, volts)], full_range=FULL, code=CODE) is None
+
+
+def test_of_several_moments_at_one_level_those_without_a_jump_count_too(clean: Recording) -> None:
+    """Where the torque happens to pass the level of a lost signal, nothing jumps."""
+    volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
+    low = int(np.argmin(volts[: int(0.4 * volts.size)]))
+    level, length = round(volts[low] / CODE) * CODE, round(0.02 * rate)
+    starts = [low, int(0.5 * volts.size), int(0.7 * volts.size), int(0.9 * volts.size)]
+    for start in starts[1:]:
+        volts[start : start + length] += 1.0
+    spoilt = with_volts(clean, volts)
+    volts = spoilt.channels["torque_V"].values
+    for start in starts:
+        volts[start : start + length] = level
+    found = gaps(volts, rate)
+    assert [start for start, _, _ in found] == pytest.approx(starts, abs=2)

@@ -22,6 +22,7 @@ from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.hum import hum_places
 from torquerig.diagnose.looking.lines_left import known_places, lines_left, strong_orders
 from torquerig.diagnose.looking.observed import Observed, observed
+from torquerig.diagnose.looking.refilled import refilled
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.diagnose.null_table import null_table, without_table
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
@@ -151,6 +152,8 @@ def _opened(
     left = without_comb(lines_left(fitted, known, rig=nominal))
     unknown = [peak.place for peak in left]
     places = [*known, *unknown, *hum_places(left)]
+    runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
+    fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
     seen = tuple(features(run, places, unknown=unknown) for run in fitted)
     held = tuple(features(run, places, held=True, unknown=unknown) for run in runs)
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops
+from torquerig.diagnose.looking.refilled import Moments
+from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
@@ -16,12 +17,16 @@ from torquerig.signals.recording import Recording
 
 @dataclass(frozen=True)
 class SampleFindings:
-    """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that."""
+    """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
+
+    ``lost`` are the moments without signal of each recording, first sample and one past the last.
+    """
 
     candidates: tuple[Candidate, ...]
     recordings: tuple[Recording, ...]
     clipped: tuple[str, ...]
     unnamed: tuple[str, ...]
+    lost: tuple[Moments, ...]
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -55,4 +60,5 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
     mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
-    return SampleFindings(tuple(candidates), mended, () if flat is None else flat.runs, tuple(unnamed))
+    clipped = () if flat is None else flat.runs
+    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), tuple(map(moments_lost, recordings)))

@@ -14,7 +14,8 @@ from torquerig.diagnose.expecting.expectation import Expectation, amplitude_vari
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, speed_of
-from torquerig.diagnose.looking.sample_faults import bridged
+from torquerig.diagnose.looking.refilled import refilled
+from torquerig.diagnose.looking.sample_faults import bridged, moments_lost
 from torquerig.rig.rig import Rig
 from torquerig.simulate.simulate import simulate
 
@@ -65,6 +66,7 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
 def _features(copy: Observed, seen: Features) -> Features:
     # a steady run is the same all along, so all of it counts
     whole = seen.observed.steady and seen.turning is None
+    copy = refilled(copy, moments_lost(copy.recording), seen.places)
     return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
 
 

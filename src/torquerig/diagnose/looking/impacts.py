@@ -71,11 +71,11 @@ class _Beats:
 
     def at(self, orders: Floats) -> Floats:
         """Return the log power at each order, 0 beyond."""
-        return np.interp(orders / self.step, np.arange(self.log.size), self.log, right=0.0)
+        return np.asarray(np.interp(orders / self.step, np.arange(self.log.size), self.log, right=0.0))
 
     def score(self, orders: Floats) -> Floats:
         """Return the log power summed over the first harmonics of each order."""
-        return np.sum([self.at(orders * harmonic) for harmonic in range(1, _HARMONICS + 1)], axis=0)
+        return np.asarray(sum(self.at(orders * harmonic) for harmonic in range(1, _HARMONICS + 1)))
 
 
 def _beats(run: Observed, centre: float) -> _Beats:

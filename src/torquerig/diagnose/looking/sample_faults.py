@@ -21,6 +21,7 @@ _JUMP = 12.0
 _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
 _SHORTEST = 8e-4  # [s] half a period of what rings is shorter
 _ONE_LEVEL = 6.0
+_MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
 _STILL = 0.5  # of the noise may be left where nothing is measured
 
 
@@ -126,10 +127,11 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
     steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal stands still: it keeps to
     its level, and at least half of the noise is gone, or the level is zero. A signal that goes on at another level is
-    not lost.
+    not lost. Where such moments are found, others at the same level count that begin and end without a jump.
     """
     steps = np.diff(volts)
     sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
+    fine = sigma > _MANY_CODES * float(np.abs(steps)[steps != 0].min(initial=np.inf))
     if sigma == 0:  # coarse codes, which most samples share with the one before
         sigma = float(np.abs(steps)[steps != 0].min(initial=np.inf))
     jumps = np.flatnonzero(np.abs(steps) > _JUMP * sigma) + 1
@@ -148,7 +150,24 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         if away and still and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
             last = stop
-    return found if _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma) else []
+    if not found or not _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma):
+        return []
+    if fine:
+        level = float(np.median([each[2] for each in found]))
+        found += [each for each in _still_at(volts, level, rate) if not any(_meet(each, other) for other in found)]
+    return sorted(found)
+
+
+def _still_at(volts: Floats, level: float, rate: float) -> list[tuple[int, int, float]]:
+    """Return the moments in which every sample is the same, at a level."""
+    same = np.concatenate([[False], volts == volts[np.argmin(np.abs(volts - level))], [False]])
+    edges = np.flatnonzero(np.diff(same.astype(int)))
+    pairs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
+    return [(start, stop, level) for start, stop in pairs if stop - start >= _SHORTEST * rate]
+
+
+def _meet(one: tuple[int, int, float], other: tuple[int, int, float]) -> bool:
+    return one[0] < other[1] and other[0] < one[1]
 
 
 def _at_one_level(levels: Sequence[float], *, within: float) -> bool:
@@ -157,10 +176,15 @@ def _at_one_level(levels: Sequence[float], *, within: float) -> bool:
     return bool(np.mean(away < within) > 0.7)
 
 
+def moments_lost(recording: Recording) -> list[tuple[int, int]]:
+    """Return the first sample and one past the last of every moment without signal."""
+    return [(start, stop) for start, stop, _ in gaps(_volts(recording), recording.sample_rate)]
+
+
 def bridged(recording: Recording) -> Recording:
     """Return the recording with straight lines over the moments without signal."""
     volts = _volts(recording).copy()
-    for start, stop, _ in gaps(volts, recording.sample_rate):
+    for start, stop in moments_lost(recording):
         first, last = max(start - 1, 0), min(stop, volts.size - 1)
         volts[first : last + 1] = np.linspace(volts[first], volts[last], last + 1 - first)
     return recording.with_values(recording.torque_name(), volts)
