@@ -26,6 +26,7 @@ from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, longest_flight
 from torquerig.diagnose.looking.near_zero import near_zero_misfit, near_zero_stays
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
@@ -39,6 +40,7 @@ _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
 _LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
 _OF_A_BLOW = 150.0  # [Hz] a rise of 1.5 ms is a quarter of a period
+_OF_ONE_BLOW = 1.2  # [1] of the logarithm of the energy: blows are unlike
 _SEEDS = (1, 2)
 
 
@@ -99,7 +101,11 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     if told is None:
         return None
     gap, closed, opened = told
-    corrections = between(_expected(case, rigs, gap), _expected(case, rigs, 0.0))
+    parted, copies = _simulated(case, rigs, gap)
+    corrections = [
+        replace(each, scatter=_scatter(features, own))
+        for each, features, own in zip(between(parted, _simulated(case, rigs, 0.0)[0]), case.seen, copies, strict=True)
+    ]
     fitted = calibrated(
         base, case.seen, case.model.knobs, start=model.positions, corrections=corrections,
         jacobian=case.model.jacobian, near=False,
@@ -116,9 +122,19 @@ def _slow_part(seen: Features) -> Features:
     )
 
 
-def _expected(case: Case, rigs: Sequence[Rig], gap: float) -> tuple[Expectation, ...]:
+def _simulated(case: Case, rigs: Sequence[Rig], gap: float) -> tuple[tuple[Expectation, ...], list[list[Observed]]]:
+    """Return what simulations with this gap expect of every run, and the simulations."""
     opened = [_with_gap(case, gap).added_to(rig) for rig in rigs]
-    return expected_from(opened[0], case.seen, simulated_runs(opened, case.seen, seeds=_SEEDS[:1]))
+    copies = simulated_runs(opened, case.seen, seeds=_SEEDS[:1])
+    return expected_from(opened[0], case.seen, copies), copies
+
+
+def _scatter(seen: Features, copies: Sequence[Observed]) -> float:
+    """Return what the numbers of blows in the run and in its copies leave of its density's logarithm to chance [1]."""
+    if not flanks_may_part(seen):
+        return 0.0
+    there, here = len(blows(seen.observed)), sum(len(blows(copy, held=None)) for copy in copies)
+    return _OF_ONE_BLOW * float(np.sqrt(1 / (1 + there) + 1 / (1 + here)))
 
 
 def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None:

@@ -21,12 +21,16 @@ _CHANCE = 0.25  # share of a simulated change that differs from one start to the
 
 @dataclass(frozen=True)
 class Correction:
-    """Factor on the density, addition to the square of the amplitudes, additions to level and turning torque."""
+    """Factor on the density, addition to the square of the amplitudes, additions to level and turning torque.
+
+    ``scatter`` is what the small number of events that make the change leaves of the density's logarithm to chance [1].
+    """
 
     power: Floats
     squares: Floats
     level: Floats
     turning: Floats | None
+    scatter: float = 0.0
 
 
 def corrections(with_effect: Rig, without: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> list[Correction]:
@@ -51,11 +55,10 @@ def corrected(model: Expectation, correction: Correction) -> Expectation:
     if model.turning is not None and correction.turning is not None:
         return replace(model, turning=model.turning + correction.turning)
     power = model.power * correction.power if model.power.size == correction.power.size else model.power
+    chance = np.hypot(_CHANCE * np.log(correction.power), correction.scatter)
     return replace(
         model,
-        power_tolerance=np.hypot(model.power_tolerance, _CHANCE * np.abs(np.log(correction.power)))
-        if power.size
-        else 0.0,
+        power_tolerance=np.hypot(model.power_tolerance, chance) if power.size else 0.0,
         amplitude_tolerance=np.hypot(model.amplitude_tolerance, _CHANCE * np.sqrt(np.abs(correction.squares))),
         power=power,
         amplitude=np.sqrt(np.maximum(model.amplitude**2 + correction.squares, 0.0)),

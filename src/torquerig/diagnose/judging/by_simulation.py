@@ -32,7 +32,12 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
         copies = simulated_runs(rigs, case.seen, seeds=_SEEDS)
     except SimulationError:
         return tuple(left)
-    beyond = between(expected_from(rig, case.seen, copies), [expected(rig, features) for features in case.seen])
+    twin = [expected(rig, features) for features in case.seen]
+    scatter = [each.scatter for each in case.model.corrections] or [0.0] * len(twin)
+    beyond = [
+        replace(each, scatter=own)
+        for each, own in zip(between(expected_from(rig, case.seen, copies), twin), scatter, strict=True)
+    ]
     simulated = replace(case, model=replace(case.model, misfits=misfits_of(rig, case.seen, beyond)))
     again = mismatches(simulated)
     return tuple(mismatch for mismatch in left if any(_same(mismatch, other) for other in again))

@@ -14,32 +14,14 @@ from numpy.typing import NDArray
 from torquerig.diagnose.looking.bands import bands, no_bands, spectrum
 from torquerig.diagnose.looking.observed import Observed, Stretch
 from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_UNMEASURED, SAME_ORDER, Place
-from torquerig.diagnose.looking.regression import regressed
-from torquerig.diagnose.looking.smeared import WIDE, gathered
+from torquerig.diagnose.looking.route import Route, hann_transform
+from torquerig.diagnose.looking.stretch_lines import StretchLines, stretch_lines
 from torquerig.diagnose.looking.turning import Turning, turning, turns_back
-from torquerig.diagnose.looking.waves import waves
 
 Floats = NDArray[np.float64]
 
-_FEWEST_TURNS = 0.9  # periods of a line within a stretch
-_HIGHEST = {"order": 0.4, "frequency": 0.48}  # of the sample rate: what turns is smeared, and may fold
-_CROSSING_POINTS, _LIKE = 512, 0.5  # correlation of two lines below which a regression tells them apart
 _PARTS = 4  # of a stretch of a steady run
 POINTS = 9  # speeds kept of each stretch
-
-
-@dataclass(frozen=True)
-class Route:
-    """Stretches (``rows``) that show a line and at which place; a band for where none does.
-
-    ``part`` of it shows there, and it is a ``guest`` where the place is another line's.
-    """
-
-    rows: NDArray[np.int64]
-    column: NDArray[np.int64]
-    part: Floats
-    guest: NDArray[np.bool_]
-    band: int | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,9 +125,8 @@ class Features:
         nearest = apart[np.arange(at.size), column]
         reach = np.broadcast_to(self.reach, apart.shape)[np.arange(at.size), column]
         rows = np.flatnonzero(nearest < reach)
-        part = np.where(reach > RESOLVED_UNMEASURED, 1.0, _hann_transform(nearest))[rows]
-        if not self.observed.steady:
-            part = np.ones(rows.size)
+        alone = self.observed.steady & (reach[rows] <= RESOLVED_UNMEASURED)
+        part = np.where(alone, hann_transform(nearest[rows]), 1.0)
         guest = (nearest[rows] > 0) & (nearest[rows] < RESOLVED_UNMEASURED)
         mean, band = float(at.mean()), None
         if self.power.size and self.band[0] < mean < self.band[-1]:
@@ -163,10 +144,10 @@ def features(
     if turns_back(observed):
         return _turning_features(observed, places, held=held, unknown=unknown)
     stretches = [stretch for stretch in observed.stretches if held is None or stretch.held == held]
-    looks, levels, spectra = list[_Lines](), list[float](), []
+    looks, levels, spectra = list[StretchLines](), list[float](), []
     parts = [part for stretch in stretches for part in _parts(observed, stretch)]
     for stretch in stretches:
-        look = _lines(observed, stretch, places)
+        look = stretch_lines(observed, stretch, places)
         looks.append(look)
         own = [part for part in parts if stretch.start <= part.start < stretch.stop]
         levels += [float(look.slow[part.start - stretch.start : part.stop - stretch.start].mean()) for part in own]
@@ -196,84 +177,6 @@ def _turning_features(
         width=floor.width, turning=turning(observed, places, held=held, unknown=unknown),
         unknown=tuple(unknown),
     )  # fmt: skip
-
-
-def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> list[int]:
-    """Return which places the stretch can show: turning often enough, below half the rate, apart from each other."""
-    speeds = np.abs(observed.speed[stretch.start : stretch.stop])
-    duration = (stretch.stop - stretch.start) / observed.rate
-    mean, top = float(speeds.mean()), float(speeds.max())
-    shown: list[int] = []
-    for index, place in enumerate(places):
-        at = place.frequency(mean)
-        turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
-        near = (
-            places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < _resolved(observed)
-        )
-        if turning and all(_crossing(observed, stretch, place, other) for other in near):
-            shown.append(index)
-    return shown
-
-
-def _resolved(observed: Observed) -> float:
-    """Return the bins of a stretch that two lines must stand apart to be two."""
-    return RESOLVED_UNMEASURED if observed.steady and not observed.angle_measured else RESOLVED
-
-
-def _hann_transform(bins: Floats) -> Floats:
-    """Return what a Hann window leaves of a line that stands so many bins beside the one looked for."""
-    return np.asarray(np.sinc(bins) + 0.5 * (np.sinc(bins - 1) + np.sinc(bins + 1)))
-
-
-def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) -> bool:
-    """Whether an order sweeps across a fixed frequency in the stretch so fast that both can be told apart."""
-    if observed.steady or place.domain == other.domain:
-        return False
-    samples = np.linspace(stretch.start, stretch.stop - 1, _CROSSING_POINTS).astype(int)
-    angle, time = observed.angle[samples], samples / observed.rate
-    apart = place.phase(angle, time) - other.phase(angle, time)
-    return bool(abs(np.exp(1j * apart).mean()) < _LIKE)
-
-
-@dataclass(frozen=True)
-class _Lines:
-    """Lines of one stretch, as in ``Features``; the torque without them, what a straight line leaves of it; where."""
-
-    amplitude: NDArray[np.complex128]
-    widening: Floats
-    reach: Floats
-    beneath: Floats
-    slow: Floats
-    rest: Floats
-    at: list[float]
-
-
-def _lines(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> _Lines:
-    part = slice(stretch.start, stretch.stop)
-    time = np.arange(stretch.start, stretch.stop) / observed.rate
-    shown = shown_places(observed, stretch, places)
-    window = np.hanning(time.size) if observed.steady else None
-    own = waves([places[index] for index in shown], observed.angle[part], time)
-    found = regressed(observed.torque[part], own, window=window)
-    amplitude = np.full(len(places), np.nan, dtype=complex)
-    amplitude[shown] = found.amplitude
-    widening = np.ones(len(places))
-    widening[shown] = found.widening
-    reach, beneath = np.full(len(places), _resolved(observed)), np.zeros(len(places))
-    mean = float(np.abs(observed.speed[part]).mean())
-    lines = [places[index].frequency(mean) for index in shown]
-    if observed.steady and observed.smearing:
-        wide = WIDE / observed.smearing * observed.rate / time.size
-        turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
-        fixed = [r for r, index in enumerate(shown) if places[index].domain == "frequency"]
-        others = observed.torque[part] - (found.amplitude[fixed] @ own[fixed]).real
-        found_lines = gathered(others, observed.rate, [lines[r] for r in turning], smeared=observed.smearing)
-        for row, each in zip(turning, found_lines, strict=True):
-            at = shown[row]
-            amplitude[at], widening[at] = each.amplitude, each.widening
-            reach[at], beneath[at] = each.reach, each.floor
-    slow = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, time.size)
-    return _Lines(amplitude, widening, reach, beneath, slow, found.rest, lines)
 
 
 def _parts(observed: Observed, stretch: Stretch) -> list[Stretch]:

@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.looking.features import shown_places
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.diagnose.looking.regression import regressed
+from torquerig.diagnose.looking.stretch_lines import shown_places
 from torquerig.diagnose.looking.waves import waves
 
 Floats = NDArray[np.float64]

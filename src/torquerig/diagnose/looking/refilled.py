@@ -10,10 +10,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from torquerig.diagnose.looking.features import shown_places
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import Place
 from torquerig.diagnose.looking.regression import regressed
+from torquerig.diagnose.looking.stretch_lines import shown_places
 from torquerig.diagnose.looking.turning import turns_back
 from torquerig.diagnose.looking.waves import waves
 

@@ -1,0 +1,107 @@
+"""The lines of one stretch of a run: which of them it can show, how large they are, and what is left beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.observed import Observed, Stretch
+from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_UNMEASURED, Place
+from torquerig.diagnose.looking.regression import regressed
+from torquerig.diagnose.looking.smeared import WIDE, gathered
+from torquerig.diagnose.looking.waves import waves
+
+Floats = NDArray[np.float64]
+
+_FEWEST_TURNS = 0.9  # periods of a line within a stretch
+_HIGHEST = {"order": 0.4, "frequency": 0.48}  # of the sample rate: what turns is smeared, and may fold
+_CROSSING_POINTS, _LIKE = 512, 0.5  # correlation of two lines below which a regression tells them apart
+
+
+@dataclass(frozen=True)
+class StretchLines:
+    """Lines of one stretch; ``amplitude``, ``widening``, ``reach`` and ``beneath`` as in ``Features``, for each place.
+
+    Parameters
+    ----------
+    slow : ndarray, shape (samples,)
+        Torque without the lines [N m].
+    rest : ndarray, shape (samples,)
+        What a straight line leaves of it [N m].
+    at : list of float
+        Where the lines stand that the stretch shows [Hz].
+    """
+
+    amplitude: NDArray[np.complex128]
+    widening: Floats
+    reach: Floats
+    beneath: Floats
+    slow: Floats
+    rest: Floats
+    at: list[float]
+
+
+def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> StretchLines:
+    """Return the lines by one regression; those that an unmeasured angle smears, by the power that they spread over."""
+    part = slice(stretch.start, stretch.stop)
+    time = np.arange(stretch.start, stretch.stop) / observed.rate
+    shown = shown_places(observed, stretch, places)
+    window = np.hanning(time.size) if observed.steady else None
+    own = waves([places[index] for index in shown], observed.angle[part], time)
+    found = regressed(observed.torque[part], own, window=window)
+    amplitude = np.full(len(places), np.nan, dtype=complex)
+    amplitude[shown] = found.amplitude
+    widening = np.ones(len(places))
+    widening[shown] = found.widening
+    reach, beneath = np.full(len(places), resolved_bins(observed)), np.zeros(len(places))
+    mean = float(np.abs(observed.speed[part]).mean())
+    lines = [places[index].frequency(mean) for index in shown]
+    if observed.steady and observed.smearing:
+        wide = WIDE / observed.smearing * observed.rate / time.size
+        turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
+        fixed = [r for r, index in enumerate(shown) if places[index].domain == "frequency"]
+        others = observed.torque[part] - (found.amplitude[fixed] @ own[fixed]).real
+        found_lines = gathered(others, observed.rate, [lines[r] for r in turning], smeared=observed.smearing)
+        for row, each in zip(turning, found_lines, strict=True):
+            at = shown[row]
+            amplitude[at], widening[at] = each.amplitude, each.widening
+            reach[at], beneath[at] = each.reach, each.floor
+    slow = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, time.size)
+    return StretchLines(amplitude, widening, reach, beneath, slow, found.rest, lines)
+
+
+def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> list[int]:
+    """Return which places the stretch can show: turning often enough, below half the rate, apart from each other."""
+    speeds = np.abs(observed.speed[stretch.start : stretch.stop])
+    duration = (stretch.stop - stretch.start) / observed.rate
+    mean, top = float(speeds.mean()), float(speeds.max())
+    shown: list[int] = []
+    for index, place in enumerate(places):
+        at = place.frequency(mean)
+        turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
+        near = (
+            places[other]
+            for other in shown
+            if abs(at - places[other].frequency(mean)) * duration < resolved_bins(observed)
+        )
+        if turning and all(_crossing(observed, stretch, place, other) for other in near):
+            shown.append(index)
+    return shown
+
+
+def resolved_bins(observed: Observed) -> float:
+    """Return the bins of a stretch that two lines must stand apart to be two."""
+    return RESOLVED_UNMEASURED if observed.steady and not observed.angle_measured else RESOLVED
+
+
+def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) -> bool:
+    """Whether an order sweeps across a fixed frequency in the stretch so fast that both can be told apart."""
+    if observed.steady or place.domain == other.domain:
+        return False
+    samples = np.linspace(stretch.start, stretch.stop - 1, _CROSSING_POINTS).astype(int)
+    angle, time = observed.angle[samples], samples / observed.rate
+    apart = place.phase(angle, time) - other.phase(angle, time)
+    return bool(abs(np.exp(1j * apart).mean()) < _LIKE)
