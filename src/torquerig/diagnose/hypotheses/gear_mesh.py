@@ -33,15 +33,16 @@ def propose(case: Case) -> Iterator[Candidate]:
                 if near and _FEWEST_TEETH <= whole <= _MOST_TEETH and (gear.name, whole) not in tried:
                     tried.add((gear.name, whole))
                     yield _mesh(case, gear, whole)
+                    if peak.excess > _STRONG and not all(run.angle_measured for run in case.runs if run.steady):
+                        yield _mesh(case, gear, whole, smeared=True)
 
 
-def _mesh(case: Case, gear: Gear | BeltStage, teeth: int) -> Candidate:
+def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = False) -> Candidate:
+    """Return the mesh with the harmonics that show; with all of them where ``smeared`` ones may stand in bands."""
     turns = abs(gear.ratio)
     planets = next((n for n in (3, 4, 5) if _beside(case, teeth, n, turns)), None)
     # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well
-    smeared = (line.excess > _STRONG for line in case.left if line.place == left_line(case, teeth / turns))
-    hidden = any(smeared) and not all(run.angle_measured for run in case.runs if run.steady)
-    seen = [1, *(h for h in range(2, _HARMONICS + 1) if hidden or _shows(case, h * teeth, planets, turns))]
+    seen = [1, *(h for h in range(2, _HARMONICS + 1) if smeared or _shows(case, h * teeth, planets, turns))]
     part = mechanisms.GearMesh(
         name="gear_mesh",
         gear=gear.name,

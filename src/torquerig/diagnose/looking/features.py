@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.bands import bands, no_bands, spectrum
 from torquerig.diagnose.looking.observed import Observed, Stretch
-from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_UNMEASURED, SAME_ORDER, Place
+from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, SAME_ORDER, Place
 from torquerig.diagnose.looking.route import Route, hann_transform
 from torquerig.diagnose.looking.stretch_lines import StretchLines, stretch_lines
 from torquerig.diagnose.looking.turning import Turning, turning, turns_back
@@ -125,9 +125,9 @@ class Features:
         nearest = apart[np.arange(at.size), column]
         reach = np.broadcast_to(self.reach, apart.shape)[np.arange(at.size), column]
         rows = np.flatnonzero(nearest < reach)
-        alone = self.observed.steady & (reach[rows] <= RESOLVED_UNMEASURED)
+        alone = self.observed.steady & (reach[rows] <= RESOLVED_WELL)
         part = np.where(alone, hann_transform(nearest[rows]), 1.0)
-        guest = (nearest[rows] > 0) & (nearest[rows] < RESOLVED_UNMEASURED)
+        guest = (nearest[rows] > 0) & (nearest[rows] < RESOLVED_WELL)
         mean, band = float(at.mean()), None
         if self.power.size and self.band[0] < mean < self.band[-1]:
             band = int(np.argmin(np.abs(np.log(self.band / mean))))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.places import Place, frequency, order
+from torquerig.diagnose.looking.places import RESOLVED_WELL, Place, frequency, order
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.stretch_lines import shown_places
 from torquerig.diagnose.looking.waves import waves
@@ -116,7 +116,7 @@ def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
 def _rest(run: Observed, start: int, stop: int, known: Sequence[Place]) -> Floats:
     from torquerig.diagnose.looking.observed import Stretch
 
-    shown = [known[index] for index in shown_places(run, Stretch(start, stop, False), known)]
+    shown = [known[index] for index in shown_places(run, Stretch(start, stop, False), known, apart=RESOLVED_WELL)]
     time = np.arange(start, stop) / run.rate
     return regressed(run.torque[start:stop], waves(shown, run.angle[start:stop], time)).rest
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 SAME_ORDER = 0.006  # [1/rev of the motor] two orders nearer than this are one
 RESOLVED = 0.7  # two lines nearer than this many bins of a stretch are one line to it
-RESOLVED_UNMEASURED = 1.3  # the same where a steady run's angle was not measured, and its lines stray
+RESOLVED_WELL = 1.3  # the same in steady runs whose angle was not measured, and where lines are still looked for
 
 
 @dataclass(frozen=True, order=True)

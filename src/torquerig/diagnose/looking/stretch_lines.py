@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed, Stretch
-from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_UNMEASURED, Place
+from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, Place
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.smeared import WIDE, gathered
 from torquerig.diagnose.looking.waves import waves
@@ -73,8 +73,14 @@ def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place])
     return StretchLines(amplitude, widening, reach, beneath, slow, found.rest, lines)
 
 
-def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) -> list[int]:
-    """Return which places the stretch can show: turning often enough, below half the rate, apart from each other."""
+def shown_places(
+    observed: Observed, stretch: Stretch, places: Sequence[Place], *, apart: float | None = None
+) -> list[int]:
+    """Return which places the stretch can show: turning often enough, below half the rate, apart from each other.
+
+    ``apart`` is by how many bins, else by so many as the run resolves.
+    """
+    apart = resolved_bins(observed) if apart is None else apart
     speeds = np.abs(observed.speed[stretch.start : stretch.stop])
     duration = (stretch.stop - stretch.start) / observed.rate
     mean, top = float(speeds.mean()), float(speeds.max())
@@ -82,11 +88,7 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
     for index, place in enumerate(places):
         at = place.frequency(mean)
         turning = at * duration >= _FEWEST_TURNS and place.frequency(top) < _HIGHEST[place.domain] * observed.rate
-        near = (
-            places[other]
-            for other in shown
-            if abs(at - places[other].frequency(mean)) * duration < resolved_bins(observed)
-        )
+        near = (places[other] for other in shown if abs(at - places[other].frequency(mean)) * duration < apart)
         if turning and all(_crossing(observed, stretch, place, other) for other in near):
             shown.append(index)
     return shown
@@ -94,7 +96,7 @@ def shown_places(observed: Observed, stretch: Stretch, places: Sequence[Place]) 
 
 def resolved_bins(observed: Observed) -> float:
     """Return the bins of a stretch that two lines must stand apart to be two."""
-    return RESOLVED_UNMEASURED if observed.steady and not observed.angle_measured else RESOLVED
+    return RESOLVED_WELL if observed.steady and not observed.angle_measured else RESOLVED
 
 
 def _crossing(observed: Observed, stretch: Stretch, place: Place, other: Place) -> bool:
