@@ -106,7 +106,9 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
 
 def _of_a_law(case: Case, features: Features, column: int) -> bool:
     """Whether a line is but the detail of an effect's law: a multiple of its order, and small beside its own line."""
-    place, size = features.places[column], np.sqrt(np.nanmean(np.abs(features.amplitude) ** 2, axis=0))
+    place, shown = features.places[column], np.isfinite(features.amplitude)
+    squares = np.where(shown, np.abs(features.amplitude) ** 2, 0.0).sum(axis=0)
+    size = np.sqrt(squares / np.maximum(shown.sum(axis=0), 1))
     for candidate in case.accepted:
         own = candidate.place
         if own is None or own.domain != place.domain or own not in features.places:

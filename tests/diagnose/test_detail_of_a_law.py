@@ -1,0 +1,55 @@
+"""A multiple of an effect's order, small beside its own line, is the detail of its law; a large one is left."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.misfit import Misfit
+from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import Place, frequency, order
+from torquerig.scenario.reading import Scenario
+
+RATE, SAMPLES = 2000.0, 24_000
+ANGLE = 2 * np.pi * 16.7 * np.arange(SAMPLES) / RATE
+PLACES = [order(2.6), order(5.2), order(10.4), order(11.0), frequency(950.0), order(80.0)]
+ByHand = Callable[..., Observed]
+
+
+def left_orders(by_hand: ByHand, wear_rig: Scenario, *, second: float, accepted: Place | None) -> list[float]:
+    """Orders that are left of a line of 1 at order 5.2, of ``second`` at twice it and of 0.03 at order 11."""
+    torque = np.cos(5.2 * ANGLE) + second * np.cos(10.4 * ANGLE) + 0.03 * np.cos(11 * ANGLE)
+    run = by_hand(torque + 1e-3 * np.random.default_rng(3).standard_normal(SAMPLES), ANGLE, rate=RATE, name="run")
+    seen = features(run, PLACES)
+    none = np.zeros(0)
+    lines = np.array([0.0, 0.0, 9.0, 9.0, 0.0, 0.0])
+    model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (Misfit(none, lines, none),), 100.0)
+    seen = replace(seen, power=none, band=none, width=none, count=none)
+    found = Candidate(mechanism="blade_pass", parts=(), knobs=(), place=accepted)
+    case = Case(nominal=wear_rig.rig, runs=(run,), seen=(seen,), model=model, left=(), accepted=(found,))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # a place that no stretch shows is no reason to warn
+        left = mismatches(case)
+    return [mismatch.at / (5.0 if mismatch.axis == "output_shaft" else 1.0) for mismatch in left]
+
+
+@pytest.mark.parametrize(("second", "left"), [(0.03, [11.0]), (0.2, [10.4, 11.0])])
+def test_small_multiples_go_with_their_effect(
+    second: float, left: list[float], by_hand: ByHand, wear_rig: Scenario
+) -> None:
+    found = left_orders(by_hand, wear_rig, second=second, accepted=order(5.2))
+    assert sorted(found) == pytest.approx(left)
+
+
+@pytest.mark.parametrize("place", [None, order(2.7), frequency(5.2)])
+def test_what_is_no_multiple_of_a_found_line_is_left(place: Place | None, by_hand: ByHand, wear_rig: Scenario) -> None:
+    found = left_orders(by_hand, wear_rig, second=0.03, accepted=place)
+    assert sorted(found) == pytest.approx([10.4, 11.0])
