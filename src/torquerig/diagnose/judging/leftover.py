@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import erfc, log10, sqrt
+from math import log10, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,8 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust
+from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.judging.one_load import load_contradictions
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
@@ -39,7 +41,7 @@ def mismatches(case: Case) -> tuple[Mismatch, ...]:
     for features, eased in zip(case.seen, every, strict=True):
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
         found += [*_turning(features, eased, total, places)]
-    found += [*_flights(case)]
+    found += [*_flights(case), *load_contradictions(case, total)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
 
 
@@ -100,7 +102,7 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
             recordings=tuple(names),
             excess_dB=20 * log10(max(worst, 1.0)),
             share_of_misfit=square / total,
-            p_value=_chance(worst, places),
+            p_value=by_chance(worst, places),
         )
 
 
@@ -139,7 +141,7 @@ def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Ite
         yield Mismatch(
             domain="frequency", axis="Hz", at=sqrt(low * high), width=high - low + low / BANDS_PER_OCTAVE,
             recordings=(features.observed.name,), excess_dB=10 * mean / np.log(10),
-            share_of_misfit=_share(residual[part], total), p_value=_chance(worst, places),
+            share_of_misfit=_share(residual[part], total), p_value=by_chance(worst, places),
         )  # fmt: skip
 
 
@@ -153,7 +155,7 @@ def _levels(features: Features, misfit: Misfit, total: float, places: int) -> It
         domain="level" if observed.steady else "speed", axis="rpm", at=speed,
         width=float(np.ptp(features.speed)) * 30 / np.pi, recordings=(observed.name,),
         excess_dB=20 * log10(float(np.abs(misfit.level).max())), share_of_misfit=_share(misfit.level, total),
-        p_value=_chance(float(np.abs(misfit.level).max()), places),
+        p_value=by_chance(float(np.abs(misfit.level).max()), places),
     )  # fmt: skip
 
 
@@ -166,7 +168,7 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
     yield Mismatch(
         domain="speed", axis="rpm", at=at, width=10.0, recordings=(features.observed.name,),
         excess_dB=20 * log10(max(worst, 1.0)), share_of_misfit=_share(misfit.turning, total),
-        p_value=_chance(worst, places),
+        p_value=by_chance(worst, places),
     )  # fmt: skip
 
 
@@ -197,8 +199,3 @@ def _slack(case: Case) -> float:
 
 def _share(residual: NDArray[np.float64], total: float) -> float:
     return float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum()) / total
-
-
-def _chance(residual: float, places: int) -> float:
-    """Two-sided probability of a normal residual so large somewhere among ``places`` (Bonferroni)."""
-    return min(1.0, places * erfc(residual / sqrt(2)))

@@ -1,0 +1,106 @@
+"""Whether runs that differ in load alone differ in their spectra as no load does: a rig that changes with its load.
+
+A random load's spectrum is its own and forgiven (``leftover``), but particles of one size hit alike however many they
+are. What the model misses in all runs of one size may be the shape of the pulses; what it misses in one of them, at
+bands that the load fills, is the rig's: a shaft that hardens moves its mode from run to run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from math import log, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.misfit import robust
+from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.looking.features import Features
+
+Floats = NDArray[np.float64]
+
+_FILLED = 0.9  # share of a band that the load must make
+_TOLERANCE = 0.12  # [1] of the density's logarithm: what else differs between two runs
+_APART = 4.0  # spreads, in neighbouring bands the same way
+_LOWEST = 4.0  # [Hz] below, the load's slow variation rules, and a run holds little of it
+
+
+@dataclass(frozen=True)
+class _Excess:
+    """Logarithm of measured over expected density less its median, NaN where the load does not rule; its variance."""
+
+    features: Features
+    log: Floats
+    variance: Floats
+
+
+def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
+    """Yield the bands at which a run differs from those of other occupancies and the same particles, one for each run.
+
+    ``total`` is the excess misfit of which they are a share. Nothing is asked where an effect beyond the twin is in the
+    model: it opens under one load and not another.
+    """
+    if case.model.corrections:
+        return
+    every = [_excess(case, features) for features in case.seen if features.turning is None and features.power.size]
+    places = sum(each.log.size for each in every)
+    for one in every:
+        others = [other for other in every if _like(one.features, other.features)]
+        if not others:
+            continue
+        residual = _apart(one, others)
+        for start, stop in _runs_of(residual):
+            yield _mismatch(one, residual, slice(start, stop), total, places)
+
+
+def _excess(case: Case, features: Features) -> _Excess:
+    model = expected(case.model.rig, features)
+    rules = (model.load_share > _FILLED) & (features.band > _LOWEST) & np.isfinite(features.power)
+    excess = np.full(features.band.size, np.nan)
+    excess[rules] = np.log(features.power[rules] / model.power[rules])
+    if rules.any():
+        excess -= np.nanmedian(excess)  # how many hit in a second is the level's business
+    return _Excess(features, excess, 1 / features.count + _TOLERANCE**2)
+
+
+def _like(one: Features, other: Features) -> bool:
+    first, second = one.observed.run, other.observed.run
+    return first.particle_size == second.particle_size and first.occupancy_percent != second.occupancy_percent
+
+
+def _apart(one: _Excess, others: list[_Excess]) -> Floats:
+    """Return by how many spreads a run lies above the mean of the others in each band, 0 where none can be compared."""
+    at = np.log(one.features.band)
+    total, weight = np.zeros(at.size), np.zeros(at.size)
+    for other in others:
+        where = np.log(other.features.band)
+        value = np.interp(at, where, other.log, left=np.nan, right=np.nan)
+        own = np.where(np.isfinite(value), 1 / np.interp(at, where, other.variance), 0.0)
+        total, weight = total + own * np.nan_to_num(value), weight + own
+    seen = (weight > 0) & np.isfinite(one.log)
+    answer = np.zeros(at.size)
+    answer[seen] = (one.log[seen] - total[seen] / weight[seen]) / np.sqrt(one.variance[seen] + 1 / weight[seen])
+    return answer
+
+
+def _runs_of(residual: Floats) -> Iterator[tuple[int, int]]:
+    """Yield first and one past last of neighbouring bands, two or more, that stand out the same way."""
+    out = np.where(np.abs(residual) > _APART, np.sign(residual), 0.0)
+    edges = [0, *(np.flatnonzero(np.diff(out)) + 1).tolist(), out.size]
+    yield from ((start, stop) for start, stop in pairwise(edges) if out[start] != 0 and stop - start > 1)
+
+
+def _mismatch(one: _Excess, residual: Floats, part: slice, total: float, places: int) -> Mismatch:
+    features = one.features
+    low, high = (float(edges[part][at]) for edges, at in zip(features.band_edges, (0, -1), strict=True))
+    spread, squares = np.sqrt(one.variance[part]), float((robust(residual[part]) ** 2).sum())
+    return Mismatch(
+        domain="frequency", axis="Hz", at=sqrt(low * high), width=high - low, recordings=(features.observed.name,),
+        excess_dB=10 / log(10) * float(np.mean(residual[part] * spread)), share_of_misfit=min(1.0, squares / total),
+        p_value=by_chance(float(np.abs(residual[part]).max()), places),
+    )  # fmt: skip

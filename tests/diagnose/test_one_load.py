@@ -1,0 +1,66 @@
+"""A load of one particle size has one spectrum: what only one of its runs shows is the rig's."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.judging import one_load
+from torquerig.diagnose.judging.one_load import load_contradictions
+
+BAND = np.geomspace(5.0, 1000.0, 60)
+COUNT = 100.0
+
+
+def run(occupancy: float, seed: int, *, particles: float = 5e-4, shape: Any = 0.0, share: float = 1.0) -> Any:
+    """A run whose density lies above the model's by ``shape`` (of the logarithm), less chance."""
+    chance = np.random.default_rng(seed).normal(0.0, COUNT**-0.5, BAND.size)
+    half = BAND * 0.05
+    return SimpleNamespace(
+        turning=None, band=BAND, count=np.full(BAND.size, COUNT), power=np.exp(chance + shape), share=share,
+        band_edges=(BAND - half, BAND + half),
+        observed=SimpleNamespace(
+            name=f"run{seed}", run=SimpleNamespace(occupancy_percent=occupancy, particle_size=particles)
+        ),
+    )  # fmt: skip
+
+
+def found(monkeypatch: pytest.MonkeyPatch, *runs: Any, corrections: tuple[int, ...] = ()) -> list[tuple[str, float]]:
+    def model(_: object, features: Any) -> Any:
+        return SimpleNamespace(power=np.ones(BAND.size), load_share=np.full(BAND.size, features.share))
+
+    monkeypatch.setattr(one_load, "expected", model)
+    case = SimpleNamespace(seen=runs, model=SimpleNamespace(rig=None, corrections=corrections))
+    return [(left.recordings[0], left.at) for left in load_contradictions(cast("Case", case), 100.0)]
+
+
+PEAK = 2.0 * np.exp(-((np.log(BAND / 190.0) / 0.15) ** 2))  # a mode that stands elsewhere under this load
+NULLS = -2.0 * np.cos(BAND / 30.0) ** 8  # pulses of another shape than the model's
+
+
+def test_a_mode_that_moves_with_the_load_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    left = found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK), run(5, 3))
+    assert {name for name, _ in left} == {"run1", "run2", "run3"}
+    assert all(at == pytest.approx(190.0, rel=0.1) for _, at in left)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_shape_that_all_runs_share_is_the_loads(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    runs = [run(load, 3 * seed + at, shape=NULLS + 0.5 * at) for at, load in enumerate((5.0, 15.0, 8.0))]
+    assert found(monkeypatch, *runs) == []
+
+
+def test_particles_of_another_size_hit_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK, particles=2e-3)) == []
+
+
+def test_where_the_load_does_not_rule_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK, share=0.5)) == []
+
+
+def test_beside_a_gap_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK), corrections=(1,)) == []
