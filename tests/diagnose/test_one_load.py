@@ -58,6 +58,10 @@ def test_particles_of_another_size_hit_otherwise(monkeypatch: pytest.MonkeyPatch
     assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK, particles=2e-3)) == []
 
 
+def test_an_idle_run_is_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(monkeypatch, run(5, 1), run(0, 2, shape=PEAK)) == []
+
+
 def test_where_the_load_does_not_rule_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK, share=0.5)) == []
 

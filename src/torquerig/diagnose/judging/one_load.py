@@ -2,7 +2,9 @@
 
 A random load's spectrum is its own and forgiven (``leftover``), but particles of one size hit alike however many they
 are. What the model misses in all runs of one size may be the shape of the pulses; what it misses in one of them, at
-bands that the load fills, is the rig's: a shaft that hardens moves its mode from run to run.
+bands that the load fills, is the rig's: a shaft that hardens moves its mode from run to run. Idle runs are left out:
+what little load they have comes and goes. On clean rigs of seeds 51 and 52 neighbouring bands of loaded runs lay 2.5
+spreads apart at most; with a shaft that hardened much, 6.4.
 """
 
 from __future__ import annotations
@@ -70,7 +72,11 @@ def _excess(case: Case, features: Features) -> _Excess:
 
 def _like(one: Features, other: Features) -> bool:
     first, second = one.observed.run, other.observed.run
-    return first.particle_size == second.particle_size and first.occupancy_percent != second.occupancy_percent
+    return (
+        first.particle_size == second.particle_size
+        and first.occupancy_percent != second.occupancy_percent
+        and bool(first.occupancy_percent and second.occupancy_percent)
+    )
 
 
 def _apart(one: _Excess, others: list[_Excess]) -> Floats:
