@@ -147,13 +147,13 @@ def _opened(
     scenario: Scenario, runs: tuple[Observed, ...], nominal: Rig, faults: SampleFindings
 ) -> tuple[Case, tuple[Features, ...]]:
     """Return the case with the nominal model calibrated, and the held-out features."""
-    fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
-    known = known_places(fitted, nominal)
-    left = without_comb(lines_left(fitted, known, rig=nominal))
+    whole = _unclipped(runs, faults)
+    known = known_places(whole, nominal)
+    left = without_comb(lines_left(whole, known, rig=nominal))
     unknown = [peak.place for peak in left]
     places = [*known, *unknown, *hum_places(left)]
     runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
-    fitted = tuple(run for run in runs if run.name not in faults.clipped) or runs
+    fitted = _unclipped(runs, faults)
     seen = tuple(features(run, places, unknown=unknown) for run in fitted)
     held = tuple(features(run, places, held=True, unknown=unknown) for run in runs)
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
@@ -162,6 +162,11 @@ def _opened(
     apart = calibrated(rig, [each.without(unknown) for each in seen], knobs)
     model = calibrated(rig, seen, knobs, start=apart.positions, jacobian=apart.jacobian, near=False)
     return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart.positions), held
+
+
+def _unclipped(runs: tuple[Observed, ...], faults: SampleFindings) -> tuple[Observed, ...]:
+    """Return the runs that fits may use: those that are not clipped, all where all are."""
+    return tuple(run for run in runs if run.name not in faults.clipped) or runs
 
 
 def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Finding]:

@@ -102,10 +102,8 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
         return None
     gap, closed, opened = told
     parted, copies = _simulated(case, rigs, gap)
-    corrections = [
-        replace(each, scatter=_scatter(features, own))
-        for each, features, own in zip(between(parted, _simulated(case, rigs, 0.0)[0]), case.seen, copies, strict=True)
-    ]
+    scatter = [_scatter(features, own) for features, own in zip(case.seen, copies, strict=True)]
+    corrections = between(parted, _simulated(case, rigs, 0.0)[0], scatter=scatter)
     fitted = calibrated(
         base, case.seen, case.model.knobs, start=model.positions, corrections=corrections,
         jacobian=case.model.jacobian, near=False,

@@ -40,13 +40,15 @@ def corrections(with_effect: Rig, without: Rig, seen: Sequence[Features], *, see
     )
 
 
-def between(after: Sequence[Expectation], before: Sequence[Expectation]) -> list[Correction]:
-    """Return what leads from the simulated features ``before`` to those ``after``, run by run."""
+def between(
+    after: Sequence[Expectation], before: Sequence[Expectation], *, scatter: Sequence[float] = ()
+) -> list[Correction]:
+    """Return what leads from features ``before`` to those ``after``, run by run; ``scatter`` as in ``Correction``."""
     answer = []
-    for one, other in zip(after, before, strict=True):
+    for one, other, own in zip(after, before, scatter or [0.0] * len(after), strict=True):
         ratio = np.clip(np.nan_to_num(one.power / np.maximum(other.power, 1e-300), nan=1.0), 1 / _FURTHEST, _FURTHEST)
         turning = None if one.turning is None or other.turning is None else one.turning - other.turning
-        answer.append(Correction(ratio, one.amplitude**2 - other.amplitude**2, one.level - other.level, turning))
+        answer.append(Correction(ratio, one.amplitude**2 - other.amplitude**2, one.level - other.level, turning, own))
     return answer
 
 

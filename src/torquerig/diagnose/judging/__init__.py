@@ -1,5 +1,7 @@
 """How good a model is.
 
-leftover   where it is significantly wrong            whole_fit   whether it fits as a whole
-held_out   how well it predicts what no fit has seen
+leftover       where it is significantly wrong         whole_fit   whether it fits as a whole
+by_simulation  whether a simulation is wrong there too  one_load    whether runs differ as no load does
+held_out       how well it predicts what no fit has seen
+chance         how probable a residual is
 """

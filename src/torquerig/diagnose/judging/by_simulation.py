@@ -33,11 +33,8 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
     except SimulationError:
         return tuple(left)
     twin = [expected(rig, features) for features in case.seen]
-    scatter = [each.scatter for each in case.model.corrections] or [0.0] * len(twin)
-    beyond = [
-        replace(each, scatter=own)
-        for each, own in zip(between(expected_from(rig, case.seen, copies), twin), scatter, strict=True)
-    ]
+    scatter = [each.scatter for each in case.model.corrections]
+    beyond = between(expected_from(rig, case.seen, copies), twin, scatter=scatter)
     simulated = replace(case, model=replace(case.model, misfits=misfits_of(rig, case.seen, beyond)))
     again = mismatches(simulated)
     return tuple(mismatch for mismatch in left if any(_same(mismatch, other) for other in again))

@@ -42,7 +42,7 @@ class _Excess:
 
 
 def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
-    """Yield the bands at which a run differs from those of other occupancies and the same particles, one for each run.
+    """Yield the bands at which a run differs from those of other occupancies and the same particles.
 
     ``total`` is the excess misfit of which they are a share. Nothing is asked where an effect beyond the twin is in the
     model: it opens under one load and not another.

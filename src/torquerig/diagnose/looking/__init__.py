@@ -5,7 +5,9 @@ sample_faults   coarse codes, flat tops, dropouts      value_features  how the v
 places          an order or a frequency                waves        the waves of lines
 regression      lines of a stretch by least squares    smeared      lines of an angle that was not measured
 bands           the spectrum beside the lines          turning      a run that turns back, block by block
+refilled        lines through moments without signal    saturated    hits that reached the converter's limit
 features        the numbers of a run that are compared
+stretch_lines   lines of one stretch                    route        where a line of a model shows
 peaks           lines that no model asked for          lines_left   the same in passes
 side_lines      peaks that an uneven speed explains    combs        lines that are impacts' multiples
 order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
