@@ -9,9 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.expecting.expectation import Expectation
-from torquerig.diagnose.expecting.simulated import expected_by_simulation
-from torquerig.diagnose.looking.features import Features
-from torquerig.rig.rig import Rig
 
 Floats = NDArray[np.float64]
 
@@ -31,13 +28,6 @@ class Correction:
     level: Floats
     turning: Floats | None
     scatter: float = 0.0
-
-
-def corrections(with_effect: Rig, without: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> list[Correction]:
-    """Return the correction of every run; the same random numbers on both sides cancel."""
-    return between(
-        expected_by_simulation(with_effect, seen, seeds=seeds), expected_by_simulation(without, seen, seeds=seeds)
-    )
 
 
 def between(
