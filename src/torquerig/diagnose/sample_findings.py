@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.looking.copied import copied
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
@@ -14,12 +16,17 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 
+Repeated = tuple[tuple[str, ...], tuple[Mismatch, ...]]
+
+_TOLD = 4  # moments of a recording that are told
+
 
 @dataclass(frozen=True)
 class SampleFindings:
     """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
 
-    ``lost`` are the moments without signal of each recording, first sample and one past the last.
+    ``lost`` are the moments without signal of each recording, first sample and one past the last; ``repeated`` tells
+    which recordings hold samples twice, in words and as places.
     """
 
     candidates: tuple[Candidate, ...]
@@ -27,6 +34,7 @@ class SampleFindings:
     clipped: tuple[str, ...]
     unnamed: tuple[str, ...]
     lost: tuple[Moments, ...]
+    repeated: Repeated = ((), ())
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -61,4 +69,29 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
         add("clipping", "Clipping", limit=flat.limit)
     mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
     clipped = () if flat is None else flat.runs
-    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), tuple(map(moments_lost, recordings)))
+    lost_of_each = tuple(map(moments_lost, recordings))
+    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, _repeated(recordings))
+
+
+def _repeated(recordings: Sequence[Recording]) -> Repeated:
+    """Return one sentence on the recordings that hold samples twice, and where each does first."""
+    twice = [(recording, found) for recording in recordings if (found := copied(recording))]
+    if not twice:
+        return (), ()
+    each = [
+        f"{recording.name} at {', '.join(f'{one.start / recording.sample_rate:.4g}' for one in found[:_TOLD])} s"
+        for recording, found in twice
+    ]
+    longest = 1e3 * max((one.stop - one.start) / recording.sample_rate for recording, found in twice for one in found)
+    sentence = (
+        f"samples repeat earlier ones exactly, for up to {longest:.3g} ms: in {'; in '.join(each)}; the logger wrote "
+        "them twice, so its time base cannot be trusted"
+    )
+    return (sentence,), tuple(
+        Mismatch(
+            domain="time", axis="s", at=found[0].start / recording.sample_rate,
+            width=(found[0].stop - found[0].start) / recording.sample_rate, recordings=(recording.name,),
+            excess_dB=0.0, share_of_misfit=0.0, p_value=0.0,
+        )
+        for recording, found in twice
+    )  # fmt: skip

@@ -27,6 +27,7 @@ from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, longest_flight
 from torquerig.diagnose.looking.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.without_tones import without_tones
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
@@ -70,7 +71,7 @@ def gap_is_possible(case: Case) -> bool:
 
 def flanks_fly(case: Case) -> bool:
     """Whether the recordings show more flights than a rig without a gap."""
-    return sum(len(blows(features.observed)) for features in case.seen) >= CLEARLY
+    return sum(len(blows(features.untoned)) for features in case.seen) >= CLEARLY
 
 
 def _blurred(case: Case, seen: Features) -> bool:
@@ -81,9 +82,9 @@ def _blurred(case: Case, seen: Features) -> bool:
 
 def flanks_may_part(seen: Features) -> bool:
     """Whether the torque of the run passes through zero, or near it, or rests there."""
-    torque = seen.observed.torque
+    torque = seen.untoned.torque
     low = float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
-    return low or len(blows(seen.observed)) >= CLEARLY
+    return low or len(blows(seen.untoned)) >= CLEARLY
 
 
 def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
@@ -131,7 +132,10 @@ def _scatter(seen: Features, copies: Sequence[Observed]) -> float:
     """Return what the numbers of blows in the run and in its copies leave of its density's logarithm to chance [1]."""
     if not flanks_may_part(seen):
         return 0.0
-    there, here = len(blows(seen.observed)), sum(len(blows(copy, held=None)) for copy in copies)
+    there, here = (
+        len(blows(seen.untoned)),
+        sum(len(blows(without_tones(copy, seen.places), held=None)) for copy in copies),
+    )
     return _OF_ONE_BLOW * float(np.sqrt(1 / (1 + there) + 1 / (1 + here)))
 
 
@@ -142,11 +146,14 @@ def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None
     flying = flanks_fly(case)
     statistics = partial(flight_statistics, rig=case.nominal) if flying else near_zero_stays
     apart = flight_misfit if flying else near_zero_misfit
-    told = [statistics(features.observed) for features in seen]
+    told = [statistics(features.untoned) for features in seen]
 
     def shown(rigs: Sequence[Rig]) -> Floats:
         copies = simulated_runs(rigs, seen, seeds=_SEEDS)
-        return np.array([np.mean([statistics(copy) for copy in each], axis=0) for each in copies])
+        pairs = zip(seen, copies, strict=True)
+        return np.array(
+            [np.mean([statistics(without_tones(copy, one.places)) for copy in each], axis=0) for one, each in pairs]
+        )
 
     def cost(modelled: Floats) -> float:
         pairs = zip(told, modelled, strict=True)
@@ -158,7 +165,7 @@ def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None
     each = np.array([shown([_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS])
     course = _smoothed(each)
     costs = np.array([cost(modelled) for modelled in course])
-    longest = longest_flight([features.observed for features in seen], case.nominal) if flying else np.inf
+    longest = longest_flight([features.untoned for features in seen], case.nominal) if flying else np.inf
     at = int(np.argmin(costs + (np.log(np.maximum(_FINE / longest, 1.0)) / _BEYOND) ** 2))
     return (float(_FINE[at]), closed, float(costs[at])) if costs[at] < closed - _LEAST_GAIN else None
 

@@ -73,10 +73,9 @@ def _features(copy: Observed, seen: Features) -> Features:
 def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
     spread = expected(rig, seen)
     if seen.turning is not None:
-        # lines differ in phase from copy to recording and are projected out of both
-        blocks = [copy.turning.without_lines(copy.turning.torque) for copy in copies if copy.turning is not None]
         # a copy whose motor is held fast does not turn back, and has no blocks
-        return replace(spread, turning=np.mean(blocks, axis=0)) if blocks else spread
+        beside = [_beside_the_twin(rig, copy) for copy in copies if copy.turning is not None]
+        return replace(spread, turning=spread.turning + np.mean(beside, axis=0)) if beside else spread
     copies = [copy for copy in copies if copy.turning is None]
     if not copies:  # all of them turned back, as a torque too large for the drive makes them
         return spread
@@ -93,6 +92,18 @@ def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
         mean, level = np.mean(sizes, axis=0), np.mean([copy.level for copy in copies], axis=0)
     amplitude = np.sqrt(np.maximum(np.nan_to_num(mean) - 2 * chance, 0.0))
     return replace(spread, power=power, amplitude=amplitude, variance=chance, level=level)
+
+
+def _beside_the_twin(rig: Rig, copy: Features) -> Floats:
+    """Return by how much the blocks of a copy differ from the twin's.
+
+    Lines differ in phase from copy to recording and are projected out of both. Of the slow torque, which steps where
+    the shaft turns back, that would take a part which is not the recording's: the twin's is taken off before.
+    """
+    blocks, slow = copy.turning, expected(rig, copy).turning
+    assert blocks is not None
+    assert slow is not None
+    return blocks.without_lines(blocks.torque - slow)
 
 
 def _mean_power(copies: Sequence[Features], otherwise: Floats) -> Floats:

@@ -8,11 +8,13 @@ from dataclasses import replace
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.looking.places import SAME_ORDER
+from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 
 _STRONGEST = 5
+_MAIN = (6, 12)  # field orders of a six-step drive
+_SKIRTED = 0.05  # [1] depth at which one that shows no line is started
 _START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 20.0
@@ -25,6 +27,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples; other orders pay.
     """
     motors = case.nominal.parts_of(Motor)
+    if motors:
+        yield from _by_its_skirts(case, motors[0])
     for peak in [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]:
         if motors and abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
             electrical = round(peak.place.at) % (motors[0].pole_pairs or 1) == 0
@@ -40,6 +44,21 @@ def propose(case: Case) -> Iterator[Candidate]:
                 place=peak.place,
                 price=0.0 if electrical else _BESIDE_THE_FIELD,
             )
+
+
+def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
+    """Yield a ripple of each main field order that shows no line: an unsteady load leaves noise beside it alone."""
+    for multiple in _MAIN:
+        order_motor = float(multiple * (motor.pole_pairs or 0))
+        places = case.seen[0].places
+        if order_motor and not any(
+            each.domain == "order" and abs(each.at - order_motor) < SAME_ORDER for each in places
+        ):
+            part = mechanisms.CommutationRipple(
+                name="commutation_ripple", at=motor.name, order_motor=order_motor, depth=_SKIRTED
+            )
+            knobs = (Knob(part.name, "depth", 1.0),)
+            yield Candidate(mechanism="commutation_ripple", parts=(part,), knobs=knobs, place=order(order_motor))
 
 
 def _with_harmonics(case: Case, part: mechanisms.CommutationRipple) -> tuple[mechanisms.CommutationRipple, list[Knob]]:

@@ -174,7 +174,7 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
 
 def _flights(case: Case) -> Iterator[Mismatch]:
     """Flights of flanks, which no model without a gap has."""
-    shown = {features.observed.name: len(blows(features.observed)) for features in case.seen}
+    shown = {features.observed.name: len(blows(features.untoned)) for features in case.seen}
     number = sum(shown.values())
     if number < CLEARLY or case.model.corrections:
         return

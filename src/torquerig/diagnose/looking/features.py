@@ -17,6 +17,7 @@ from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, SAME_ORDE
 from torquerig.diagnose.looking.route import Route, hann_transform
 from torquerig.diagnose.looking.stretch_lines import StretchLines, stretch_lines
 from torquerig.diagnose.looking.turning import Turning, turning, turns_back
+from torquerig.diagnose.looking.without_tones import without_tones
 
 Floats = NDArray[np.float64]
 
@@ -102,6 +103,11 @@ class Features:
         """Lower and upper edge of each band [Hz], of which ``band`` is the geometric mean."""
         low = np.sqrt(0.25 * self.width**2 + self.band**2) - 0.5 * self.width
         return low, low + self.width
+
+    @cached_property
+    def untoned(self) -> Observed:
+        """The run, its lines of fixed frequency taken out."""
+        return without_tones(self.observed, self.places)
 
     def without(self, places: Sequence[Place]) -> Features:
         """Return the same features, the lines at ``places`` not shown."""
