@@ -8,10 +8,16 @@ from math import pi
 import numpy as np
 import pytest
 
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.expecting.simulated import expected_by_simulation
+from torquerig.diagnose.fitting.misfit import misfit
 from torquerig.diagnose.looking.features import features
-from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.shaft_angle import ShaftAngle
 from torquerig.diagnose.looking.turning import turning, turns_back
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
 
 RATE, LENGTH = 5000.0, 6.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE
@@ -69,3 +75,18 @@ def test_only_a_run_that_turns_back_is_seen_by_blocks(by_hand: ByHand) -> None:
     # every third stretch is held out, and no block is seen in both
     assert held.speed.size == pytest.approx(seen.speed.size / 2, rel=0.2)
     assert not set(seen.torque.tolist()) & set(held.torque.tolist())
+
+
+def test_a_simulation_of_the_same_rig_turns_like_it(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
+    """Lines of another phase are projected out of both, and with them no part of the friction that the shaft turns."""
+    rig = wear_rig.rig
+    made = record(rig, 5, rpm=700.0, occupancy=5.0, profile="reversal")
+    angle = made.channels["encoder_count"].in_si()
+    run = observed(made, ShaftAngle(angle, "encoder", True), ratio=5.0, factor=1.0)
+    places = [order(at) for at in (0.2, 0.4, 0.6, 0.8, 1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 12.0, 14.0, 18.0, 21.0)]
+    seen = features(run, places)
+    twin = expected(rig, seen)
+    (model,) = expected_by_simulation(rig, [seen], seeds=(7, 8))
+    by_twin, by_simulation = (float(np.mean(misfit(seen, one).turning ** 2)) for one in (twin, model))
+    # two copies have half the chance of one recording again
+    assert by_simulation < 2.0 * max(by_twin, 0.5)

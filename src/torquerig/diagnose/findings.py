@@ -8,6 +8,7 @@ from functools import partial
 
 from torquerig.diagnose.advising.next_run import next_run
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.confidence import confidence
 from torquerig.diagnose.choosing.convincing import convincing, promising, share_of, worth
 from torquerig.diagnose.choosing.equivalence import equivalents
@@ -58,7 +59,7 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
         described = max((trial.gain for trial in tried.fitted if trial.candidate.description), default=0.0)
         good = [
             trial
-            for trial in tried.fitted
+            for trial in (*_around_gap(case, tried), *tried.fitted)
             if trial.gain >= described and convincing(case, trial, earlier=[each.trial for each in accepted], held=held)
         ]
         if not (good or accepted):  # where one does not suffice, two may
@@ -68,7 +69,7 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
             break
         of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
         best = max(of_each.values(), key=partial(worth, case))
-        accepted.append(Accepted(before=case, trial=best, tried=tried))
+        accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
     if on_trial and not _together(start, case):
         case, accepted = start, []
@@ -91,6 +92,15 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
         first=first,
         last=tried,
     )
+
+
+def _around_gap(case: Case, tried: Tried) -> list[Trial]:
+    """Return the best trial beside a gap whose width is told again, where a gap was found and this explains much."""
+    named = [trial for trial in tried.fitted if not trial.candidate.description]
+    if not (case.model.corrections and named and promising(case, named[0])):
+        return []
+    again = told_again(case, named[0])
+    return [] if again is None else [again]
 
 
 def reasons(case: Case, found: Searched, findings: Sequence[Finding]) -> Mapping[str, str]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE, LEAST_SHARE_WHERE_ALL_FITS, explained_share
-from torquerig.diagnose.choosing.search import LEAST_GAIN, Trial, excess, feature_count
+from torquerig.diagnose.choosing.search import LEAST_GAIN, WELL, Trial, excess, feature_count
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging.leftover import mismatches
@@ -15,6 +15,7 @@ from torquerig.diagnose.looking.features import Features
 _WHOLLY = 6  # power of the share by which gains are compared
 _LARGE = 100.0  # gain above which a smaller share is enough, if the model then fits as a whole
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
+_OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
@@ -34,14 +35,17 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     """
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
-    least = max([_least_gain(case, trial), *_gains_of_details(case, earlier)])
-    fits = trial.gain > _LARGE and trial.model.cost < feature_count(trial.model)
+    least = max([_least_gain(case, trial), *_gains_of_details(case, trial, earlier)])
+    well = feature_count(trial.model) * (1.0 if trial.gap is None else WELL)
+    fits = trial.gain > _LARGE and trial.model.cost < well
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
 
 
-def _gains_of_details(case: Case, earlier: Sequence[Trial]) -> list[float]:
+def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:
     """Return what the details of effects that were found earlier may gain when another effect takes them up."""
+    if trial.gap is not None:
+        return [_OF_EARLIER_TOLD_AGAIN * each.gain for each in earlier]
     if case.model.corrections:
         return [_OF_EARLIER * each.gain for each in earlier]
     turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]

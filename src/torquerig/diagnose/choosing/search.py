@@ -26,7 +26,7 @@ _POLISHED = 2  # of the best, which are fitted on until nothing moves
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 3, 3
 _BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
-_WELL = 1.2  # misfit per feature below which a fit needs no second start
+WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
 
@@ -35,13 +35,15 @@ _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needles
 class Trial:
     """A candidate fitted together with all numbers of the model; ``gain`` is what the misfit fell by, knobs paid.
 
-    ``beside`` is the misfit of what no twin expects, before and with it: how flanks fly across a gap.
+    ``beside`` is the misfit of what no twin expects, before and with it: how flanks fly across a gap. ``gap`` takes the
+    place of one that was found earlier, where its width was told again around the candidate.
     """
 
     candidate: Candidate
     model: Calibrated
     gain: float
     beside: tuple[float, float] = (0.0, 0.0)
+    gap: Candidate | None = None
 
 
 @dataclass(frozen=True)
@@ -167,7 +169,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
         return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
 
     answer = fitted(trial.model.rig, case.model.positions, near=True)
-    if answer.model.cost < _WELL * feature_count(answer.model):
+    if answer.model.cost < WELL * feature_count(answer.model):
         return answer
     apart = case.apart if case.left and case.apart is not None else None
     if apart is None or np.abs(apart).max(initial=0.0) > _BENT:

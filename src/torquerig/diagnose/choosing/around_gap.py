@@ -1,0 +1,48 @@
+"""A gap that was found first, its width told again beside a further effect: what else is missing bends both."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing.gap_trial import fitted_gap, simulated_model
+from torquerig.diagnose.choosing.revising import Accepted
+from torquerig.diagnose.choosing.search import PER_KNOB, Trial
+from torquerig.errors import SimulationError
+
+_GAP = "backlash"
+
+
+def told_again(case: Case, trial: Trial) -> Trial | None:
+    """Return the trial fitted around a gap of a new width; None where that comes no nearer.
+
+    Parameters
+    ----------
+    case : Case
+        With a gap in its model.
+    trial : Trial
+        Of an effect beside it.
+    """
+    others = tuple(candidate for candidate in case.accepted if candidate.mechanism != _GAP)
+    if len(others) == len(case.accepted):
+        return None
+    bare = replace(case, accepted=(*others, trial.candidate), model=replace(trial.model, corrections=()))
+    try:
+        found = fitted_gap(bare, bare.nominal_with_accepted())
+    except SimulationError:
+        return None
+    if found is None or found.model.cost >= trial.model.cost:
+        return None
+    gain = case.model.cost - found.model.cost - PER_KNOB * len(trial.candidate.knobs) - trial.candidate.price
+    return replace(trial, model=simulated_model(found.candidate, found.model), gain=gain, gap=found.candidate)
+
+
+def with_gap(accepted: Sequence[Accepted], gap: Candidate | None) -> list[Accepted]:
+    """Return what was accepted, the gap in its new width where it has one."""
+    if gap is None:
+        return list(accepted)
+    return [
+        replace(each, trial=replace(each.trial, candidate=gap)) if each.trial.candidate.mechanism == _GAP else each
+        for each in accepted
+    ]
