@@ -14,6 +14,7 @@ from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.knobs import nuisance_knobs, with_free_load
 from torquerig.diagnose.free_names import with_free_names
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
+from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
@@ -101,7 +102,8 @@ def diagnose(
     before = replace(before, thresholds=thresholds)
     fitted = {run.name for run in before.runs}
     found_by_search = searched(before, [each for each in held if each.observed.name in fitted], progress)
-    after, findings = found_by_search.case, found_by_search.findings
+    findings = found_by_search.findings
+    after, held = looked_at_as_found(found_by_search.case, held)
     progress("predicting what no fit has seen")
     completed = _completed(after, faults)
     found_more = bool(findings or faults.candidates or found_by_search.descriptions)

@@ -8,15 +8,15 @@ from dataclasses import replace
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import frequency
-from torquerig.diagnose.looking.steady_tone import sounds_all_along
+from torquerig.diagnose.looking.steady_tone import sounds_all_along, steady_frequency
 
 
 def doubtful_lines(case: Case) -> Iterator[Peak]:
     """Yield the left lines of an order that may as well be fixed ones, each at its frequency."""
     for peak in case.left:
         if peak.either:
-            speed = next(run.mean_speed for run in case.runs if run.name == peak.runs[0])
-            yield replace(peak, place=frequency(peak.place.frequency(speed)))
+            run = next(run for run in case.runs if run.name == peak.runs[0])
+            yield replace(peak, place=frequency(steady_frequency(run, peak.place.frequency(run.mean_speed))))
 
 
 def fixed_lines(case: Case) -> list[Peak]:

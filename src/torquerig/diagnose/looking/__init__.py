@@ -12,5 +12,6 @@ peaks           lines that no model asked for          lines_left   the same in 
 side_lines      peaks that an uneven speed explains    combs        lines that are impacts' multiples
 order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
 hum             where the mains stands                 impacts      beats of a ringing band
+copied          samples written twice                  without_tones   a run less its lines of fixed frequency
 flights         flanks that part and meet              near_zero    how long the torque stays near zero
 """

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.peaks import SHIFTED, Peak
 from torquerig.diagnose.looking.places import Place
 
 Floats = NDArray[np.float64]
@@ -30,11 +30,32 @@ def sounds_all_along(peak: Peak, runs: Sequence[Observed], known: Sequence[Place
     return not shares or max(shares) > _STEADY
 
 
-def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
+def steady_frequency(run: Observed, at: float) -> float:
+    """Return the frequency [Hz] of the tallest line of a run near ``at``, between the bins by its two largest.
+
+    Near means within what an unmeasured angle shifts a line, or three bins.
+    """
+    power, step = _spectrum(run)
+    reach = max(_LINE, round(SHIFTED * run.smearing * at / step))
+    middle = round(at / step)
+    low = max(middle - reach, 1)
+    top = low + int(np.argmax(power[low : middle + reach + 1]))
+    before, height, after = np.sqrt(power[top - 1 : top + 2])
+    side = 1 if after > before else -1
+    ratio = max(before, after) / height
+    return step * (top + side * (2 * ratio - 1) / (1 + ratio))
+
+
+def _spectrum(run: Observed) -> tuple[Floats, float]:
+    """Return the power of what fits may see of a run under a Hann window, and the step of its frequencies [Hz]."""
     seen = [stretch for stretch in run.stretches if not stretch.held]
     torque = run.torque[seen[0].start : seen[-1].stop]
     power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
-    step = run.rate / torque.size
+    return power, run.rate / torque.size
+
+
+def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
+    power, step = _spectrum(run)
     frequency = step * np.arange(power.size)
     far = np.abs(frequency - at)
     free = far > _LINE * step

@@ -1,0 +1,85 @@
+"""Noise that stands at one order, whatever the speed: a line whose phase jumps is spread over a band and is no line.
+
+A load's spectrum may be of any shape, but that shape stays at its frequencies when the speed changes, and is wide:
+between one band and the next it does not rise by 4 dB and fall again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import permutations
+from math import log, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE
+from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED
+
+Floats = NDArray[np.float64]
+
+_HIGH, _CLEAR = 1.0, 8.0  # of the density's logarithm above both neighbours, and in spreads, in the run that shows it
+_AGAIN = 4.0  # spreads in another run, of another speed
+_WITHIN = 1  # bands beside the order at which it may stand there
+
+
+@dataclass(frozen=True)
+class _Heights:
+    """By how much each band's excess over the model is above that of the higher neighbour, and in spreads; 0 at ends."""
+
+    features: Features
+    height: Floats
+    spreads: Floats
+
+
+def turning_humps(case: Case, total: float) -> Iterator[Mismatch]:
+    """Yield the orders at which single bands stand out of their neighbours in runs of two speeds or more.
+
+    ``total`` is the excess misfit of which they are a share. Blows of flanks, which some models hold, are left out.
+    """
+    if case.model.corrections:
+        return
+    every = [_heights(case, features) for features in case.seen if features.turning is None and features.power.size]
+    places, told = sum(each.height.size for each in every), list[float]()
+    for one, other in permutations(every, 2):
+        speed, another = (abs(each.features.observed.mean_speed) for each in (one, other))
+        if abs(another / speed - 1) < ONE_SPEED:
+            continue
+        for at in np.flatnonzero((one.spreads > _CLEAR) & (one.height > _HIGH)):
+            middle = float(one.features.band[at])
+            turned, width = 2 * pi * middle / speed, 2 * pi * float(one.features.width[at]) / speed
+            if _again(other, middle * another / speed) and not any(abs(turned - each) < width for each in told):
+                told.append(turned)
+                yield Mismatch(
+                    domain="order", axis="motor_shaft", at=turned, width=width,
+                    recordings=(one.features.observed.name, other.features.observed.name),
+                    excess_dB=10 / log(10) * float(one.height[at]), share_of_misfit=min(1.0, float(one.spreads[at]) ** 2 / total),
+                    p_value=by_chance(float(one.spreads[at]), places),
+                )  # fmt: skip
+
+
+def _heights(case: Case, features: Features) -> _Heights:
+    shown = np.flatnonzero(np.isfinite(features.power))
+    excess = np.log(features.power[shown] / expected(case.model.rig, features).power[shown])
+    variance = 1 / features.count[shown] + BAND_TOLERANCE**2
+    height, spreads = np.zeros(features.band.size), np.zeros(features.band.size)
+    if shown.size > 2:
+        above = excess[1:-1] - np.maximum(excess[:-2], excess[2:])
+        height[shown[1:-1]] = above
+        spreads[shown[1:-1]] = above / np.sqrt(variance[1:-1] + np.maximum(variance[:-2], variance[2:]))
+    return _Heights(features, height, spreads)
+
+
+def _again(other: _Heights, frequency: float) -> bool:
+    """Whether a band stands out in another run where the order would stand there."""
+    band = other.features.band
+    if not band[0] < frequency < band[-1]:
+        return False
+    at = int(np.argmin(np.abs(np.log(band / frequency))))
+    return bool(other.spreads[max(at - _WITHIN, 0) : at + _WITHIN + 1].max() > _AGAIN)

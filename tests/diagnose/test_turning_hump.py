@@ -1,0 +1,58 @@
+"""Noise that turns: a line whose phase jumps is found at its order, and a load of any shape is let be."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.judging.turning_hump import turning_humps
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.scenario.reading import Scenario
+
+RATE, LENGTH, ORDER = 5000.0, 12.0, 60.4
+TIME = np.arange(int(RATE * LENGTH)) / RATE
+ByHand = Callable[..., Observed]
+
+
+@pytest.fixture
+def seen(by_hand: ByHand, wear_rig: Scenario) -> Callable[..., Features]:
+    """Noise, and in it a line whose phase jumps twice a second, at an order or at a frequency."""
+
+    def made(speed: float, *, seed: int, order: float = 0.0, frequency: float = 0.0) -> Features:
+        rng = np.random.default_rng(seed)
+        jumps = np.cumsum(rng.random(TIME.size) < 2.0 / RATE)
+        phase = rng.uniform(0, 2 * pi, jumps[-1] + 1)[jumps]
+        line = np.cos((order * speed + 2 * pi * frequency) * TIME + phase)
+        torque = 1.0 + 2e-2 * rng.standard_normal(TIME.size) + (2e-2 * line if order or frequency else 0.0)
+        return features(by_hand(torque, speed * TIME, rate=RATE, name=f"{speed:g}"), [])
+
+    return made
+
+
+def found(wear_rig: Scenario, *runs: Features) -> list[float]:
+    # at such orders the load has died out and the model is flat, as the noise is
+    rig = wear_rig.rig
+    model = Calibrated(rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
+    case = Case(nominal=rig, runs=tuple(run.observed for run in runs), seen=runs, model=model, left=())
+    return [mismatch.at for mismatch in turning_humps(case, 1e3)]
+
+
+def test_a_line_that_jumps_is_found_at_its_order(wear_rig: Scenario, seen: Callable[..., Features]) -> None:
+    (at,) = found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2, order=ORDER))
+    assert at == pytest.approx(ORDER, rel=0.06)  # bands are 9 % wide
+
+
+def test_what_stays_at_its_frequency_or_at_one_speed_does_not_turn(
+    wear_rig: Scenario, seen: Callable[..., Features]
+) -> None:
+    fixed = ORDER * 100.0 / (2 * pi)
+    assert found(wear_rig, seen(100.0, seed=1, frequency=fixed), seen(70.0, seed=2, frequency=fixed)) == []
+    assert found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(100.0, seed=2, order=ORDER)) == []
+    assert found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2)) == []
+    assert found(wear_rig, seen(100.0, seed=1), seen(70.0, seed=2)) == []
