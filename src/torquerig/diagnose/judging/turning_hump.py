@@ -31,7 +31,7 @@ _WITHIN = 1  # bands beside the order at which it may stand there
 
 @dataclass(frozen=True)
 class _Heights:
-    """By how much each band's excess over the model is above that of the higher neighbour, and in spreads; 0 at ends."""
+    """How far each band's excess over the model is above that of the higher neighbour, and in spreads; 0 at ends."""
 
     features: Features
     height: Floats
@@ -56,10 +56,11 @@ def turning_humps(case: Case, total: float) -> Iterator[Mismatch]:
             turned, width = 2 * pi * middle / speed, 2 * pi * float(one.features.width[at]) / speed
             if _again(other, middle * another / speed) and not any(abs(turned - each) < width for each in told):
                 told.append(turned)
+                square = float(one.spreads[at]) ** 2
                 yield Mismatch(
                     domain="order", axis="motor_shaft", at=turned, width=width,
                     recordings=(one.features.observed.name, other.features.observed.name),
-                    excess_dB=10 / log(10) * float(one.height[at]), share_of_misfit=min(1.0, float(one.spreads[at]) ** 2 / total),
+                    excess_dB=10 / log(10) * float(one.height[at]), share_of_misfit=min(1.0, square / total),
                     p_value=by_chance(float(one.spreads[at]), places),
                 )  # fmt: skip
 

@@ -43,7 +43,7 @@ def steady_frequency(run: Observed, at: float) -> float:
     before, height, after = np.sqrt(power[top - 1 : top + 2])
     side = 1 if after > before else -1
     ratio = max(before, after) / height
-    return step * (top + side * (2 * ratio - 1) / (1 + ratio))
+    return float(step * (top + side * (2 * ratio - 1) / (1 + ratio)))
 
 
 def _spectrum(run: Observed) -> tuple[Floats, float]:
