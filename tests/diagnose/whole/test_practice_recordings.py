@@ -14,7 +14,7 @@ from torquerig.diagnose.diagnose import diagnose
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.files import read_recording
 
-PRACTICE = Path(__file__).resolve().parents[2] / ".." / "shared" / "practice"
+PRACTICE = Path(__file__).resolve().parents[3] / ".." / "shared" / "practice"
 pytestmark = [
     pytest.mark.skipif(not PRACTICE.exists(), reason="shared/practice is not beside this checkout"),
     pytest.mark.skipif(
