@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.fitting.misfit import Misfit, robust
+from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 
 LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
 _CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
@@ -23,8 +23,8 @@ def explained_share(
     An effect that is there explains its places down to chance; one that only resembles what is there leaves a rest.
     ``beside`` are misfits before and after of what no feature holds.
     """
-    old = np.concatenate([robust(misfit.all()) ** 2 for misfit in before])
-    new = np.concatenate([robust(misfit.all()) ** 2 for misfit in after])
+    old = np.concatenate([robust_squares(misfit.all()) for misfit in before])
+    new = np.concatenate([robust_squares(misfit.all()) for misfit in after])
     place = old - new > _CHANGED
     excess = float(np.maximum(old[place] - 1, 0).sum()) + beside[0]
     return 1 - (float(np.maximum(new[place] - 1, 0).sum()) + beside[1]) / excess if excess > 0 else 0.0
@@ -42,4 +42,4 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
 
 
 def _slow(misfit: Misfit) -> NDArray[np.float64]:
-    return robust(np.concatenate([misfit.level, misfit.turning])) ** 2
+    return robust_squares(np.concatenate([misfit.level, misfit.turning]))

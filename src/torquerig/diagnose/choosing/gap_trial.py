@@ -21,7 +21,7 @@ from torquerig.diagnose.expecting.expectation import Expectation
 from torquerig.diagnose.expecting.phased import with_phases_of
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
-from torquerig.diagnose.fitting.misfit import robust
+from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, longest_flight
@@ -157,7 +157,7 @@ def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None
 
     def cost(modelled: Floats) -> float:
         pairs = zip(told, modelled, strict=True)
-        return float(sum((robust(apart(measured, model)) ** 2).sum() for measured, model in pairs))
+        return float(sum(robust_squares(apart(measured, model)).sum() for measured, model in pairs))
 
     closed = cost(shown([rigs[row] for row in parting]))
     if closed < _LEAST_GAIN:

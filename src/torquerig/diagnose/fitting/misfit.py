@@ -101,12 +101,17 @@ def _wide(excess: Floats) -> Floats:
 
 def robust(residuals: Floats) -> Floats:
     """Return the residuals with the large ones pulled in, so that no single one rules a fit (pseudo-Huber)."""
-    return np.asarray(np.sign(residuals) * np.sqrt(robust_square(residuals, BEND)))
+    return np.asarray(np.sign(residuals) * np.sqrt(robust_squares(residuals)))
+
+
+def robust_squares(residuals: Floats) -> Floats:
+    """Return the squares of what ``robust`` returns, which for large residuals grow by their size."""
+    return np.asarray(robust_square(residuals, BEND))
 
 
 def misfit_sum(misfits: Sequence[Misfit]) -> float:
     """Return the sum of squares of the robust residuals of all runs: about the number of features for a true model."""
-    return float(sum((robust(each.paid()) ** 2).sum() for each in misfits))
+    return float(sum(robust_squares(each.paid()).sum() for each in misfits))
 
 
 def _turning(seen: Turning, model: Floats, tolerance: Floats | float) -> Misfit:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.diagnosis import HeldOut
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
-from torquerig.diagnose.fitting.misfit import misfit, robust
+from torquerig.diagnose.fitting.misfit import misfit, robust_squares
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.value_features import value_features, value_misfit
 from torquerig.errors import SimulationError
@@ -30,12 +30,12 @@ def held_out_squares(rig: Rig, held: Sequence[Features]) -> NDArray[np.float64]:
     for features, model, each in zip(held, models, copies, strict=True):
         values = np.mean([value_features(copy, held=True) for copy in each], axis=0)
         residuals = value_misfit(value_features(features.observed, held=True), values)
-        squares.append(robust(np.concatenate([misfit(features, model).all(), residuals])) ** 2)
+        squares.append(robust_squares(np.concatenate([misfit(features, model).all(), residuals])))
     return np.concatenate(squares)
 
 
 def _by_the_twin(rig: Rig, held: Sequence[Features]) -> NDArray[np.float64]:
-    squares = [robust(misfit(features, expected(rig, features)).all()) ** 2 for features in held]
+    squares = [robust_squares(misfit(features, expected(rig, features)).all()) for features in held]
     return np.concatenate(squares)
 
 

@@ -13,7 +13,7 @@ from scipy.stats import poisson
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.expectation import expected
-from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust
+from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squares
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.judging.one_load import load_contradictions
 from torquerig.diagnose.judging.turning_hump import turning_humps
@@ -62,7 +62,7 @@ def _every(case: Case) -> list[Misfit]:
 
 
 def _excess(every: Sequence[Misfit]) -> float:
-    squares = np.concatenate([robust(eased.all()) ** 2 for eased in every])
+    squares = np.concatenate([robust_squares(eased.all()) for eased in every])
     return float(np.maximum(squares - _BY_CHANCE, 0).sum()) + 1e-12
 
 
@@ -82,7 +82,7 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
             if features.turning is not None:
                 continue
             residual = np.atleast_2d(misfit.lines)[:, column]
-            square += float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum())
+            square += float(np.maximum(robust_squares(residual) - _BY_CHANCE, 0).sum())
             if _of_a_law(case, features, column):
                 continue
             size = float(np.abs(residual).max(initial=0.0))
@@ -129,7 +129,7 @@ def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Ite
     if residual.size == 0:
         return
     out = np.abs(residual) > BAND
-    if np.mean(robust(residual) ** 2) > _MEAN_SQUARE:
+    if np.mean(robust_squares(residual)) > _MEAN_SQUARE:
         out |= np.abs(residual) > 0.6 * BAND
     edges = np.flatnonzero(np.diff(np.concatenate([[False], out, [False]]).astype(int)))
     for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
@@ -199,4 +199,4 @@ def _slack(case: Case) -> float:
 
 
 def _share(residual: NDArray[np.float64], total: float) -> float:
-    return float(np.maximum(robust(residual) ** 2 - _BY_CHANCE, 0).sum()) / total
+    return float(np.maximum(robust_squares(residual) - _BY_CHANCE, 0).sum()) / total

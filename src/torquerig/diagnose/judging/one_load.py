@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.expectation import expected
-from torquerig.diagnose.fitting.misfit import robust
+from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.looking.features import Features
 
@@ -104,7 +104,7 @@ def _runs_of(residual: Floats) -> Iterator[tuple[int, int]]:
 def _mismatch(one: _Excess, residual: Floats, part: slice, total: float, places: int) -> Mismatch:
     features = one.features
     low, high = (float(edges[part][at]) for edges, at in zip(features.band_edges, (0, -1), strict=True))
-    spread, squares = np.sqrt(one.variance[part]), float((robust(residual[part]) ** 2).sum())
+    spread, squares = np.sqrt(one.variance[part]), float(robust_squares(residual[part]).sum())
     return Mismatch(
         domain="frequency", axis="Hz", at=sqrt(low * high), width=high - low, recordings=(features.observed.name,),
         excess_dB=10 / log(10) * float(np.mean(residual[part] * spread)), share_of_misfit=min(1.0, squares / total),

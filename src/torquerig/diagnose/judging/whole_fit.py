@@ -10,7 +10,7 @@ from scipy.stats import chi2
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.fitting.misfit import Misfit, robust
+from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 from torquerig.diagnose.looking.features import Features
 
 LARGEST = 2.2  # held-out misfit; of 39 blind rigs with nothing hidden the largest was 1.8
@@ -42,7 +42,7 @@ def _of_the_speed(misfit: Misfit) -> Iterator[np.ndarray]:
 def _mismatch(
     features: Features, residuals: np.ndarray, *, domain: str, axis: str, at: float, width: float
 ) -> Mismatch:
-    squares = robust(residuals[residuals != 0]) ** 2
+    squares = robust_squares(residuals[residuals != 0])
     return Mismatch(
         domain=domain, axis=axis, at=at, width=width, recordings=(features.observed.name,),
         excess_dB=10 * log10(max(float(squares.mean()), 1e-6)), share_of_misfit=1.0,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.diagnose import Outcome
 from torquerig.diagnose.expecting.expectation import Expectation
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
-from torquerig.diagnose.fitting.misfit import Misfit, misfit, robust
+from torquerig.diagnose.fitting.misfit import Misfit, misfit, robust_squares
 from torquerig.diagnose.judging.held_out import SEEDS
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
@@ -32,7 +32,7 @@ class Side:
     def mean_square(self) -> float:
         """Mean of the squares of the robust residuals, about 1 for a true model."""
         residuals = self.misfit.all()
-        return float(np.mean(robust(residuals) ** 2)) if residuals.size else 0.0
+        return float(np.mean(robust_squares(residuals))) if residuals.size else 0.0
 
 
 @dataclass(frozen=True)
