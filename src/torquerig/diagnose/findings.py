@@ -104,8 +104,9 @@ def _around_gap(case: Case, tried: Tried) -> list[Trial]:
 
 
 def reasons(case: Case, found: Searched, findings: Sequence[Finding]) -> Mapping[str, str]:
-    """Return why each mechanism that is neither found nor was fitted in full was set aside; ``case`` is the first."""
-    return set_aside(case, found.first, found=[each.mechanism for each in findings])
+    """Return why each mechanism that is neither found nor a rival of what is was set aside; ``case`` is the first."""
+    rivals = [name for each in findings for name, _ in each.rivals]
+    return set_aside(case, found.first, known=[*(each.mechanism for each in findings), *rivals])
 
 
 def run_for_the_rest(found: Searched) -> str | None:

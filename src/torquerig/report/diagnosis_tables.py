@@ -69,7 +69,7 @@ def mismatch_table(mismatches: Sequence[Mismatch]) -> Table:
 
 
 def aside_table(outcome: Outcome) -> Table:
-    """Return the mechanisms that were set aside without a full fit, each with its reason."""
+    """Return the mechanisms that were set aside, each with its reason."""
     rows = tuple(words(mechanism_text(name), why) for name, why in outcome.diagnosis.set_aside.items())
     return Table(
         caption="Mechanisms that were set aside, and why", head=("mechanism", "reason"), rows=rows,

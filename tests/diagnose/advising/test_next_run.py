@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from os import environ
 
 import pytest
 from threadpoolctl import threadpool_limits
 
 from torquerig import mechanisms
-from torquerig.diagnose.choosing.search import Tried
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.choosing.search import Trial, Tried, excess
+from torquerig.diagnose.choosing.set_aside import set_aside
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.mechanisms import Cogging, CommutationRipple, PwmAliasing
@@ -109,12 +112,20 @@ def test_every_mechanism_is_found_fitted_or_set_aside_with_a_reason(comb_at_one_
     assert all(len(reason) > 10 for reason in diagnosis.set_aside.values())
 
 
+def test_what_was_fitted_in_vain_says_how_little_went(comb_at_one_speed: Outcome) -> None:
+    before, model = comb_at_one_speed.before, comb_at_one_speed.after.model
+    vain = Trial(Candidate(mechanism="torsional_mode", parts=(), knobs=()), model, 0.5 * excess(before))
+    said = set_aside(before, Tried((vain,), ()), known=())["torsional_mode"]
+    assert said.startswith("fitted with all numbers: 50% of the misfit beyond chance goes, and ")
+    within = replace(before, model=replace(before.model, cost=0.0))
+    assert "within chance" in set_aside(within, Tried((vain,), ()), known=())["torsional_mode"]
+    assert "torsional_mode" not in set_aside(before, Tried((vain,), ()), known=("torsional_mode",))
+
+
 def test_a_mechanism_that_is_not_there_is_set_aside_for_that(
     comb_at_one_speed: Outcome, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from torquerig.diagnose.choosing.set_aside import set_aside
-
     monkeypatch.delattr(mechanisms, "SensorDrift")
     monkeypatch.delattr(mechanisms, "Backlash")
-    said = set_aside(comb_at_one_speed.before, Tried((), ()), found=())
+    said = set_aside(comb_at_one_speed.before, Tried((), ()), known=())
     assert said["sensor_drift"] == said["backlash"] == "not in the library"

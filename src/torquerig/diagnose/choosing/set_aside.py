@@ -1,4 +1,4 @@
-"""Which mechanisms were set aside without a full fit, each with its one reason."""
+"""Which mechanisms were set aside, before a full fit or after it, each with its one reason."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.explained import explained_share
 from torquerig.diagnose.choosing.gap_trial import flanks_may_part, gap_is_possible
-from torquerig.diagnose.choosing.search import Trial, Tried
+from torquerig.diagnose.choosing.search import Trial, Tried, excess
 from torquerig.diagnose.hypotheses import CLASSES
 from torquerig.diagnose.hypotheses.reasons import why_none
 from torquerig.scenario.kinematics import gears_to_sensor
@@ -17,11 +18,12 @@ SAMPLE_FAULTS = {
     "quantization": ("Quantization", "codes stand as close as the converter's"),
     "signal_dropout": ("SignalDropout", "no moments without signal"),
 }
+CONTRACT = {*CLASSES, *SAMPLE_FAULTS, "backlash"}
 _NOT_THERE = "not in the library"
 
 
-def set_aside(case: Case, tried: Tried, *, found: Sequence[str]) -> dict[str, str]:
-    """Return a reason for every mechanism of the contract that is neither found nor was fitted with all numbers.
+def set_aside(case: Case, tried: Tried, *, known: Sequence[str]) -> dict[str, str]:
+    """Return a reason for every mechanism of the contract that is not told elsewhere.
 
     Parameters
     ----------
@@ -29,20 +31,34 @@ def set_aside(case: Case, tried: Tried, *, found: Sequence[str]) -> dict[str, st
         The calibrated nominal model.
     tried : Tried
         What was fitted to it.
-    found : sequence of str
-        Mechanisms that the diagnosis names.
+    known : sequence of str
+        Mechanisms that the diagnosis names, and their rivals.
     """
-    known = {*(trial.candidate.mechanism for trial in tried.fitted), *found}
-    answer = {}
+    best_last = reversed(tried.fitted)
+    fitted = {trial.candidate.mechanism: _fitted(case, trial) for trial in best_last}
+    answer = {name: reason for name, reason in fitted.items() if name in CONTRACT and name not in known}
+    told = {*known, *answer}
     for name, class_name in CLASSES.items():
-        if name not in known:
+        if name not in told:
             answer[name] = _reason(name, class_name, case, tried.screened)
     for name, (class_name, reason) in SAMPLE_FAULTS.items():
-        if name not in known:
+        if name not in told:
             answer[name] = reason if hasattr(mechanisms, class_name) else _NOT_THERE
-    if "backlash" not in known:
+    if "backlash" not in told:
         answer["backlash"] = _no_gap(case, tried)
     return dict(sorted(answer.items()))
+
+
+def _fitted(case: Case, trial: Trial) -> str:
+    """Say how little of the misfit went with an effect that was fitted."""
+    if excess(case) <= 0:
+        return "fitted with all numbers: without it the misfit is within chance"
+    share = explained_share(case.model.misfits, trial.model.misfits, beside=trial.beside)
+    of_all = min(max(trial.gain, 0.0) / excess(case), 1.0)
+    return (
+        f"fitted with all numbers: {of_all:.0%} of the misfit beyond chance goes, and {max(share, 0.0):.0%} of what is "
+        "wrong at the places that it changes"
+    )
 
 
 def _reason(name: str, class_name: str, case: Case, screened: Sequence[Trial]) -> str:
