@@ -11,12 +11,12 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum
-from torquerig.diagnose.judging import by_simulation
+from torquerig.diagnose.judging import by_simulation, leftover
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.lines_left import known_places
-from torquerig.diagnose.looking.observed import observed
+from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.errors import SimulationError
@@ -74,3 +74,19 @@ def test_where_nothing_can_be_simulated_all_stays(
     case = case_of(wear_rig.rig + STRONG, recording)
     twin = mismatches(case)
     assert left_by_simulation(case, twin) == twin
+
+
+@pytest.mark.parametrize(("made", "stays"), [(0, True), (4, False)])
+def test_flights_that_lines_make_in_a_simulation_too_are_none(
+    made: int, stays: bool, wear_rig: Scenario, recording: Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where lines beat, the torque rests near zero and swings off, at the same moments in a simulation."""
+
+    def blows(run: Observed, **_: object) -> list[int]:
+        return [0] * (made if run.origin == "simulated" else 6)
+
+    for module in (by_simulation, leftover):
+        monkeypatch.setattr(module, "blows", blows)
+    case = case_of(wear_rig.rig + STRONG, recording)
+    (flights,) = (mismatch for mismatch in mismatches(case) if mismatch.domain == "distribution")
+    assert (flights in left_by_simulation(case, [flights])) is stays

@@ -16,7 +16,10 @@ BAND = np.geomspace(5.0, 1000.0, 60)
 COUNT = 100.0
 
 
-def run(occupancy: float, seed: int, *, particles: float = 5e-4, shape: Any = 0.0, share: float = 1.0) -> Any:
+def run(
+    occupancy: float, seed: int, *, particles: float = 5e-4, shape: Any = 0.0, share: float = 1.0,
+    lost: tuple[tuple[int, int], ...] = (),
+) -> Any:  # fmt: skip
     """A run whose density lies above the model's by ``shape`` (of the logarithm), less chance."""
     chance = np.random.default_rng(seed).normal(0.0, COUNT**-0.5, BAND.size)
     half = BAND * 0.05
@@ -24,7 +27,7 @@ def run(occupancy: float, seed: int, *, particles: float = 5e-4, shape: Any = 0.
         turning=None, band=BAND, count=np.full(BAND.size, COUNT), power=np.exp(chance + shape), share=share,
         band_edges=(BAND - half, BAND + half),
         observed=SimpleNamespace(
-            name=f"run{seed}", run=SimpleNamespace(occupancy_percent=occupancy, particle_size=particles)
+            name=f"run{seed}", recording=lost, run=SimpleNamespace(occupancy_percent=occupancy, particle_size=particles)
         ),
     )  # fmt: skip
 
@@ -34,6 +37,7 @@ def found(monkeypatch: pytest.MonkeyPatch, *runs: Any, corrections: tuple[int, .
         return SimpleNamespace(power=np.ones(BAND.size), load_share=np.full(BAND.size, features.share))
 
     monkeypatch.setattr(one_load, "expected", model)
+    monkeypatch.setattr(one_load, "moments_lost", lambda lost: lost)
     case = SimpleNamespace(seen=runs, model=SimpleNamespace(rig=None, corrections=corrections))
     return [(left.recordings[0], left.at) for left in load_contradictions(cast("Case", case), 100.0)]
 
@@ -64,6 +68,16 @@ def test_an_idle_run_is_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_where_the_load_does_not_rule_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
     assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK, share=0.5)) == []
+
+
+def test_a_run_with_moments_without_signal_is_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(monkeypatch, run(5, 1), run(15, 2, shape=PEAK, lost=((100, 150),))) == []
+
+
+def test_what_stands_in_a_dip_fills_it_in_one_run_more_than_in_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    dip = -np.exp(-((np.log(BAND / 400.0) / 0.1) ** 2))
+    assert found(monkeypatch, run(5, 1, shape=3.5 * dip), run(15, 2, shape=2.5 * dip)) == []
+    assert found(monkeypatch, run(5, 1, shape=0.7 * PEAK), run(15, 2, shape=-0.2 * PEAK)) != []
 
 
 def test_beside_a_gap_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:

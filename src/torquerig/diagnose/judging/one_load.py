@@ -23,11 +23,13 @@ from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.sample_faults import moments_lost
 
 Floats = NDArray[np.float64]
 
 _FILLED = 0.9  # share of a band that the load must make
 _TOLERANCE = 0.12  # [1] of the density's logarithm: what else differs between two runs
+_OF_A_DIP = 0.2  # of the depth of a dip, which whatever stands in it fills
 _APART = 4.0  # spreads, in neighbouring bands the same way
 _LOWEST = 4.0  # [Hz] below, the load's slow variation rules, and a run holds little of it
 
@@ -49,7 +51,7 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
     """
     if case.model.corrections:
         return
-    every = [_excess(case, features) for features in case.seen if features.turning is None and features.power.size]
+    every = [_excess(case, features) for features in case.seen if _shows_its_load(features)]
     places = sum(each.log.size for each in every)
     for one in every:
         others = [other for other in every if _like(one.features, other.features)]
@@ -60,6 +62,12 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
             yield _mismatch(one, residual, slice(start, stop), total, places)
 
 
+def _shows_its_load(features: Features) -> bool:
+    """Whether a steady run holds its load all along: what fills moments without signal rings in the dips."""
+    steady = features.turning is None and features.power.size > 0
+    return steady and not moments_lost(features.observed.recording)
+
+
 def _excess(case: Case, features: Features) -> _Excess:
     model = expected(case.model.rig, features)
     rules = (model.load_share > _FILLED) & (features.band > _LOWEST) & np.isfinite(features.power)
@@ -67,7 +75,8 @@ def _excess(case: Case, features: Features) -> _Excess:
     excess[rules] = np.log(features.power[rules] / model.power[rules])
     if rules.any():
         excess -= np.nanmedian(excess)  # how many hit in a second is the level's business
-    return _Excess(features, excess, 1 / features.count + _TOLERANCE**2)
+    depth = np.maximum(-np.nan_to_num(excess), 0.0)
+    return _Excess(features, excess, 1 / features.count + _TOLERANCE**2 + (_OF_A_DIP * depth) ** 2)
 
 
 def _like(one: Features, other: Features) -> bool:
