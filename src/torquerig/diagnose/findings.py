@@ -18,6 +18,7 @@ from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_a
 from torquerig.diagnose.choosing.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
 from torquerig.diagnose.choosing.set_aside import set_aside
 from torquerig.diagnose.diagnosis import Finding
+from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.neutral import in_words
 from torquerig.diagnose.sentences import explanation
@@ -78,10 +79,8 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
         kept = revised(start, accepted)
         case = with_all(start, kept)
         accepted = list(kept)
-    while accepted and (worst := max(accepted, key=lambda each: _rest(case, each))):
-        if _rest(case, worst) < LARGEST_REST:
-            break
-        case, accepted = only(start, accepted, worst)
+    while fallen := [each for each in accepted if not _stands(case, each)]:
+        case, accepted = only(start, accepted, max(fallen, key=partial(_rest, case)))
     named = [each for each in accepted if not each.trial.candidate.description]
     return Searched(
         case=case,
@@ -121,6 +120,11 @@ def run_for_the_rest(found: Searched) -> str | None:
 
 def _rest(final: Case, accepted: Accepted) -> float:
     return left_at_its_places(accepted.before.model.misfits, accepted.trial.model.misfits, final.model.misfits)
+
+
+def _stands(final: Case, accepted: Accepted) -> bool:
+    """Whether an effect leaves its places right in the final model, with numbers such as can be."""
+    return _rest(final, accepted) < LARGEST_REST and is_possible(accepted.trial.candidate, final.model.rig)
 
 
 def _together(first: Case, final: Case) -> bool:

@@ -17,7 +17,7 @@ from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging import leftover
 from torquerig.diagnose.judging.leftover import detail_of
 from torquerig.diagnose.null_table import NullTable
-from torquerig.mechanisms import CommutationRipple
+from torquerig.mechanisms import CommutationRipple, TorsionalMode
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 
@@ -70,6 +70,13 @@ def test_no_drive_turns_its_torque_round_within_a_turn(wear_rig: Scenario) -> No
     deep, shallow = (CommutationRipple(name="ripple", order_motor=42.0, depth=depth) for depth in (1.5, 0.4))
     for part, possible in ((deep, False), (shallow, True)):
         candidate = Candidate(mechanism="commutation_ripple", parts=(part,), knobs=())
+        assert is_possible(candidate, wear_rig.rig + part) is possible
+
+
+def test_a_branch_that_hardly_rings_is_no_mode(wear_rig: Scenario) -> None:
+    for damping, possible in ((0.4, False), (0.06, True)):
+        part = TorsionalMode(name="mode", after="wear_part", frequency=90.0, inertia=1e-3, damping_ratio=damping)
+        candidate = Candidate(mechanism="torsional_mode", parts=(part,), knobs=())
         assert is_possible(candidate, wear_rig.rig + part) is possible
 
 

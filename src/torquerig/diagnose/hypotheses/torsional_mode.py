@@ -10,12 +10,14 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.linear.loaded_part import loaded_part
+from torquerig.rig.part import Part
 from torquerig.rig.parts import Body
 
 _FREQUENCIES = np.geomspace(15.0, 900.0, 48)
 _SHARES = (0.15, 0.5)  # of the loaded part's inertia
 _DAMPING = 0.02
 _BEST = 2
+_RINGS = 0.2  # damping ratio: beyond it a step swings over by less than half and no mode is seen in a spectrum
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -43,3 +45,8 @@ def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
         Knob(part.name, "damping_ratio", 0.8),
     )
     return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs)
+
+
+def possible(part: Part) -> bool:
+    """Whether a branch could be a mode: one that hardly rings is a damper, which stands in for what is not known."""
+    return isinstance(part, mechanisms.TorsionalMode) and part.damping_ratio < _RINGS
