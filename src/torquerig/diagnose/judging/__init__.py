@@ -3,6 +3,6 @@
 leftover       where it is significantly wrong         whole_fit   whether it fits as a whole
 by_simulation  whether a simulation is wrong there too  one_load    whether runs differ as no load does
 held_out       how well it predicts what no fit has seen
-turning_hump   noise that turns with the shaft         fixed_after_all  orders that turned out to be tones
+narrow_humps   noise at one order or one frequency    fixed_after_all  orders that turned out to be tones
 chance         how probable a residual is
 """

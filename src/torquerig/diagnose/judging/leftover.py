@@ -15,8 +15,8 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squares
 from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.judging.one_load import load_contradictions
-from torquerig.diagnose.judging.turning_hump import turning_humps
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
@@ -42,7 +42,7 @@ def mismatches(case: Case) -> tuple[Mismatch, ...]:
     for features, eased in zip(case.seen, every, strict=True):
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
         found += [*_turning(features, eased, total, places)]
-    found += [*_flights(case), *load_contradictions(case, total), *turning_humps(case, total)]
+    found += [*_flights(case), *load_contradictions(case, total), *narrow_humps(case, total)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
 
 

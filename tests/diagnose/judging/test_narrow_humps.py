@@ -1,4 +1,4 @@
-"""Noise that turns: a line whose phase jumps is found at its order, and a load of any shape is let be."""
+"""Noise in one band: a line whose phase jumps is found at its order or frequency, one run alone tells nothing."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import Calibrated
-from torquerig.diagnose.judging.turning_hump import turning_humps
+from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.scenario.reading import Scenario
@@ -35,24 +35,28 @@ def seen(by_hand: ByHand, wear_rig: Scenario) -> Callable[..., Features]:
     return made
 
 
-def found(wear_rig: Scenario, *runs: Features) -> list[float]:
+def found(wear_rig: Scenario, *runs: Features) -> list[tuple[str, float]]:
     # at such orders the load has died out and the model is flat, as the noise is
     rig = wear_rig.rig
     model = Calibrated(rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
     case = Case(nominal=rig, runs=tuple(run.observed for run in runs), seen=runs, model=model, left=())
-    return [mismatch.at for mismatch in turning_humps(case, 1e3)]
+    return [(mismatch.domain, mismatch.at) for mismatch in narrow_humps(case, 1e3)]
 
 
 def test_a_line_that_jumps_is_found_at_its_order(wear_rig: Scenario, seen: Callable[..., Features]) -> None:
-    (at,) = found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2, order=ORDER))
+    ((domain, at),) = found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2, order=ORDER))
+    assert domain == "order"
     assert at == pytest.approx(ORDER, rel=0.06)  # bands are 9 % wide
 
 
-def test_what_stays_at_its_frequency_or_at_one_speed_does_not_turn(
-    wear_rig: Scenario, seen: Callable[..., Features]
-) -> None:
+def test_one_that_stays_is_found_at_its_frequency(wear_rig: Scenario, seen: Callable[..., Features]) -> None:
     fixed = ORDER * 100.0 / (2 * pi)
-    assert found(wear_rig, seen(100.0, seed=1, frequency=fixed), seen(70.0, seed=2, frequency=fixed)) == []
+    ((domain, at),) = found(wear_rig, seen(100.0, seed=1, frequency=fixed), seen(70.0, seed=2, frequency=fixed))
+    assert domain == "frequency"
+    assert at == pytest.approx(fixed, rel=0.06)
+
+
+def test_one_speed_or_one_run_tells_nothing(wear_rig: Scenario, seen: Callable[..., Features]) -> None:
     assert found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(100.0, seed=2, order=ORDER)) == []
     assert found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2)) == []
     assert found(wear_rig, seen(100.0, seed=1), seen(70.0, seed=2)) == []

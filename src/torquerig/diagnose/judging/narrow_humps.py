@@ -1,7 +1,7 @@
-"""Noise that stands at one order, whatever the speed: a line whose phase jumps is spread over a band and is no line.
+"""Noise in one band that stands at one order or at one frequency, whatever the speed.
 
-A load's spectrum may be of any shape, but that shape stays at its frequencies when the speed changes, and is wide:
-between one band and the next it does not rise by 4 dB and fall again.
+A line whose phase jumps is spread over a band and is no line, nor is a tone that wanders. A load's spectrum may be of
+any shape, but that shape is wide: between one band and the next it does not rise by 4 dB and fall again.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 _HIGH, _CLEAR = 1.0, 8.0  # of the density's logarithm above both neighbours, and in spreads, in the run that shows it
 _AGAIN = 4.0  # spreads in another run, of another speed
-_WITHIN = 1  # bands beside the order at which it may stand there
+_WITHIN = 1  # bands beside, at which it may stand there
 
 
 @dataclass(frozen=True)
@@ -38,31 +38,34 @@ class _Heights:
     spreads: Floats
 
 
-def turning_humps(case: Case, total: float) -> Iterator[Mismatch]:
-    """Yield the orders at which single bands stand out of their neighbours in runs of two speeds or more.
+def narrow_humps(case: Case, total: float) -> Iterator[Mismatch]:
+    """Yield where single bands stand out of their neighbours in runs of two speeds or more.
 
     ``total`` is the excess misfit of which they are a share. Blows of flanks, which some models hold, are left out.
     """
     if case.model.corrections:
         return
     every = [_heights(case, features) for features in case.seen if features.turning is None and features.power.size]
-    places, told = sum(each.height.size for each in every), list[float]()
+    places, told = sum(each.height.size for each in every), list[tuple[str, float]]()
     for one, other in permutations(every, 2):
         speed, another = (abs(each.features.observed.mean_speed) for each in (one, other))
         if abs(another / speed - 1) < ONE_SPEED:
             continue
         for at in np.flatnonzero((one.spreads > _CLEAR) & (one.height > _HIGH)):
-            middle = float(one.features.band[at])
-            turned, width = 2 * pi * middle / speed, 2 * pi * float(one.features.width[at]) / speed
-            if _again(other, middle * another / speed) and not any(abs(turned - each) < width for each in told):
-                told.append(turned)
-                square = float(one.spreads[at]) ** 2
-                yield Mismatch(
-                    domain="order", axis="motor_shaft", at=turned, width=width,
-                    recordings=(one.features.observed.name, other.features.observed.name),
-                    excess_dB=10 / log(10) * float(one.height[at]), share_of_misfit=min(1.0, square / total),
-                    p_value=by_chance(float(one.spreads[at]), places),
-                )  # fmt: skip
+            middle, width = float(one.features.band[at]), float(one.features.width[at])
+            domain = "order" if _again(other, middle * another / speed) else "frequency"
+            scale = 2 * pi / speed if domain == "order" else 1.0
+            known = any(kind == domain and abs(middle * scale - where) < width * scale for kind, where in told)
+            if known or (domain == "frequency" and not _again(other, middle)):
+                continue
+            told.append((domain, middle * scale))
+            yield Mismatch(
+                domain=domain, axis="motor_shaft" if domain == "order" else "Hz", at=middle * scale,
+                width=width * scale, recordings=(one.features.observed.name, other.features.observed.name),
+                excess_dB=10 / log(10) * float(one.height[at]),
+                share_of_misfit=min(1.0, float(one.spreads[at]) ** 2 / total),
+                p_value=by_chance(float(one.spreads[at]), places),
+            )  # fmt: skip
 
 
 def _heights(case: Case, features: Features) -> _Heights:
@@ -78,7 +81,7 @@ def _heights(case: Case, features: Features) -> _Heights:
 
 
 def _again(other: _Heights, frequency: float) -> bool:
-    """Whether a band stands out in another run where the order would stand there."""
+    """Whether a band stands out in another run at a frequency."""
     band = other.features.band
     if not band[0] < frequency < band[-1]:
         return False
