@@ -148,7 +148,7 @@ def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Findi
             others.setdefault(trial.candidate.mechanism, trial.gain)
     listed = tuple(others.items())
     rivals = [t for t in tried if not t.candidate.description and not final.has(t.candidate.mechanism)]
-    alike = equivalents(case, best, rivals, held)
+    alike = equivalents(best, rivals, held)
     finding = Finding(
         mechanism=candidate.mechanism,
         variant=candidate.variant,

@@ -5,8 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnose.choosing.equivalence import CHANCE, difference
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.choosing.equivalence import CHANCE, difference, equivalents
+from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.misfit import Misfit
+from torquerig.scenario.reading import Scenario
 
 NONE = np.zeros(0)
 
@@ -68,3 +73,20 @@ def test_numbers_far_from_their_nominal_values_count_as_residuals() -> None:
     same = of_levels(np.zeros(3))
     found = difference([same], [same], also=(np.array([0.0, 1.0]), np.array([2.0, 1.0])))
     assert found.excess == pytest.approx(4.0)
+
+
+def test_rivals_are_told_apart_where_one_model_has_numbers_more(wear_rig: Scenario) -> None:
+    """An effect between them was dropped since: only numbers that both have count as residuals."""
+
+    def trial(mechanism: str, level: float, positions: dict[str, float]) -> Trial:
+        knobs = tuple(Knob(*name.split("."), 1.0) for name in positions)
+        misfits, at = (of_levels(np.full(40, level)),), np.array(list(positions.values()))
+        model = Calibrated(wear_rig.rig, knobs, at, np.eye(at.size), misfits, 0.0)
+        return Trial(Candidate(mechanism=mechanism, parts=(), knobs=()), model, 50.0)
+
+    best = trial("gear_mesh", 0.5, {"motor.inertia": 0.1, "mesh.size": 3.0})
+    more = {"motor.inertia": 0.2, "hum.frequency": 2.0, "drag.coefficient": 4.0}
+    assert [one.candidate.mechanism for one in equivalents(best, [trial("quadratic_drag", 0.51, more)])] == [
+        "quadratic_drag"
+    ]
+    assert equivalents(best, [trial("quadratic_drag", 3.0, more)]) == ()

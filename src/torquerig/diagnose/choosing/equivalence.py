@@ -9,9 +9,8 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.search import PER_KNOB, Trial
-from torquerig.diagnose.fitting.calibration import misfits_of
+from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.misfit import Misfit, robust
 from torquerig.diagnose.looking.features import Features
 
@@ -71,11 +70,9 @@ def difference(
     return Difference(excess, 2 * sqrt(max(plain, strayed)), sqrt(plain))
 
 
-def alike(case: Case, best: Trial, rival: Trial, held: Sequence[Features] = ()) -> bool:
+def alike(best: Trial, rival: Trial, held: Sequence[Features] = ()) -> bool:
     """Whether the rival fits within chance as well as the best, on what was fitted and on what was held out."""
-    count = len(case.model.knobs)
-    both = (best.model.positions[:count], rival.model.positions[:count])
-    seen = difference(best.model.misfits, rival.model.misfits, also=both)
+    seen = difference(best.model.misfits, rival.model.misfits, also=_shared(best.model, rival.model))
     parts = [seen]
     if held and not best.model.corrections and not rival.model.corrections:
         parts.append(difference(misfits_of(best.model.rig, held), misfits_of(rival.model.rig, held)))
@@ -84,12 +81,21 @@ def alike(case: Case, best: Trial, rival: Trial, held: Sequence[Features] = ()) 
     return excess <= CHANCE * sqrt(sum(part.spread**2 for part in parts))
 
 
-def equivalents(case: Case, best: Trial, others: Sequence[Trial], held: Sequence[Features] = ()) -> tuple[Trial, ...]:
+def _shared(best: Calibrated, rival: Calibrated) -> tuple[Floats, Floats]:
+    """Return the positions of the numbers that both models have: a dropped effect took its own along."""
+    mine, its = (
+        {knob.name: float(at) for knob, at in zip(model.knobs, model.positions, strict=True)} for model in (best, rival)
+    )
+    names = [name for name in mine if name in its]
+    return np.array([mine[name] for name in names]), np.array([its[name] for name in names])
+
+
+def equivalents(best: Trial, others: Sequence[Trial], held: Sequence[Features] = ()) -> tuple[Trial, ...]:
     """Return of each other mechanism the best trial, where these recordings cannot tell it from ``best``."""
     found: dict[str, Trial] = {}
     for trial in others:
         name = trial.candidate.mechanism
-        if name != best.candidate.mechanism and name not in found and trial.gain > 0 and alike(case, best, trial, held):
+        if name != best.candidate.mechanism and name not in found and trial.gain > 0 and alike(best, trial, held):
             found[name] = trial
     return tuple(found.values())
 
