@@ -144,7 +144,7 @@ def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Findi
     share = share_of(case, best)
     others: dict[str, float] = {}
     for trial in tried:
-        if trial.candidate.mechanism != candidate.mechanism:
+        if trial.candidate.mechanism != candidate.mechanism and not final.has(trial.candidate.mechanism):
             others.setdefault(trial.candidate.mechanism, trial.gain)
     listed = tuple(others.items())
     rivals = [t for t in tried if not t.candidate.description and not final.has(t.candidate.mechanism)]

@@ -11,6 +11,7 @@ from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 
 LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
 _CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
+_FEW = 5
 LEAST_SHARE = 0.8
 LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out
 
@@ -34,11 +35,12 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
     """Return the mean robust square that the final model leaves at the features that the effect changed, 1 by chance.
 
     Large where an effect took what it could of something else, and nothing found since took the rest. Only the slow
-    torque counts: a few large lines and the bands beside them miss by what no model of a strong line gets right.
+    torque counts: a few large lines and the bands beside them miss by what no model of a strong line gets right. Fewer
+    than five features count as five, the others as right: an effect of lines changes one or two of the slow torque.
     """
     old, new, rest = (np.concatenate([_slow(misfit) for misfit in each]) for each in (before, with_it, final))
     place = old - new > _CHANGED
-    return float(rest[place].mean()) if place.any() else 0.0
+    return float(rest[place].sum()) / max(int(place.sum()), _FEW)
 
 
 def _slow(misfit: Misfit) -> NDArray[np.float64]:
