@@ -89,8 +89,8 @@ def lead(proved: Proved, ours: Summary) -> tuple[str, ...]:
     first = (
         f"{exact.hits} of {exact.trials} blind trials exactly right ({percent(exact.hits / max(exact.trials, 1))}, at "
         f"least {percent(exact.lower)} with 95 % confidence), {within.hits} exactly or within the class; "
-        f"{ours.false_names.hits} false names, {ours.false_on_blank.hits} of {ours.false_on_blank.trials} on rigs with "
-        "nothing hidden."
+        f"false names on {ours.false_names.hits}, on {ours.false_on_blank.hits} of the {ours.false_on_blank.trials} "
+        "rigs with nothing hidden."
     )
     return (first, *_used_for_thresholds(proved))
 

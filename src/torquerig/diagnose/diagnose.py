@@ -96,7 +96,7 @@ def diagnose(
     strong = strong_orders(runs, nominal)
     if strong:
         runs = _runs(recordings, faults.recordings, nominal, also=strong)
-    contradicted, (twice, twice_at) = list(off_set_points(recordings, runs)), faults.repeated
+    untrue = [*faults.repeated, *off_set_points(recordings, runs)]
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
     before = replace(before, thresholds=thresholds)
@@ -118,17 +118,12 @@ def diagnose(
     verdict = _verdict(found, left, faults, described=bool(found_by_search.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
-        mismatch=(
-            *(mismatches(before) if found_more else left),
-            *twice_at,
-            *(mismatch for _, mismatch in contradicted),
-        ),
+        mismatch=(*(mismatches(before) if found_more else left), *(mismatch for _, mismatch in untrue)),
         findings=tuple(found),
         fit=fit,
         recordings=tuple(_used(run) for run in runs),
         remarks=(
-            *twice,
-            *(sentence for sentence, _ in contradicted),
+            *(sentence for sentence, _ in untrue),
             *(f"no mechanism of the library explains {what}" for what in found_by_search.descriptions),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
@@ -193,7 +188,7 @@ def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Fi
 def _verdict(
     findings: Sequence[Finding], left: Sequence[Mismatch], faults: SampleFindings, *, described: bool
 ) -> Verdict:
-    if left or faults.unnamed or faults.repeated[0] or described:
+    if left or faults.unnamed or faults.repeated or described:
         return "unexplained"
     return "missing_physics" if findings else "adequate"
 

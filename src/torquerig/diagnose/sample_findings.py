@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from torquerig import mechanisms
@@ -16,8 +16,6 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 
-Repeated = tuple[tuple[str, ...], tuple[Mismatch, ...]]
-
 _TOLD = 4  # moments of a recording that are told
 
 
@@ -26,7 +24,7 @@ class SampleFindings:
     """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
 
     ``lost`` are the moments without signal of each recording, first sample and one past the last; ``repeated`` tells
-    which recordings hold samples twice, in words and as places.
+    which recordings hold samples twice, each in a sentence and as a place.
     """
 
     candidates: tuple[Candidate, ...]
@@ -34,7 +32,7 @@ class SampleFindings:
     clipped: tuple[str, ...]
     unnamed: tuple[str, ...]
     lost: tuple[Moments, ...]
-    repeated: Repeated = ((), ())
+    repeated: tuple[tuple[str, Mismatch], ...] = ()
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -70,28 +68,24 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
     clipped = () if flat is None else flat.runs
     lost_of_each = tuple(map(moments_lost, recordings))
-    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, _repeated(recordings))
-
-
-def _repeated(recordings: Sequence[Recording]) -> Repeated:
-    """Return one sentence on the recordings that hold samples twice, and where each does first."""
-    twice = [(recording, found) for recording in recordings if (found := copied(recording))]
-    if not twice:
-        return (), ()
-    each = [
-        f"{recording.name} at {', '.join(f'{one.start / recording.sample_rate:.4g}' for one in found[:_TOLD])} s"
-        for recording, found in twice
-    ]
-    longest = 1e3 * max((one.stop - one.start) / recording.sample_rate for recording, found in twice for one in found)
-    sentence = (
-        f"samples repeat earlier ones exactly, for up to {longest:.3g} ms: in {'; in '.join(each)}; the logger wrote "
-        "them twice, so its time base cannot be trusted"
+    return SampleFindings(
+        tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, tuple(_repeated(recordings))
     )
-    return (sentence,), tuple(
-        Mismatch(
-            domain="time", axis="s", at=found[0].start / recording.sample_rate,
-            width=(found[0].stop - found[0].start) / recording.sample_rate, recordings=(recording.name,),
-            excess_dB=0.0, share_of_misfit=0.0, p_value=0.0,
+
+
+def _repeated(recordings: Sequence[Recording]) -> Iterator[tuple[str, Mismatch]]:
+    """Yield a sentence and a place for each recording that holds samples twice."""
+    for recording in recordings:
+        found, rate = copied(recording), recording.sample_rate
+        if not found:
+            continue
+        moments = ", ".join(f"{each.start / rate:.4g}" for each in found[:_TOLD])
+        length = max(each.stop - each.start for each in found) / rate
+        sentence = (
+            f"{recording.name}: at {moments} s{' and later' if len(found) > _TOLD else ''} samples repeat earlier ones "
+            f"exactly, for up to {1e3 * length:.3g} ms; the logger wrote them twice, so its time base cannot be trusted"
         )
-        for recording, found in twice
-    )  # fmt: skip
+        yield sentence, Mismatch(
+            domain="time", axis="s", at=found[0].start / rate, width=(found[0].stop - found[0].start) / rate,
+            recordings=(recording.name,), excess_dB=0.0, share_of_misfit=0.0, p_value=0.0,
+        )  # fmt: skip

@@ -68,3 +68,9 @@ def test_nothing_changes_where_every_line_stands_in_its_domain(run: Observed, we
         judged, (unseen,) = looked_at_as_found(case, [held])
         assert judged is case
         assert unseen is held
+
+
+def test_a_tone_at_the_end_of_the_spectrum_is_read_too(by_hand: ByHand) -> None:
+    end = 0.5 * RATE - 0.3
+    run = by_hand(1.0 + 0.05 * np.cos(2 * pi * end * TIME), ANGLE, rate=RATE, measured=False)
+    assert steady_frequency(run, end) == pytest.approx(end, abs=0.2)

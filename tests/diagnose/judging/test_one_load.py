@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.judging import one_load
+from torquerig.diagnose.judging import band_excess, one_load
 from torquerig.diagnose.judging.one_load import load_contradictions
 
 BAND = np.geomspace(5.0, 1000.0, 60)
@@ -36,7 +36,7 @@ def found(monkeypatch: pytest.MonkeyPatch, *runs: Any, corrections: tuple[int, .
     def model(_: object, features: Any) -> Any:
         return SimpleNamespace(power=np.ones(BAND.size), load_share=np.full(BAND.size, features.share))
 
-    monkeypatch.setattr(one_load, "expected", model)
+    monkeypatch.setattr(band_excess, "expected", model)
     monkeypatch.setattr(one_load, "moments_lost", lambda lost: lost)
     case = SimpleNamespace(seen=runs, model=SimpleNamespace(rig=None, corrections=corrections))
     return [(left.recordings[0], left.at) for left in load_contradictions(cast("Case", case), 100.0)]

@@ -132,10 +132,8 @@ def _scatter(seen: Features, copies: Sequence[Observed]) -> float:
     """Return what the numbers of blows in the run and in its copies leave of its density's logarithm to chance [1]."""
     if not flanks_may_part(seen):
         return 0.0
-    there, here = (
-        len(blows(seen.untoned)),
-        sum(len(blows(without_tones(copy, seen.places), held=None)) for copy in copies),
-    )
+    there = len(blows(seen.untoned))
+    here = sum(len(blows(without_tones(copy, seen.places), held=None)) for copy in copies)
     return _OF_ONE_BLOW * float(np.sqrt(1 / (1 + there) + 1 / (1 + here)))
 
 

@@ -48,12 +48,10 @@ def propose(case: Case) -> Iterator[Candidate]:
 
 def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
     """Yield a ripple of each main field order that shows no line: an unsteady load leaves noise beside it alone."""
+    shown = [place.at for place in case.seen[0].places if place.domain == "order"]
     for multiple in _MAIN:
         order_motor = float(multiple * (motor.pole_pairs or 0))
-        places = case.seen[0].places
-        if order_motor and not any(
-            each.domain == "order" and abs(each.at - order_motor) < SAME_ORDER for each in places
-        ):
+        if order_motor and not any(abs(each - order_motor) < SAME_ORDER for each in shown):
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motor.name, order_motor=order_motor, depth=_SKIRTED
             )

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE
+from torquerig.diagnose.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED
@@ -45,7 +45,7 @@ def narrow_humps(case: Case, total: float) -> Iterator[Mismatch]:
     """
     if case.model.corrections:
         return
-    every = [_heights(case, features) for features in case.seen if features.turning is None and features.power.size]
+    every = [_heights(run) for run in band_excesses(case)]
     places, told = sum(each.height.size for each in every), list[tuple[str, float]]()
     for one, other in permutations(every, 2):
         speed, another = (abs(each.features.observed.mean_speed) for each in (one, other))
@@ -68,16 +68,15 @@ def narrow_humps(case: Case, total: float) -> Iterator[Mismatch]:
             )  # fmt: skip
 
 
-def _heights(case: Case, features: Features) -> _Heights:
-    shown = np.flatnonzero(np.isfinite(features.power))
-    excess = np.log(features.power[shown] / expected(case.model.rig, features).power[shown])
-    variance = 1 / features.count[shown] + BAND_TOLERANCE**2
-    height, spreads = np.zeros(features.band.size), np.zeros(features.band.size)
+def _heights(run: BandExcess) -> _Heights:
+    shown = np.flatnonzero(np.isfinite(run.log))
+    excess, variance = run.log[shown], run.variance[shown] + BAND_TOLERANCE**2
+    height, spreads = np.zeros(run.log.size), np.zeros(run.log.size)
     if shown.size > 2:
         above = excess[1:-1] - np.maximum(excess[:-2], excess[2:])
         height[shown[1:-1]] = above
         spreads[shown[1:-1]] = above / np.sqrt(variance[1:-1] + np.maximum(variance[:-2], variance[2:]))
-    return _Heights(features, height, spreads)
+    return _Heights(run.features, height, spreads)
 
 
 def _again(other: _Heights, frequency: float) -> bool:

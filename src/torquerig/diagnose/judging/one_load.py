@@ -10,7 +10,7 @@ spreads apart at most; with a shaft that hardened much, 6.4.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import replace
 from itertools import pairwise
 from math import log, sqrt
 
@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import robust_squares
+from torquerig.diagnose.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.sample_faults import moments_lost
@@ -34,15 +34,6 @@ _APART = 4.0  # spreads, in neighbouring bands the same way
 _LOWEST = 4.0  # [Hz] below, the load's slow variation rules, and a run holds little of it
 
 
-@dataclass(frozen=True)
-class _Excess:
-    """Logarithm of measured over expected density less its median, NaN where the load does not rule; its variance."""
-
-    features: Features
-    log: Floats
-    variance: Floats
-
-
 def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
     """Yield the bands at which a run differs from those of other occupancies and the same particles.
 
@@ -51,7 +42,9 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
     """
     if case.model.corrections:
         return
-    every = [_excess(case, features) for features in case.seen if _shows_its_load(features)]
+    # what fills moments without signal rings in the dips
+    whole = [each for each in band_excesses(case) if not moments_lost(each.features.observed.recording)]
+    every = [_of_the_load(each) for each in whole]
     places = sum(each.log.size for each in every)
     for one in every:
         others = [other for other in every if _like(one.features, other.features)]
@@ -62,21 +55,14 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
             yield _mismatch(one, residual, slice(start, stop), total, places)
 
 
-def _shows_its_load(features: Features) -> bool:
-    """Whether a steady run holds its load all along: what fills moments without signal rings in the dips."""
-    steady = features.turning is None and features.power.size > 0
-    return steady and not moments_lost(features.observed.recording)
-
-
-def _excess(case: Case, features: Features) -> _Excess:
-    model = expected(case.model.rig, features)
-    rules = (model.load_share > _FILLED) & (features.band > _LOWEST) & np.isfinite(features.power)
-    excess = np.full(features.band.size, np.nan)
-    excess[rules] = np.log(features.power[rules] / model.power[rules])
+def _of_the_load(run: BandExcess) -> BandExcess:
+    """Return the excess less its median where the load rules, NaN elsewhere, and all that two loads may differ by."""
+    rules = (run.load_share > _FILLED) & (run.features.band > _LOWEST) & np.isfinite(run.log)
+    excess = np.where(rules, run.log, np.nan)
     if rules.any():
         excess -= np.nanmedian(excess)  # how many hit in a second is the level's business
     depth = np.maximum(-np.nan_to_num(excess), 0.0)
-    return _Excess(features, excess, 1 / features.count + _TOLERANCE**2 + (_OF_A_DIP * depth) ** 2)
+    return replace(run, log=excess, variance=run.variance + _TOLERANCE**2 + (_OF_A_DIP * depth) ** 2)
 
 
 def _like(one: Features, other: Features) -> bool:
@@ -88,7 +74,7 @@ def _like(one: Features, other: Features) -> bool:
     )
 
 
-def _apart(one: _Excess, others: list[_Excess]) -> Floats:
+def _apart(one: BandExcess, others: list[BandExcess]) -> Floats:
     """Return by how many spreads a run lies above the mean of the others in each band, 0 where none can be compared."""
     at = np.log(one.features.band)
     total, weight = np.zeros(at.size), np.zeros(at.size)
@@ -110,7 +96,7 @@ def _runs_of(residual: Floats) -> Iterator[tuple[int, int]]:
     yield from ((start, stop) for start, stop in pairwise(edges) if out[start] != 0 and stop - start > 1)
 
 
-def _mismatch(one: _Excess, residual: Floats, part: slice, total: float, places: int) -> Mismatch:
+def _mismatch(one: BandExcess, residual: Floats, part: slice, total: float, places: int) -> Mismatch:
     features = one.features
     low, high = (float(edges[part][at]) for edges, at in zip(features.band_edges, (0, -1), strict=True))
     spread, squares = np.sqrt(one.variance[part]), float(robust_squares(residual[part]).sum())

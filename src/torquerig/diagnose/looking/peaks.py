@@ -80,8 +80,8 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
     candidates: dict[Place, None] = {}
     for spectrum in spectra:
         speed = spectrum.observed.mean_speed
-        found = [order(_top(spectrum.by_order, at) * spectrum.order_step) for at in _tops(spectrum.by_order)]
-        found += [frequency(_top(spectrum.by_frequency, at) * spectrum.frequency_step)
+        found = [order(between_bins(spectrum.by_order, at) * spectrum.order_step) for at in _tops(spectrum.by_order)]
+        found += [frequency(between_bins(spectrum.by_frequency, at) * spectrum.frequency_step)
                   for at in _tops(spectrum.by_frequency)]  # fmt: skip
         candidates.update((place, None) for place in found if place.frequency(speed) > _LOWEST)
     judged = [_judged(place, spectra) for place in candidates]
@@ -139,9 +139,12 @@ def _tops(excess: Floats) -> list[int]:
     return [int(at) for at in above if excess[at] == excess[max(at - 2, 0) : at + 3].max()]
 
 
-def _top(excess: Floats, at: int) -> float:
-    """Position of a peak between the bins, by the ratio of its two largest under a Hann window."""
-    amplitude = np.sqrt(excess[at - 1 : at + 2])
+def between_bins(power: Floats, at: int) -> float:
+    """Return where a peak stands between the bins, by the ratio of its two largest under a Hann window.
+
+    ``at`` is the largest bin of ``power``, neither the first nor the last.
+    """
+    amplitude = np.sqrt(power[at - 1 : at + 2])
     side = 1 if amplitude[2] > amplitude[0] else -1
     ratio = amplitude[1 + side] / amplitude[1]
     return float(at + side * (2 * ratio - 1) / (1 + ratio))

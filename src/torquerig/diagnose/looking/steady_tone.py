@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.peaks import SHIFTED, Peak
+from torquerig.diagnose.looking.peaks import SHIFTED, Peak, between_bins
 from torquerig.diagnose.looking.places import Place
 
 Floats = NDArray[np.float64]
@@ -37,13 +37,8 @@ def steady_frequency(run: Observed, at: float) -> float:
     """
     power, step = _spectrum(run)
     reach = max(_LINE, round(SHIFTED * run.smearing * at / step))
-    middle = round(at / step)
-    low = max(middle - reach, 1)
-    top = low + int(np.argmax(power[low : middle + reach + 1]))
-    before, height, after = np.sqrt(power[top - 1 : top + 2])
-    side = 1 if after > before else -1
-    ratio = max(before, after) / height
-    return float(step * (top + side * (2 * ratio - 1) / (1 + ratio)))
+    low, high = max(round(at / step) - reach, 1), min(round(at / step) + reach, power.size - 2)
+    return step * between_bins(power, low + int(np.argmax(power[low : high + 1])))
 
 
 def _spectrum(run: Observed) -> tuple[Floats, float]:

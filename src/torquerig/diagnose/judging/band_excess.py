@@ -1,0 +1,48 @@
+"""By how much a steady run's spectrum lies above the model's, band by band: what two runs are compared by."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.looking.features import Features
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class BandExcess:
+    """Of one run, in each band.
+
+    Parameters
+    ----------
+    features : Features
+    log : ndarray, shape (bands,)
+        Logarithm of measured over expected density [1], not finite where lines leave nothing.
+    load_share : ndarray, shape (bands,)
+        Part of the expected density that the load makes [1].
+    variance : ndarray, shape (bands,)
+        Of ``log``, by the number of independent values alone.
+    """
+
+    features: Features
+    log: Floats
+    load_share: Floats
+    variance: Floats
+
+
+def band_excesses(case: Case) -> list[BandExcess]:
+    """Return the excess of every steady run over the case's twin."""
+    answer = []
+    for features in case.seen:
+        if features.turning is None and features.power.size:
+            model = expected(case.model.rig, features)
+            share = np.broadcast_to(model.load_share, features.band.shape)
+            with np.errstate(divide="ignore"):  # a band that holds nothing is not compared
+                excess = np.log(features.power / model.power)
+            answer.append(BandExcess(features, excess, share, 1 / features.count))
+    return answer
