@@ -17,6 +17,7 @@ from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
+from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
 from torquerig.diagnose.looking.combs import without_comb
 from torquerig.diagnose.looking.features import Features, features
@@ -96,7 +97,7 @@ def diagnose(
     strong = strong_orders(runs, nominal)
     if strong:
         runs = _runs(recordings, faults.recordings, nominal, also=strong)
-    untrue = [*faults.repeated, *off_set_points(recordings, runs)]
+    untrue = [*faults.untrue, *off_set_points(recordings, runs)]
     progress("fitting the nominal model's own numbers")
     before, held = _opened(scenario, runs, nominal, faults)
     before = replace(before, thresholds=thresholds)
@@ -110,7 +111,7 @@ def diagnose(
     fitted_nominal = reduce(_without, faults.candidates, before.model.rig)
     fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
-    left = left_by_simulation(after, mismatches(after))
+    left = (*left_by_simulation(after, mismatches(after)), *passing(after, completed))
     detail = detail_of(before, after, left)
     left = left if detail is None else ()
     if not (left or found or found_by_search.descriptions) and fit.after > LARGEST:
@@ -188,7 +189,7 @@ def _fault_findings(faults: SampleFindings, case: Case, fit: HeldOut) -> list[Fi
 def _verdict(
     findings: Sequence[Finding], left: Sequence[Mismatch], faults: SampleFindings, *, described: bool
 ) -> Verdict:
-    if left or faults.unnamed or faults.repeated or described:
+    if left or faults.unnamed or faults.untrue or described:
         return "unexplained"
     return "missing_physics" if findings else "adequate"
 

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.looking.copied import copied
+from torquerig.diagnose.looking.gain_moments import gain_moments, with_one_gain
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
+from torquerig.diagnose.untrue_samples import Untrue, gain_changes, repeated
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
-
-_TOLD = 4  # moments of a recording that are told
 
 
 @dataclass(frozen=True)
 class SampleFindings:
     """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
 
-    ``lost`` are the moments without signal of each recording, first sample and one past the last; ``repeated`` tells
-    which recordings hold samples twice, each in a sentence and as a place.
+    ``lost`` are the moments without signal of each recording, first sample and one past the last; ``untrue`` tells
+    which recordings hold samples twice or at another gain, each in a sentence and as a place.
     """
 
     candidates: tuple[Candidate, ...]
@@ -32,7 +30,7 @@ class SampleFindings:
     clipped: tuple[str, ...]
     unnamed: tuple[str, ...]
     lost: tuple[Moments, ...]
-    repeated: tuple[tuple[str, Mismatch], ...] = ()
+    untrue: tuple[Untrue, ...] = ()
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -62,30 +60,15 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
+    lost_of_each = tuple(map(moments_lost, recordings))
+    untrue = [*repeated(recordings)]
+    if codes is None:  # between coarse codes a quiet signal stands still
+        gains = [gain_moments(each, without=moments) for each, moments in zip(mended, lost_of_each, strict=True)]
+        untrue += gain_changes(mended, gains)
+        mended = tuple(with_one_gain(each, moments) for each, moments in zip(mended, gains, strict=True))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
     mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
     clipped = () if flat is None else flat.runs
-    lost_of_each = tuple(map(moments_lost, recordings))
-    return SampleFindings(
-        tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, tuple(_repeated(recordings))
-    )
-
-
-def _repeated(recordings: Sequence[Recording]) -> Iterator[tuple[str, Mismatch]]:
-    """Yield a sentence and a place for each recording that holds samples twice."""
-    for recording in recordings:
-        found, rate = copied(recording), recording.sample_rate
-        if not found:
-            continue
-        moments = ", ".join(f"{each.start / rate:.4g}" for each in found[:_TOLD])
-        length = max(each.stop - each.start for each in found) / rate
-        sentence = (
-            f"{recording.name}: at {moments} s{' and later' if len(found) > _TOLD else ''} samples repeat earlier ones "
-            f"exactly, for up to {1e3 * length:.3g} ms; the logger wrote them twice, so its time base cannot be trusted"
-        )
-        yield sentence, Mismatch(
-            domain="time", axis="s", at=found[0].start / rate, width=(found[0].stop - found[0].start) / rate,
-            recordings=(recording.name,), excess_dB=0.0, share_of_misfit=0.0, p_value=0.0,
-        )  # fmt: skip
+    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, tuple(untrue))

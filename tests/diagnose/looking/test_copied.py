@@ -61,10 +61,10 @@ def test_it_is_told_and_placed(clean: Recording, wear_rig: Scenario) -> None:
     volts = clean.channels["torque_V"].values.copy()
     volts[9000:9200] = volts[4000:4200]
     spoilt = with_volts(clean, volts)
-    ((sentence, place),) = sample_findings([replace(clean, run=clean.run), spoilt], wear_rig.rig).repeated
+    ((sentence, place),) = sample_findings([replace(clean, run=clean.run), spoilt], wear_rig.rig).untrue
     assert f"at {9000 / clean.sample_rate:.4g} s" in sentence
     assert (place.domain, place.axis) == ("time", "s")
     assert place.at == pytest.approx(9000 / clean.sample_rate, abs=1e-3)
     assert place.width == pytest.approx(200 / clean.sample_rate, abs=1e-3)
-    assert sample_findings([clean], wear_rig.rig).repeated == ()
+    assert sample_findings([clean], wear_rig.rig).untrue == ()
     assert isinstance(copied(spoilt)[0], Copied)

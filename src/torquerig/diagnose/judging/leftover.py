@@ -51,7 +51,7 @@ def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | No
 
     No model of a line or a load is right to better than some per cent, so the square of that stays.
     """
-    if not left or any(mismatch.domain == "distribution" for mismatch in left):
+    if not left or any(mismatch.domain in ("distribution", "time") for mismatch in left):
         return None
     rest = sum(mismatch.share_of_misfit for mismatch in left) * _excess(_every(after)) / _excess(_every(before))
     return rest if rest < _DETAIL else None
