@@ -12,13 +12,20 @@ from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.confidence import confidence
 from torquerig.diagnose.choosing.convincing import convincing, promising, share_of, worth
 from torquerig.diagnose.choosing.equivalence import equivalents
-from torquerig.diagnose.choosing.explained import LARGEST_REST, LEAST_SHARE, explained_share, left_at_its_places
+from torquerig.diagnose.choosing.explained import (
+    LARGEST_REST,
+    LEAST_SHARE,
+    LEAST_SHARE_WHERE_ALL_FITS,
+    explained_share,
+    left_at_its_places,
+)
 from torquerig.diagnose.choosing.identifying import identifying
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
 from torquerig.diagnose.choosing.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
 from torquerig.diagnose.choosing.set_aside import set_aside
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.hypotheses import is_possible
+from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.neutral import in_words
 from torquerig.diagnose.sentences import explanation
@@ -51,8 +58,49 @@ class Searched:
 
 
 def searched(case: Case, held: Sequence[Features], progress: Progress) -> Searched:
-    """Add effects as long as one is clearly missing and explains its places, then look back at each."""
-    start, accepted, first, on_trial = case, list[Accepted](), None, False
+    """Add effects as long as one is clearly missing and explains its places, then look back at each.
+
+    Where that ends in a model that is still wrong, it is begun again with the best rival of what was taken first, which
+    may have stood in for two effects together; the better model of both stands.
+    """
+    found = _chain(case, held, progress)
+    rival = _rival_of_first(case, found)
+    if rival is not None:
+        progress(f"beginning again with {rival.candidate.mechanism}")
+        other = _chain(case, held, progress, first=found.first, begin=rival)
+        found = other if other.accepted and other.case.model.cost < found.case.model.cost - LEAST_GAIN else found
+    named = [each for each in found.accepted if not each.trial.candidate.description]
+    return Searched(
+        case=found.case,
+        findings=tuple(_finding(found.case, each, held) for each in named),
+        descriptions=tuple(
+            in_words(each.trial.candidate, found.case.model.rig)
+            for each in found.accepted
+            if each.trial.candidate.description
+        ),
+        first=found.first,
+        last=found.last,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Chain:
+    """Effects taken one after the other, what was tried first and last, and the case with them all."""
+
+    case: Case
+    accepted: tuple[Accepted, ...]
+    first: Tried
+    last: Tried
+
+
+def _chain(
+    start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None, begin: Trial | None = None
+) -> _Chain:
+    """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``."""
+    case, accepted, on_trial, tried = start, list[Accepted](), False, first
+    if begin is not None and first is not None:
+        accepted = [Accepted(before=start, trial=begin, tried=first)]
+        case, on_trial = with_all(start, accepted), not convincing(start, begin, earlier=[], held=held)
     while True:
         progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
         tried = trials(case)
@@ -72,25 +120,26 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
         best = max(of_each.values(), key=partial(worth, case))
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
-    if on_trial and not _together(start, case):
+    if on_trial and not _together(start, case, accepted):
         case, accepted = start, []
     if len(accepted) > 1:
         progress("asking of each effect whether the others need it")
-        kept = revised(start, accepted)
-        case = with_all(start, kept)
-        accepted = list(kept)
+        accepted = list(revised(start, accepted))
+        case = with_all(start, accepted)
     while fallen := [each for each in accepted if not _stands(case, each)]:
         case, accepted = only(start, accepted, max(fallen, key=partial(_rest, case)))
-    named = [each for each in accepted if not each.trial.candidate.description]
-    return Searched(
-        case=case,
-        findings=tuple(_finding(case, each, held) for each in named),
-        descriptions=tuple(
-            in_words(each.trial.candidate, case.model.rig) for each in accepted if each.trial.candidate.description
-        ),
-        first=first,
-        last=tried,
-    )
+    return _Chain(case=case, accepted=tuple(accepted), first=first, last=tried)
+
+
+def _rival_of_first(case: Case, found: _Chain) -> Trial | None:
+    """Return the best rival of the effect that was taken first, where the model is still wrong with all of them."""
+    if not found.accepted or not mismatches(found.case):
+        return None
+    taken = {each.trial.candidate.mechanism for each in found.accepted}
+    rivals = [
+        trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
+    ]
+    return max(rivals, key=lambda trial: trial.gain, default=None)
 
 
 def _around_gap(case: Case, tried: Tried) -> list[Trial]:
@@ -127,9 +176,12 @@ def _stands(final: Case, accepted: Accepted) -> bool:
     return _rest(final, accepted) < LARGEST_REST and is_possible(accepted.trial.candidate, final.model.rig)
 
 
-def _together(first: Case, final: Case) -> bool:
-    """Whether effects of which none sufficed alone explain their places together."""
-    return explained_share(first.model.misfits, final.model.misfits) > LEAST_SHARE
+def _together(first: Case, final: Case, accepted: Sequence[Accepted]) -> bool:
+    """Whether effects of which none sufficed alone explain their places together, less of them where all fits."""
+    beside = [each.trial.beside for each in accepted]
+    flown = (sum(before for before, _ in beside), sum(after for _, after in beside))
+    share = explained_share(first.model.misfits, final.model.misfits, beside=flown)
+    return share > LEAST_SHARE or (share > LEAST_SHARE_WHERE_ALL_FITS and not mismatches(final))
 
 
 def _said(accepted: Accepted) -> str:

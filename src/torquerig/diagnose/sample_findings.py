@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.looking.gain_moments import gain_moments, with_one_gain
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
-from torquerig.diagnose.untrue_samples import Untrue, gain_changes, repeated
+from torquerig.diagnose.untrue_samples import Untrue, repeated, without_untrue
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
@@ -22,7 +21,7 @@ class SampleFindings:
     """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
 
     ``lost`` are the moments without signal of each recording, first sample and one past the last; ``untrue`` tells
-    which recordings hold samples twice or at another gain, each in a sentence and as a place.
+    what recordings hold that is no reading of the torque, each in a sentence and as a place.
     """
 
     candidates: tuple[Candidate, ...]
@@ -61,14 +60,13 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
     lost_of_each = tuple(map(moments_lost, recordings))
-    untrue = [*repeated(recordings)]
-    if codes is None:  # between coarse codes a quiet signal stands still
-        gains = [gain_moments(each, without=moments) for each, moments in zip(mended, lost_of_each, strict=True)]
-        untrue += gain_changes(mended, gains)
-        mended = tuple(with_one_gain(each, moments) for each, moments in zip(mended, gains, strict=True))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
     mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
     clipped = () if flat is None else flat.runs
-    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, tuple(untrue))
+    standing = clipped if codes is None else [recording.name for recording in recordings]
+    mended, untrue = without_untrue(mended, lost_of_each, standing=standing)
+    return SampleFindings(
+        tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, (*repeated(recordings), *untrue)
+    )

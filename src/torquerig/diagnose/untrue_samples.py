@@ -1,14 +1,16 @@
-"""Samples that are no reading of the torque, told in words and as places: written twice, or at another gain."""
+"""What is no reading of the torque, in words and as places: samples written twice, another gain, a line that sweeps."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 import numpy as np
 
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.copied import copied
-from torquerig.diagnose.looking.gain_moments import GainMoment
+from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
+from torquerig.diagnose.looking.refilled import Moments
+from torquerig.diagnose.looking.sweeps import Sweep, sweep_along, sweep_in, without_sweep
 from torquerig.signals.recording import Recording
 
 Untrue = tuple[str, Mismatch]
@@ -30,19 +32,59 @@ def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
         yield sentence, _place(recording, found[0].start, found[0].stop, excess=0.0)
 
 
-def gain_changes(recordings: Sequence[Recording], gains: Sequence[Sequence[GainMoment]]) -> Iterator[Untrue]:
-    """Yield a sentence and a place for each recording that has another gain in moments."""
-    for recording, moments in zip(recordings, gains, strict=True):
-        if not moments:
-            continue
-        rate, factor = recording.sample_rate, float(np.median([each.factor for each in moments]))
-        length = max(each.stop - each.start for each in moments) / rate
-        sentence = (
-            f"{recording.name}: at {_moments([each.start / rate for each in moments])} all of the signal, noise too, "
-            f"is {factor:.3g} times as large, for up to {length:.3g} s; that is a gain which changes, and no mechanism "
-            "of the library does that: the rest was judged with these moments scaled back"
-        )
-        yield sentence, _place(recording, moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)))
+def without_untrue(
+    recordings: Sequence[Recording], lost: Sequence[Moments], *, standing: Collection[str]
+) -> tuple[tuple[Recording, ...], tuple[Untrue, ...]]:
+    """Return the recordings at one gain and without sweeping lines, and what was taken out of them.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        Moments without signal bridged.
+    lost : sequence of Moments
+        Those moments.
+    standing : collection of str
+        Recordings with flat tops or coarse codes: where their signal stands still, that is no gain.
+    """
+    answer, told, sweeps = list(recordings), list[Untrue](), list[Sweep]()
+    for index, (recording, moments) in enumerate(zip(recordings, lost, strict=True)):
+        gains = () if recording.name in standing else gain_moments(recording, without=moments)
+        if gains:
+            answer[index] = with_one_gain(recording, gains)
+            told.append(_gain_change(recording, gains))
+    steady_first = sorted(range(len(answer)), key=lambda index: answer[index].run.profile != "steady")
+    for index in steady_first:
+        recording, name = answer[index], answer[index].torque_name()
+        volts, rate = recording.channels[name].values, recording.sample_rate
+        steady = recording.run.profile == "steady"
+        sweep = sweep_in(volts, rate) if steady else sweep_along(volts, rate, sweeps)
+        if sweep is not None:
+            sweeps.append(sweep)
+            answer[index] = recording.with_values(name, without_sweep(volts, rate, sweep))
+            told.append(_sweeping(recording, sweep))
+    return tuple(answer), tuple(told)
+
+
+def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
+    rate, factor = recording.sample_rate, float(np.median([each.factor for each in moments]))
+    length = max(each.stop - each.start for each in moments) / rate
+    sentence = (
+        f"{recording.name}: at {_moments([each.start / rate for each in moments])} all of the signal, noise too, is "
+        f"{factor:.3g} times as large, for up to {length:.3g} s; that is a gain which changes, and no mechanism of the "
+        "library does that: the rest was judged with these moments scaled back"
+    )
+    return sentence, _place(recording, moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)))
+
+
+def _sweeping(recording: Recording, sweep: Sweep) -> Untrue:
+    sentence = (
+        f"{recording.name}: a line sweeps from {sweep.start:.5g} to {sweep.stop:.5g} Hz over the run, which no shaft "
+        "does; no mechanism of the library does that: the rest was judged without it"
+    )
+    return sentence, Mismatch(
+        domain="frequency", axis="Hz", at=0.5 * (sweep.start + sweep.stop), width=abs(sweep.stop - sweep.start),
+        recordings=(recording.name,), excess_dB=20 * float(np.log10(sweep.clear)), share_of_misfit=0.0, p_value=0.0,
+    )  # fmt: skip
 
 
 def _moments(starts: Sequence[float]) -> str:

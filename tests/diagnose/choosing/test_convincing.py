@@ -49,6 +49,25 @@ def test_what_explains_its_places_comes_before_a_stand_in_that_gains_more(case: 
     assert not judging.convincing(case, stand_in, earlier=(), held=())
 
 
+def test_what_moves_the_slow_torque_alone_is_judged_there(wear_rig: Scenario) -> None:
+    """Lines that moved with all other numbers are neither its places nor its failure."""
+    lines = (10.0, 7.0)  # before and after
+    before, after = (
+        replace(
+            model(wear_rig.rig, *levels),
+            misfits=(Misfit(np.zeros(0), np.full(20, line), np.array(levels)),),
+        )
+        for levels, line in zip(([10.0] * 20, [0.5] * 20), lines, strict=True)
+    )
+    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+    drift, other = (
+        Trial(Candidate(mechanism=name, parts=(), knobs=(), slow=slow), after, 1000.0)
+        for name, slow in (("sensor_drift", True), ("gear_mesh", False))
+    )
+    assert judging.share_of(case, drift) == pytest.approx(1.0)
+    assert judging.share_of(case, other) < 0.8
+
+
 def test_what_does_not_suffice_alone_may_be_half_of_a_pair(case: Case, wear_rig: Scenario) -> None:
     much = trial(wear_rig.rig, "gear_mesh", *[4.5] * 40, before=case.model)
     little = trial(wear_rig.rig, "gear_mesh", *[9.5] * 40, before=case.model)

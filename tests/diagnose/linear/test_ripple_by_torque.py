@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.linear.twin import Twin
-from torquerig.mechanisms import CommutationRipple, TorqueRipple
+from torquerig.mechanisms import BladePass, CommutationRipple, TorqueRipple
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.run import Run
 from torquerig.simulate.simulate import simulate
@@ -18,12 +18,15 @@ SPEED = 500 * pi / 30
 ORDER, SLOW = 42.0, 1.0
 
 
-def test_what_the_speed_loop_answers_makes_side_lines(wear_rig: Scenario) -> None:
+@pytest.mark.parametrize("blades", [False, True])
+def test_what_the_speed_loop_answers_makes_side_lines(blades: bool, wear_rig: Scenario) -> None:
     """A line of order 1 that moves the speed by little, and no load: side lines of d |t| / 2."""
     bare = wear_rig.rig
     for ripple in bare.parts_of(TorqueRipple):
-        own = {1.0: 0.02} if ripple.name == "motor.mechanical" else {}
+        own = {SLOW: 0.02} if ripple.name == "motor.mechanical" and not blades else {}
         bare = bare.changed(replace(ripple, amplitudes=own))
+    if blades:  # five on the wear part, which turns a fifth as fast
+        bare = bare + BladePass(name="blades", order_output=5.0 * SLOW, amplitude=0.1)
     rig = bare + CommutationRipple(name="ripple", order_motor=ORDER, depth=0.4)
     rig = rig.at(Run(**{**vars(rig.run), "speed": SPEED, "occupancy_percent": 0.0, "profile": "steady"}))
     made = simulate(rig, duration=6.0, seed=2, sample_rate=25_000.0)

@@ -55,6 +55,13 @@ def test_a_steady_speed_leaves_it_open(line: Callable[..., Observed], by_hand: B
     assert abs(evidence([line(by_hand, wander=0.0)], PLACE)) < 1e-6
 
 
+def test_chance_in_the_floor_decides_nothing_of_a_strong_line(by_hand: ByHand) -> None:
+    """One in which a tone is 40 dB above the noise, and a wander that smears it by next to nothing."""
+    tone = 1.0 * np.cos(16.8 * SPEED * TIME)
+    decided = [evidence([by_hand(noise(seed) + tone, course(2e-5), rate=RATE)], PLACE) > DECIDED for seed in range(5)]
+    assert not any(decided)
+
+
 def test_only_a_measured_angle_may_speak_against_an_order(by_hand: ByHand) -> None:
     assert rather_fixed([fixed_line(by_hand, wander=5e-3)], PLACE)
     assert not rather_fixed([fixed_line(by_hand, wander=5e-3, measured=False)], PLACE)

@@ -188,3 +188,13 @@ def test_of_several_moments_at_one_level_those_without_a_jump_count_too(clean: R
         volts[start : start + length] = level
     found = gaps(volts, rate)
     assert [start for start, _, _ in found] == pytest.approx(starts, abs=2)
+
+
+@pytest.mark.parametrize("share", [0.45, 0.7])
+def test_a_signal_that_stands_at_its_limit_for_half_the_time_is_not_lost(share: float, clean: Recording) -> None:
+    """Most samples then share their value with the one before, and the noise is that of those that do not."""
+    volts = clean.channels["torque_V"].values
+    limit = CODE * round(float(np.quantile(volts, 1 - share)) / CODE)
+    clipped = with_volts(clean, np.minimum(volts, limit))
+    assert flat_tops([clipped], full_range=FULL, code=CODE) is not None
+    assert dropouts([clipped]) is None

@@ -70,8 +70,11 @@ def worth(case: Case, trial: Trial) -> float:
 
 
 def share_of(case: Case, trial: Trial) -> float:
-    """Return the part of the misfit at its places that the trial explains [1]."""
-    return explained_share(case.model.misfits, trial.model.misfits, beside=trial.beside)
+    """Return the part of the misfit at its places that the trial explains [1]; what else moved with it is not its."""
+    before, after = case.model.misfits, trial.model.misfits
+    if trial.candidate.slow:
+        before, after = tuple(each.slow() for each in before), tuple(each.slow() for each in after)
+    return explained_share(before, after, beside=trial.beside)
 
 
 def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 
@@ -38,10 +37,8 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
     torque counts: a few large lines and the bands beside them miss by what no model of a strong line gets right. Fewer
     than five features count as five, the others as right: an effect of lines changes one or two of the slow torque.
     """
-    old, new, rest = (np.concatenate([_slow(misfit) for misfit in each]) for each in (before, with_it, final))
+    old, new, rest = (
+        np.concatenate([robust_squares(misfit.slow().all()) for misfit in each]) for each in (before, with_it, final)
+    )
     place = old - new > _CHANGED
     return float(rest[place].sum()) / max(int(place.sum()), _FEW)
-
-
-def _slow(misfit: Misfit) -> NDArray[np.float64]:
-    return robust_squares(np.concatenate([misfit.level, misfit.turning]))

@@ -17,7 +17,7 @@ from torquerig.diagnose.looking.features import Features
 from torquerig.rig.rig import Rig
 
 _MOST_DERIVATIVES = 6  # sets of them
-_LIMIT = 5.0  # a knob goes no further than this many of its spreads
+_LIMIT = 7.0  # a knob goes no further than this many of its spreads
 
 
 @dataclass(frozen=True)

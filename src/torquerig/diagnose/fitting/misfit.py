@@ -56,6 +56,10 @@ class Misfit:
         """Return every residual in one row, shape (features,)."""
         return np.concatenate([self.bands, self.lines.ravel(), self.level, self.turning])
 
+    def slow(self) -> Misfit:
+        """Return the residuals of the slow torque alone."""
+        return replace(self, bands=np.zeros(0), lines=np.zeros(0))
+
     def paid(self) -> Floats:
         """Return every residual and what the model pays beside, as a fit minimises them."""
         return np.concatenate([self.all(), self.price])

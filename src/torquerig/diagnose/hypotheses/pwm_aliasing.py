@@ -11,11 +11,13 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.hypotheses.fixed_lines import doubtful_lines, fixed_lines
 from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.hum import GRIDS
 from torquerig.diagnose.looking.peaks import Peak
 
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading
 _STRONGEST = 3
 _START = 2e-3  # [V]
+_OF_THE_GRID = 0.003  # relative; so near to 50 or 60 Hz an alias falls once in three thousand
 _TEETH = 3  # lines that make a comb
 _APART = 1e-3  # by which a tooth may miss its multiple, relative
 
@@ -24,16 +26,21 @@ def propose(case: Case) -> Iterator[Candidate]:
     """Yield a tone for each of the strongest fixed lines above the mechanical range, and combs of fixed lines.
 
     A line that stands at an order and was seen at one speed alone may be such a tone wherever it stands. So may a comb:
-    no shaft has lines at the multiples of a frequency that no speed moves.
+    no shaft has lines at the multiples of a frequency that no speed moves. A line at the frequency of a grid is the
+    grid's.
     """
     top = mechanical_range(case)
     doubtful, fixed = list(doubtful_lines(case)), fixed_lines(case)
-    lines = [peak for peak in fixed if peak.place.at > top or peak in doubtful]
+    lines = [peak for peak in fixed if (peak.place.at > top or peak in doubtful) and not _of_the_grid(peak)]
     for peak in lines[:_STRONGEST]:
         yield _tones([peak])
     comb = _comb(fixed)
     if len(comb) >= (2 if comb and comb[0] in doubtful else _TEETH):
         yield _tones(comb)
+
+
+def _of_the_grid(peak: Peak) -> bool:
+    return any(abs(peak.place.at / grid - 1) < _OF_THE_GRID for grid in GRIDS)
 
 
 def _tones(lines: Sequence[Peak]) -> Candidate:
@@ -58,7 +65,7 @@ def _comb(lines: Sequence[Peak]) -> list[Peak]:
     for base in lines:
         ratios = [peak.place.at / base.place.at for peak in lines]
         teeth = [p for p, r in zip(lines, ratios, strict=True) if r > 0.99 and abs(r - round(r)) < _APART * r]
-        if not any(abs(base.place.at / grid - round(base.place.at / grid)) < 0.01 for grid in (50.0, 60.0)):
+        if not any(abs(base.place.at / grid - round(base.place.at / grid)) < 0.01 for grid in GRIDS):
             combs.append(sorted(teeth, key=lambda peak: peak.place.at))
     return max(combs, key=len, default=[])
 

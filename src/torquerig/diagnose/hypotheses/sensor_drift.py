@@ -37,8 +37,9 @@ def propose(case: Case) -> Iterator[Candidate]:
             knobs = [Knob(part.name, "span", max(_SPREAD, 0.3 * abs(part.span)), factor=False)]
             knobs += [] if part.time_constant is None else [Knob(part.name, "time_constant", 0.7)]
             yield Candidate(
-                mechanism="sensor_drift", parts=(part,), knobs=tuple(knobs), variant=variant, loosens=SLOW_TORQUE
-            )
+                mechanism="sensor_drift", parts=(part,), knobs=tuple(knobs), variant=variant, loosens=SLOW_TORQUE,
+                slow=True,
+            )  # fmt: skip
 
 
 def _span(case: Case, constant: float | None) -> tuple[float, float]:

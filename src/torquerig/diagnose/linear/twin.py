@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +55,16 @@ class LineSource:
     amplitude: float
     transfer: Passage
     by_load: bool = False
+
+
+class _Torque(NamedTuple):
+    """A wave of torque between two nodes: order on the motor shaft, amplitude [N m]."""
+
+    owner: str
+    on: str
+    against: str
+    order: float
+    amplitude: float
 
 
 def passed(passages: Sequence[Passage], frequencies: Floats) -> Response:
@@ -112,21 +123,16 @@ class Twin:
         return tuple(self._each_line())
 
     def _each_line(self) -> Iterator[LineSource]:
-        turns = self.turns
         for term in self.terms:
-            if isinstance(term, HarmonicTorque):
-                passed = self.torque_on(term.on, term.against)
-                for wave in term.waves:
-                    yield LineSource(term.name, wave.order * turns[term.angle], wave.amplitude, passed)
-            elif isinstance(term, Spring):
+            if isinstance(term, Spring):
                 yield from self._of_spring(term)
             elif isinstance(term, Drive):
                 yield from self._of_drive(term)
-            elif isinstance(term, BladeTorque):
-                passed = self.torque_on(term.on)
-                for harmonic, share in enumerate(_BLADE_SERIES, start=1):
-                    order = harmonic * term.order * turns[term.on]
-                    yield LineSource(term.name, order, share * term.amplitude, passed)
+        through: dict[tuple[str, str], Passage] = {}
+        for each in self._torques():
+            if (each.on, each.against) not in through:
+                through[each.on, each.against] = self.torque_on(each.on, each.against)
+            yield LineSource(each.owner, each.order, each.amplitude, through[each.on, each.against])
 
     def _of_spring(self, spring: Spring) -> Iterator[LineSource]:
         """Yield its errors; a varying stiffness as the error that, to first order, has its torque."""
@@ -156,16 +162,25 @@ class Twin:
         and order n makes ``d |t| / 2`` of it at n + m and at n - m.
         """
         passed = self.torque_on(drive.on)
+        answered = self.shafts.drive
+        for slow in self._torques() if answered else ():
+            if slow.order < order and depth * slow.amplitude > 0:
+                answer = answered[slow.on] - (answered[slow.against] if slow.against != GROUND else 0.0)
+                for side in (order - slow.order, order + slow.order):
+                    beside = replace(passed, answer=answer, slower=slow.order / side)
+                    yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, beside)
+
+    def _torques(self) -> Iterator[_Torque]:
+        """Yield the torques that follow a shaft, wave by wave."""
         for term in self.terms:
-            if not isinstance(term, HarmonicTorque) or not self.shafts.drive:
-                continue
-            answer = self.shafts.drive[term.on] - (self.shafts.drive[term.against] if term.against != GROUND else 0.0)
-            for wave in term.waves:
-                slow = wave.order * self.turns[term.angle]
-                if slow < order and 0.5 * depth * wave.amplitude > 0:
-                    for side in (order - slow, order + slow):
-                        beside = replace(passed, answer=answer, slower=slow / side)
-                        yield LineSource(drive.name, side, 0.5 * depth * wave.amplitude, beside)
+            if isinstance(term, HarmonicTorque):
+                for wave in term.waves:
+                    order = wave.order * self.turns[term.angle]
+                    yield _Torque(term.name, term.on, term.against, order, wave.amplitude)
+            elif isinstance(term, BladeTorque):
+                for harmonic, share in enumerate(_BLADE_SERIES, start=1):
+                    order = harmonic * term.order * self.turns[term.on]
+                    yield _Torque(term.name, term.on, GROUND, order, share * term.amplitude)
 
     @cached_property
     def turns(self) -> dict[str, float]:

@@ -14,5 +14,6 @@ order_or_fixed  what a line of one speed may be        steady_tone  whether it s
 hum             where the mains stands                 impacts      beats of a ringing band
 copied          samples written twice                  without_tones   a run less its lines of fixed frequency
 short_spectra   how a spectrum changes in time         gain_moments   all of it by one factor
+sweeps          lines that sweep at a steady speed     kernel       their compiled loop
 flights         flanks that part and meet              near_zero    how long the torque stays near zero
 """

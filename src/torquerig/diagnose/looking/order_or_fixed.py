@@ -87,13 +87,15 @@ def _powers(run: Observed, order: float, at: float) -> tuple[float, float]:
     torque, angle = run.torque[part] - run.torque[part].mean(), run.angle[part]
     strays = order * (angle - np.linspace(angle[0], angle[-1], angle.size))
     still = np.asarray(2 * np.pi * at / run.rate * np.arange(angle.size), dtype=np.float64)
-    return _peak(torque, np.asarray(still + strays)), _peak(torque, still)
+    around_turned, around_still = (_around(torque, phase) for phase in (np.asarray(still + strays), still))
+    # one floor for both: its chance would outweigh what a strong line loses
+    floor = max(float(np.median([around_turned, around_still])) / float(np.log(2)), 1e-30)
+    turned, fixed = (each[_FLOOR - _REACH : _FLOOR + _REACH + 1].max() for each in (around_turned, around_still))
+    return float(turned / floor), float(fixed / floor)
 
 
-def _peak(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
-    window = np.hanning(torque.size)
-    taken = np.fft.fft(torque * window * np.exp(-1j * phase))
+def _around(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the power of each bin near that of a phase, shape (2 _FLOOR + 1,)."""
+    taken = np.fft.fft(torque * np.hanning(torque.size) * np.exp(-1j * phase))
     around = np.concatenate([taken[-_FLOOR:], taken[: _FLOOR + 1]])
-    power = around.real**2 + around.imag**2
-    floor = float(np.median(power)) / float(np.log(2))
-    return float(power[_FLOOR - _REACH : _FLOOR + _REACH + 1].max()) / max(floor, 1e-30)
+    return np.asarray(around.real**2 + around.imag**2)

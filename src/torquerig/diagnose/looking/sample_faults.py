@@ -22,6 +22,7 @@ _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torq
 _SHORTEST = 8e-4  # [s] half a period of what rings is shorter
 _ONE_LEVEL = 6.0
 _MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
+_REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
 
 
@@ -130,10 +131,8 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     not lost. Where such moments are found, others at the same level count that begin and end without a jump.
     """
     steps = np.diff(volts)
-    sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
-    fine = sigma > _MANY_CODES * float(np.abs(steps)[steps != 0].min(initial=np.inf))
-    if sigma == 0:  # coarse codes, which most samples share with the one before
-        sigma = float(np.abs(steps)[steps != 0].min(initial=np.inf))
+    sigma, code = _noise_of(steps)
+    fine = sigma > _MANY_CODES * code
     jumps = np.flatnonzero(np.abs(steps) > _JUMP * sigma) + 1
     found: list[tuple[int, int, float]] = []
     last = 0
@@ -156,6 +155,21 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         level = float(np.median([each[2] for each in found]))
         found += [each for each in _still_at(volts, level, rate) if not any(_meet(each, other) for other in found)]
     return sorted(found)
+
+
+def _noise_of(steps: Floats) -> tuple[float, float]:
+    """Return the robust sigma of the steps from sample to sample, and the smallest of them.
+
+    A signal that stands at a limit, or on coarse codes, repeats values: then those that move tell.
+    """
+    size = np.abs(steps)
+    moving = size[size > 0]
+    if moving.size == 0:
+        return np.inf, np.inf
+    code, middle = float(moving.min()), float(np.median(moving))
+    if moving.size > (1 - _REPEATED) * size.size:
+        return float(np.median(np.abs(steps - np.median(steps)))) / 0.6745, code
+    return (middle if middle < 1.5 * code else middle / 0.6745), code
 
 
 def _still_at(volts: Floats, level: float, rate: float) -> list[tuple[int, int, float]]:

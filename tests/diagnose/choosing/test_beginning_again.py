@@ -1,0 +1,87 @@
+"""A search whose end is still wrong begins again with the best rival of what it took first."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose import findings
+from torquerig.diagnose.choosing.search import Tried
+from torquerig.diagnose.fitting.misfit import Misfit
+
+NONE = Tried((), ())
+
+
+def trial(name: str, gain: float) -> Any:
+    return SimpleNamespace(
+        candidate=SimpleNamespace(mechanism=name, description=""), gain=gain, gap=None, beside=(0.0, 0.0)
+    )
+
+
+def case_of(names: tuple[str, ...], cost: float) -> Any:
+    return SimpleNamespace(names=names, model=SimpleNamespace(cost=cost, misfits=()))
+
+
+@pytest.fixture
+def world(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[str, ...], float]:
+    """A mesh that stands in for blades and hum: what each set of effects leaves, and nothing else of a diagnosis."""
+    costs = {(): 1000.0, ("mesh",): 500.0, ("blades",): 400.0, ("blades", "hum"): 10.0}
+
+    def trials(case: Any) -> Tried:
+        found = [
+            trial(name, case.model.cost - costs[(*case.names, name)])
+            for name in ("mesh", "blades", "hum")
+            if (*case.names, name) in costs
+        ]
+        return Tried(tuple(sorted(found, key=lambda one: -one.gain)), ())
+
+    def with_all(start: Any, accepted: Any) -> Any:
+        names = tuple(each.trial.candidate.mechanism for each in accepted)
+        return case_of(names, costs[names])
+
+    monkeypatch.setattr(findings, "trials", trials)
+    monkeypatch.setattr(findings, "with_all", with_all)
+    monkeypatch.setattr(findings, "with_gap", lambda accepted, gap: list(accepted))
+    monkeypatch.setattr(findings, "_around_gap", lambda case, tried: [])
+    monkeypatch.setattr(findings, "revised", lambda start, accepted: tuple(accepted))
+    monkeypatch.setattr(findings, "_stands", lambda case, each: True)
+    monkeypatch.setattr(findings, "_finding", lambda case, each, held: each.trial.candidate.mechanism)
+    monkeypatch.setattr(findings, "_together", lambda start, case, accepted: case.model.cost < 100)
+    monkeypatch.setattr(findings, "mismatches", lambda case: () if case.model.cost < 100 else ("somewhere",))
+    monkeypatch.setattr(findings, "promising", lambda case, each: each.gain > 300)
+    # blades alone leave the hum, which is too much; a mesh bends until it looks right
+    monkeypatch.setattr(findings, "convincing", lambda case, each, **_: each.candidate.mechanism != "blades")
+    monkeypatch.setattr(findings, "worth", lambda case, each: each.gain)
+    return costs
+
+
+def test_the_rival_that_leads_on_takes_the_place_of_the_stand_in(world: dict[tuple[str, ...], float]) -> None:
+    found = findings.searched(case_of((), world[()]), (), lambda _: None)
+    assert found.findings == ("blades", "hum")
+
+
+def test_a_rival_that_leads_nowhere_changes_nothing(world: dict[tuple[str, ...], float]) -> None:
+    del world["blades", "hum"]
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
+
+
+def test_what_is_right_is_not_begun_again(world: dict[tuple[str, ...], float]) -> None:
+    world["mesh",] = 50.0
+    said: list[str] = []
+    assert findings.searched(case_of((), world[()]), (), said.append).findings == ("mesh",)
+    assert not any("beginning again" in each for each in said)
+
+
+@pytest.mark.parametrize(("left", "share", "right"), [((), 0.7, True), (("a",), 0.7, False), (("a",), 0.9, True)])
+def test_two_that_leave_nothing_standing_out_may_explain_less(
+    left: tuple[str, ...], share: float, right: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def of(residual: float) -> Any:
+        return SimpleNamespace(model=SimpleNamespace(misfits=[Misfit(np.zeros(0), np.zeros(0), np.full(40, residual))]))
+
+    monkeypatch.setattr(findings, "mismatches", lambda case: left)
+    before, after = 3.9, float(np.sqrt(1 + (1 - share) * (3.9**2 - 1)))
+    assert findings._together(of(before), of(after), ()) is right
