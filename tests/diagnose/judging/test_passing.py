@@ -53,6 +53,6 @@ def test_what_passes_is_placed(tone: bool, run: Observed, monkeypatch: pytest.Mo
 
 def test_what_a_simulation_shows_too_is_the_rigs(run: Observed, monkeypatch: pytest.MonkeyPatch) -> None:
     spoilt = replace(run, torque=run.torque + THERE * 0.05 * np.cos(2 * pi * 700 * TIME))
-    later = replace(run, torque=run.torque + np.roll(THERE, 20_000) * 0.03 * np.cos(2 * pi * 700 * TIME))
+    later = replace(run, torque=run.torque + np.roll(THERE, 20_000) * 0.05 * np.cos(2 * pi * 700 * TIME))
     monkeypatch.setattr(module, "simulated", lambda *_, **__: later)
     assert passing(case_of(spoilt), RIG) == ()

@@ -11,7 +11,7 @@ import pytest
 
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import as_json
-from torquerig.diagnose.fitting.calibration import calibrated
+from torquerig.diagnose.fitting.calibration import LIMIT, calibrated
 from torquerig.diagnose.fitting.knobs import Knob, nuisance_knobs, turned
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.scenario.reading import Scenario
@@ -98,7 +98,7 @@ def test_knobs_turn_what_they_name(wear_rig: Scenario) -> None:
 def test_a_fit_stays_within_its_limits_and_pays_for_its_way(known_rig: Scenario, mesh_outcome: Outcome) -> None:
     case = mesh_outcome.before
     again = calibrated(case.nominal, case.seen, case.model.knobs)
-    assert np.abs(again.positions).max() <= 5.0
+    assert np.abs(again.positions).max() <= LIMIT
     still = calibrated(case.nominal, case.seen, ())
     assert again.cost <= still.cost
 
@@ -165,8 +165,11 @@ def test_what_no_library_has_stays_unexplained_and_is_located(known_rig: Scenari
     made = diagnose(known_rig, runs).diagnosis
     assert made.verdict == "unexplained"
     assert made.findings == ()
-    swept = [place for place in made.mismatch if place.domain == "frequency" and 280 < place.at < 950]
-    assert sum(place.share_of_misfit for place in swept) > 0.5
+    assert {place.recordings for place in made.mismatch} == {(recording.name,) for recording in runs}
+    for place in made.mismatch:
+        assert (place.domain, place.axis) == ("frequency", "Hz")
+        assert (place.at, place.width) == pytest.approx((600.0, 600.0), abs=1.0)
+    assert sum("a line sweeps from" in remark for remark in made.remarks) == len(runs)
 
 
 def test_a_second_effect_of_a_kind_is_found_beside_the_scenarios_own(

@@ -17,7 +17,7 @@ from torquerig.diagnose.looking.features import Features
 from torquerig.rig.rig import Rig
 
 _MOST_DERIVATIVES = 6  # sets of them
-_LIMIT = 7.0  # a knob goes no further than this many of its spreads
+LIMIT = 7.0  # a knob goes no further than this many of its spreads
 
 
 @dataclass(frozen=True)
@@ -80,9 +80,7 @@ def calibrated(
 
     first = np.zeros(len(knobs)) if start is None else start
     with threadpool_limits(limits=1, user_api="blas"):  # matrices this small only make more threads spin
-        found = minimum(
-            residuals, first, limit=_LIMIT, derivatives=derivatives, bend=BEND, jacobian=jacobian, near=near
-        )
+        found = minimum(residuals, first, limit=LIMIT, derivatives=derivatives, bend=BEND, jacobian=jacobian, near=near)
         fitted = turned(rig, knobs, found.positions)
         misfits = misfits_of(fitted, seen, corrections)
         counted = weights(np.concatenate([one.paid() for one in misfits]), BEND)[:, None] * found.jacobian
