@@ -78,8 +78,8 @@ def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
 
 def _sweeping(recording: Recording, sweep: Sweep) -> Untrue:
     sentence = (
-        f"{recording.name}: a line sweeps from {sweep.start:.5g} to {sweep.stop:.5g} Hz over the run, which no shaft "
-        "does; no mechanism of the library does that: the rest was judged without it"
+        f"{recording.name}: a line sweeps from {sweep.start:.5g} to {sweep.stop:.5g} Hz over the run, and nothing "
+        "does that at a steady speed; no mechanism of the library does it either: the rest was judged without it"
     )
     return sentence, Mismatch(
         domain="frequency", axis="Hz", at=0.5 * (sweep.start + sweep.stop), width=abs(sweep.stop - sweep.start),

@@ -114,12 +114,18 @@ def short_spectra(
     return ShortSpectra(log, low, hop, ~aside)
 
 
-def _log_power(values: Floats, rate: float, hop: int, low: Floats) -> Floats:
-    """Return the logarithm of the power in each half octave of each block, shape (bands, blocks)."""
+def spectrogram(values: Floats, rate: float, hop: int) -> tuple[Floats, Floats]:
+    """Return the power of blocks of ``2 hop`` samples under Hann windows, shape (blocks, bins), and the bins [Hz]."""
     blocks = sliding_window_view(values, 2 * hop)[::hop]
     beside = blocks - blocks.mean(axis=1, keepdims=True)
     power = np.abs(np.fft.rfft(beside * np.hanning(2 * hop), axis=1)) ** 2
-    edges = np.searchsorted(np.fft.rfftfreq(2 * hop, 1 / rate), [*low, low[-1] * np.sqrt(2)])
+    return np.asarray(power), np.asarray(np.fft.rfftfreq(2 * hop, 1 / rate), dtype=np.float64)
+
+
+def _log_power(values: Floats, rate: float, hop: int, low: Floats) -> Floats:
+    """Return the logarithm of the power in each half octave of each block, shape (bands, blocks)."""
+    power, frequency = spectrogram(values, rate, hop)
+    edges = np.searchsorted(frequency, [*low, low[-1] * np.sqrt(2)])
     summed = np.array([power[:, start:stop].sum(axis=1) for start, stop in pairwise(edges)])
     return np.asarray(np.log(np.maximum(summed, _NOTHING * np.median(summed, axis=1, keepdims=True) + 1e-300)))
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
 from torquerig.diagnose.looking.kernel import largest_path_sum
+from torquerig.diagnose.looking.short_spectra import OVERLAP, spectrogram
 
 Floats = NDArray[np.float64]
 
@@ -28,7 +28,6 @@ _FAR, _NO_ORDER = 6, 0.08  # bins, and logarithm, that a line must move by: with
 _AROUND = 17  # bins whose median is taken off: 100 Hz that get loud together are no line
 _CAPPED = (-3.0, 8.0)  # of the log power: one loud block is no path
 _ALL_ALONG = 0.65  # share of its blocks in which a line stands above the mean; 0.45 for modes that are struck
-_OVERLAP = 1.5  # blocks that tell as much as one alone
 _MIXED, _JOINED = 0.01, 1.0  # [s] of the mixed-down signal: step, and how long the line keeps its phase
 _FIRST, _OFF, _SMEARED = 0.1, 7.0, 0.25  # [s] summed in phase, [Hz] by which ends may be off, and by how many seconds
 _STAGES = ((0.4, 6.0), (1.5, 1.5), (4.0, 0.5))  # [s] summed in phase then, [Hz] by which ends may be off
@@ -61,7 +60,7 @@ def sweep_in(values: Floats, rate: float) -> Sweep | None:
         return None
     log, frequency = found
     clear, start, stop = largest_path_sum(log, _FAR)
-    clear /= float(np.sqrt(log.shape[0] * _OVERLAP))
+    clear /= float(np.sqrt(log.shape[0] * OVERLAP))
     rows = np.arange(log.shape[0])
     path = log[rows, (start + (stop - start) / (rows.size - 1) * rows + 0.5).astype(np.intp)]
     moves = abs(float(np.log(frequency[stop] / frequency[start])))
@@ -79,7 +78,7 @@ def sweep_along(values: Floats, rate: float, sweeps: Sequence[Sweep]) -> Sweep |
     way, row = np.linspace(0.0, 1.0, log.shape[0]), np.arange(log.shape[0])
     for sweep in sweeps:
         at = np.interp(sweep.start + (sweep.stop - sweep.start) * way, frequency, np.arange(frequency.size))
-        clear = float(log[row, np.rint(at).astype(np.intp)].sum() / np.sqrt(log.shape[0] * _OVERLAP))
+        clear = float(log[row, np.rint(at).astype(np.intp)].sum() / np.sqrt(log.shape[0] * OVERLAP))
         if clear > CLEAR:
             return _refined(values, rate, Sweep(sweep.start, sweep.stop, clear))
     return None
@@ -101,10 +100,7 @@ def _log_power(values: Floats, rate: float) -> tuple[Floats, Floats] | None:
     hop = round(0.5 * _BLOCK * rate)
     if values.size < (_FEWEST + 1) * hop:
         return None
-    blocks = sliding_window_view(values, 2 * hop)[::hop]
-    beside = blocks - blocks.mean(axis=1, keepdims=True)
-    power = np.abs(np.fft.rfft(beside * np.hanning(2 * hop), axis=1)) ** 2
-    frequency = np.asarray(np.fft.rfftfreq(2 * hop, 1 / rate), dtype=np.float64)
+    power, frequency = spectrogram(values, rate, hop)
     used = (frequency >= _LOWEST) & (frequency < min(_HIGHEST, 0.45 * rate))
     middle = np.median(power[:, used], axis=0)
     log = np.log(np.maximum(power[:, used] / np.maximum(middle, 1e-300), 1e-9))
