@@ -68,3 +68,10 @@ def test_it_is_told_and_placed(clean: Recording, wear_rig: Scenario) -> None:
     assert place.width == pytest.approx(200 / clean.sample_rate, abs=1e-3)
     assert sample_findings([clean], wear_rig.rig).untrue == ()
     assert isinstance(copied(spoilt)[0], Copied)
+
+
+def test_a_hum_over_a_flat_top_repeats_without_a_copy(clean: Recording) -> None:
+    """Above its limit an amplifier has no noise, and a hum that comes behind it has the same codes in many periods."""
+    volts, time = clean.channels["torque_V"].values, np.arange(clean.samples) / clean.sample_rate
+    limited = np.minimum(volts, float(np.quantile(volts, 0.6)))
+    assert copied(with_volts(clean, limited + 0.4 * np.cos(2 * np.pi * 50.0 * time))) == ()

@@ -198,3 +198,13 @@ def test_a_signal_that_stands_at_its_limit_for_half_the_time_is_not_lost(share: 
     clipped = with_volts(clean, np.minimum(volts, limit))
     assert flat_tops([clipped], full_range=FULL, code=CODE) is not None
     assert dropouts([clipped]) is None
+
+
+def test_on_codes_as_coarse_as_a_sixth_of_the_reading_signals_are_lost_too(clean: Recording) -> None:
+    volts = clean.channels["torque_V"].values.copy()
+    step = float(np.median(volts)) / 6
+    for start in (4000, 9000, 17_000):
+        volts[start : start + 40] = 0.0
+    found = dropouts([clean.with_values("torque_V", step * np.round(volts / step))])
+    assert found is not None
+    assert (found.level, found.count) == (0.0, 3)

@@ -13,7 +13,8 @@ from torquerig.signals.recording import Recording
 
 _NATS = 90.0  # by which a copy must be unlikelier than one chance in e^x for a pair of moments; a run has 1e11 pairs
 _LONGEST = 0.1  # [s] codes so coarse that copies would have to be longer show none
-_MOVING = 0.5  # share of the steps of a window that must be none of zero
+_MOVING = 0.5  # share of the steps of a window that must show the noise
+_UNEVEN = 0.3  # of the median second difference of the steps: less is no noise
 _MOST = 0.5  # share of the samples: what repeats more is periodic and has no noise
 
 
@@ -39,16 +40,22 @@ def copied(recording: Recording) -> tuple[Copied, ...]:
     length = ceil(_NATS / -log(alike)) if 0 < alike < 1 else steps.size
     if length >= min(_LONGEST * recording.sample_rate, steps.size // 2):
         return ()
-    found = _extended(codes, _pairs(codes, steps != 0, length), length)
+    found = _extended(codes, _pairs(codes, _alive(steps), length), length)
     return () if sum(each.stop - each.start for each in found) > _MOST * volts.size else tuple(found)
 
 
-def _pairs(codes: NDArray[np.int64], moving: NDArray[np.bool_], length: int) -> list[tuple[int, int]]:
-    """Return (earlier, later) starts of equal windows, the later ones rising; what stands still repeats by itself."""
+def _alive(steps: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which steps are some, and uneven as noise is: a hum over a flat top repeats itself without any."""
+    uneven = np.abs(np.diff(steps, n=2, prepend=[0.0, 0.0]))  # a hum bends evenly from sample to sample
+    return np.asarray((steps != 0) & (uneven >= _UNEVEN * np.median(uneven)))
+
+
+def _pairs(codes: NDArray[np.int64], alive: NDArray[np.bool_], length: int) -> list[tuple[int, int]]:
+    """Return (earlier, later) starts of equal windows, the later ones rising; what has no noise repeats by itself."""
     weights = np.random.default_rng(0).integers(1, 2**62, length, dtype=np.int64)
     with np.errstate(over="ignore"):
         marks = sliding_window_view(codes, length) @ weights
-    moved = np.convolve(moving, np.ones(length), "valid") > _MOVING * length
+    moved = np.convolve(alive, np.ones(length), "valid") > _MOVING * length
     order = np.flatnonzero(moved)
     order = order[np.argsort(marks[order], kind="stable")]
     same = np.flatnonzero(np.diff(marks[order]) == 0)

@@ -22,6 +22,9 @@ _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torq
 _SHORTEST = 8e-4  # [s] half a period of what rings is shorter
 _ONE_LEVEL = 6.0
 _MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
+_ONE_CODE = 1.5  # codes that most steps stay below: of one code the noise is but a part
+_STANDS = 0.5  # share of the steps that are none where codes are coarse
+_TO_ZERO = 3.0  # of such codes within a sample, to zero and back, where that many would not do elsewhere
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
 
@@ -133,7 +136,8 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     steps = np.diff(volts)
     sigma, code = _noise_of(steps)
     fine = sigma > _MANY_CODES * code
-    jumps = np.flatnonzero(np.abs(steps) > _JUMP * sigma) + 1
+    coarse = sigma < _ONE_CODE * code and np.mean(steps == 0) > _STANDS
+    jumps = np.flatnonzero(np.abs(steps) > (_TO_ZERO - 0.5 if coarse else _JUMP) * sigma) + 1
     found: list[tuple[int, int, float]] = []
     last = 0
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
@@ -143,7 +147,8 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         outside = 0.5 * (volts[max(start - 2, 0)] + volts[min(stop + 1, volts.size - 1)])
         way = (level - outside) or np.inf
         jumped = min(volts[start] - volts[start - 1], volts[stop - 1] - volts[stop], key=lambda step: step / way) / way
-        away = abs(level - outside) > _JUMP * sigma and jumped > _AT_ONCE
+        least = (_TO_ZERO - 0.5 if coarse and abs(level) < 0.5 * code else _JUMP) * sigma
+        away = abs(level - outside) > least and jumped > _AT_ONCE
         moved = float(np.median(np.abs(np.diff(inside)))) / 0.6745
         still = moved < _STILL * sigma or abs(level) < sigma
         if away and still and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
@@ -169,7 +174,7 @@ def _noise_of(steps: Floats) -> tuple[float, float]:
     code, middle = float(moving.min()), float(np.median(moving))
     if moving.size > (1 - _REPEATED) * size.size:
         return float(np.median(np.abs(steps - np.median(steps)))) / 0.6745, code
-    return (middle if middle < 1.5 * code else middle / 0.6745), code
+    return (middle if middle < _ONE_CODE * code else middle / 0.6745), code
 
 
 def _still_at(volts: Floats, level: float, rate: float) -> list[tuple[int, int, float]]:
