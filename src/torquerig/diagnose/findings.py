@@ -21,11 +21,11 @@ from torquerig.diagnose.choosing.explained import (
 )
 from torquerig.diagnose.choosing.identifying import identifying
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
-from torquerig.diagnose.choosing.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, trials
+from torquerig.diagnose.choosing.search import LEAST_GAIN, MOST_EFFECTS, Trial, Tried, excess, trials
 from torquerig.diagnose.choosing.set_aside import set_aside
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.hypotheses import is_possible
-from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.neutral import in_words
 from torquerig.diagnose.sentences import explanation
@@ -33,6 +33,7 @@ from torquerig.diagnose.sentences import explanation
 Progress = Callable[[str], None]
 
 _MOST_RIVALS = 3
+_MUCH_LESS = 0.5  # of what a chain leaves, another that begins elsewhere may leave
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,14 +62,15 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
     """Add effects as long as one is clearly missing and explains its places, then look back at each.
 
     Where that ends in a model that is still wrong, it is begun again with the best rival of what was taken first, which
-    may have stood in for two effects together; the better model of both stands.
+    may have stood in for two effects together. A model that does without what was taken first, and leaves less than
+    half of what that one leaves, takes its place.
     """
     found = _chain(case, held, progress)
     rival = _rival_of_first(case, found)
     if rival is not None:
         progress(f"beginning again with {rival.candidate.mechanism}")
         other = _chain(case, held, progress, first=found.first, begin=rival)
-        found = other if other.accepted and other.case.model.cost < found.case.model.cost - LEAST_GAIN else found
+        found = other if _replaces(other, found) else found
     named = [each for each in found.accepted if not each.trial.candidate.description]
     return Searched(
         case=found.case,
@@ -133,13 +135,21 @@ def _chain(
 
 def _rival_of_first(case: Case, found: _Chain) -> Trial | None:
     """Return the best rival of the effect that was taken first, where the model is still wrong with all of them."""
-    if not found.accepted or not mismatches(found.case):
+    left = mismatches(found.case)
+    if not (found.accepted and left) or detail_of(case, found.case, left) is not None:
         return None
     taken = {each.trial.candidate.mechanism for each in found.accepted}
     rivals = [
         trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
     ]
     return max(rivals, key=lambda trial: trial.gain, default=None)
+
+
+def _replaces(other: _Chain, found: _Chain) -> bool:
+    """Whether another chain does without what was taken first, and does much better."""
+    stood_in = found.accepted[0].trial.candidate.mechanism
+    without = all(each.trial.candidate.mechanism != stood_in for each in other.accepted)
+    return bool(other.accepted) and without and excess(other.case) < _MUCH_LESS * excess(found.case)
 
 
 def _around_gap(case: Case, tried: Tried) -> list[Trial]:

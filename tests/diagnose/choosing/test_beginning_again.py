@@ -51,6 +51,7 @@ def world(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[str, ...], float]:
     monkeypatch.setattr(findings, "_finding", lambda case, each, held: each.trial.candidate.mechanism)
     monkeypatch.setattr(findings, "_together", lambda start, case, accepted: case.model.cost < 100)
     monkeypatch.setattr(findings, "mismatches", lambda case: () if case.model.cost < 100 else ("somewhere",))
+    monkeypatch.setattr(findings, "detail_of", lambda first, case, left: None)
     monkeypatch.setattr(findings, "promising", lambda case, each: each.gain > 300)
     # blades alone leave the hum, which is too much; a mesh bends until it looks right
     monkeypatch.setattr(findings, "convincing", lambda case, each, **_: each.candidate.mechanism != "blades")
@@ -65,6 +66,28 @@ def test_the_rival_that_leads_on_takes_the_place_of_the_stand_in(world: dict[tup
 
 def test_a_rival_that_leads_nowhere_changes_nothing(world: dict[tuple[str, ...], float]) -> None:
     del world["blades", "hum"]
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
+
+
+def test_a_rival_beside_what_was_taken_first_replaces_nothing(world: dict[tuple[str, ...], float]) -> None:
+    """It was asked as an addition already, and did not convince."""
+    del world["blades", "hum"]
+    world["blades", "mesh"] = 10.0
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
+
+
+def test_a_rival_that_leaves_nearly_as_much_replaces_nothing(
+    world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(findings, "_together", lambda start, case, accepted: True)
+    world["blades", "hum"] = 300.0
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
+
+
+def test_details_of_a_strong_effect_are_no_reason(
+    world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(findings, "detail_of", lambda first, case, left: 1e-3)
     assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
 
 
