@@ -111,7 +111,8 @@ def diagnose(
     fitted_nominal = reduce(_without, faults.candidates, before.model.rig)
     fit = held_out(nominal, fitted_nominal, completed, held, seed=seed)
     found = [*_fault_findings(faults, after, fit), *findings]
-    left = (*left_by_simulation(after, mismatches(after)), *passing(after, completed))
+    came_and_went = passing(after, completed)
+    left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
     detail = detail_of(before, after, left)
     left = left if detail is None else ()
     if not (left or found or found_by_search.descriptions) and fit.after > LARGEST:
@@ -119,7 +120,10 @@ def diagnose(
     verdict = _verdict(found, left, faults, described=bool(found_by_search.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
-        mismatch=(*(mismatches(before) if found_more else left), *(mismatch for _, mismatch in untrue)),
+        mismatch=(
+            *((*mismatches(before), *came_and_went) if found_more else left),
+            *(mismatch for _, mismatch in untrue),
+        ),
         findings=tuple(found),
         fit=fit,
         recordings=tuple(_used(run) for run in runs),

@@ -1,4 +1,4 @@
-"""What comes and goes within a steady run: all else that is judged is a mean over minutes of it.
+"""What comes and goes within a steady run: all else that is judged is a mean over the run.
 
 The spectrum of a steady run is the same all along, as far as a random load allows; what a finished rig does not do when
 it is simulated, and the recording did for a while, is no physics of that rig.

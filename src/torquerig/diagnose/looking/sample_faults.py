@@ -24,7 +24,7 @@ _ONE_LEVEL = 6.0
 _MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
 _ONE_CODE = 1.5  # codes that most steps stay below: of one code the noise is but a part
 _STANDS = 0.5  # share of the steps that are none where codes are coarse
-_TO_ZERO = 3.0  # of such codes within a sample, to zero and back, where that many would not do elsewhere
+_TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, which would not elsewhere
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
 
@@ -137,7 +137,7 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     sigma, code = _noise_of(steps)
     fine = sigma > _MANY_CODES * code
     coarse = sigma < _ONE_CODE * code and np.mean(steps == 0) > _STANDS
-    jumps = np.flatnonzero(np.abs(steps) > (_TO_ZERO - 0.5 if coarse else _JUMP) * sigma) + 1
+    jumps = np.flatnonzero(np.abs(steps) > (_TO_ZERO if coarse else _JUMP) * sigma) + 1
     found: list[tuple[int, int, float]] = []
     last = 0
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
@@ -147,7 +147,7 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         outside = 0.5 * (volts[max(start - 2, 0)] + volts[min(stop + 1, volts.size - 1)])
         way = (level - outside) or np.inf
         jumped = min(volts[start] - volts[start - 1], volts[stop - 1] - volts[stop], key=lambda step: step / way) / way
-        least = (_TO_ZERO - 0.5 if coarse and abs(level) < 0.5 * code else _JUMP) * sigma
+        least = (_TO_ZERO if coarse and abs(level) < 0.5 * code else _JUMP) * sigma
         away = abs(level - outside) > least and jumped > _AT_ONCE
         moved = float(np.median(np.abs(np.diff(inside)))) / 0.6745
         still = moved < _STILL * sigma or abs(level) < sigma

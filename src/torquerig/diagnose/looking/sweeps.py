@@ -61,8 +61,7 @@ def sweep_in(values: Floats, rate: float) -> Sweep | None:
     log, frequency = found
     clear, start, stop = largest_path_sum(log, _FAR)
     clear /= float(np.sqrt(log.shape[0] * OVERLAP))
-    rows = np.arange(log.shape[0])
-    path = log[rows, (start + (stop - start) / (rows.size - 1) * rows + 0.5).astype(np.intp)]
+    path = _along(log, start, stop)
     moves = abs(float(np.log(frequency[stop] / frequency[start])))
     if clear < CLEAR or np.mean(path > 0) < _ALL_ALONG or moves < _NO_ORDER:
         return None
@@ -75,13 +74,18 @@ def sweep_along(values: Floats, rate: float, sweeps: Sequence[Sweep]) -> Sweep |
     if found is None:
         return None
     log, frequency = found
-    way, row = np.linspace(0.0, 1.0, log.shape[0]), np.arange(log.shape[0])
     for sweep in sweeps:
-        at = np.interp(sweep.start + (sweep.stop - sweep.start) * way, frequency, np.arange(frequency.size))
-        clear = float(log[row, np.rint(at).astype(np.intp)].sum() / np.sqrt(log.shape[0] * OVERLAP))
+        first, last = np.interp([sweep.start, sweep.stop], frequency, np.arange(frequency.size))
+        clear = float(_along(log, first, last).sum() / np.sqrt(log.shape[0] * OVERLAP))
         if clear > CLEAR:
             return _refined(values, rate, Sweep(sweep.start, sweep.stop, clear))
     return None
+
+
+def _along(log: Floats, first: float, last: float) -> Floats:
+    """Return what a straight path from one column to another meets in each row, shape (rows,)."""
+    rows = np.arange(log.shape[0])
+    return np.asarray(log[rows, np.linspace(first + 0.5, last + 0.5, rows.size).astype(np.intp)])
 
 
 def without_sweep(values: Floats, rate: float, sweep: Sweep) -> Floats:
