@@ -12,5 +12,6 @@ findings     effect after effect                        diagnose     all of it i
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 
 Beside them: ``rig_under_test`` (are these runs of that rig), ``sample_findings`` (faults of samples as effects),
-``free_names``, ``sentences``, and ``null_table`` (least gains from clean rigs, by the scenario's content).
+``untrue_samples`` (what is no reading of the torque, taken out and told), ``free_names``, ``sentences``, and
+``null_table`` (least gains from clean rigs, by the scenario's content).
 """

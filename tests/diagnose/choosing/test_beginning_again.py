@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose import findings
+from torquerig.diagnose.choosing import chain
 from torquerig.diagnose.choosing.search import Tried
 from torquerig.diagnose.fitting.misfit import Misfit
 
@@ -42,20 +43,20 @@ def world(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[str, ...], float]:
         names = tuple(each.trial.candidate.mechanism for each in accepted)
         return case_of(names, costs[names])
 
-    monkeypatch.setattr(findings, "trials", trials)
-    monkeypatch.setattr(findings, "with_all", with_all)
-    monkeypatch.setattr(findings, "with_gap", lambda accepted, gap: list(accepted))
-    monkeypatch.setattr(findings, "_around_gap", lambda case, tried: [])
-    monkeypatch.setattr(findings, "revised", lambda start, accepted: tuple(accepted))
-    monkeypatch.setattr(findings, "_stands", lambda case, each: True)
+    monkeypatch.setattr(chain, "trials", trials)
+    monkeypatch.setattr(chain, "with_all", with_all)
+    monkeypatch.setattr(chain, "with_gap", lambda accepted, gap: list(accepted))
+    monkeypatch.setattr(chain, "_around_gap", lambda case, tried: [])
+    monkeypatch.setattr(chain, "revised", lambda start, accepted: tuple(accepted))
+    monkeypatch.setattr(chain, "_stands", lambda case, each: True)
     monkeypatch.setattr(findings, "_finding", lambda case, each, held: each.trial.candidate.mechanism)
-    monkeypatch.setattr(findings, "_together", lambda start, case, accepted: case.model.cost < 100)
-    monkeypatch.setattr(findings, "mismatches", lambda case: () if case.model.cost < 100 else ("somewhere",))
-    monkeypatch.setattr(findings, "detail_of", lambda first, case, left: None)
-    monkeypatch.setattr(findings, "promising", lambda case, each: each.gain > 300)
+    monkeypatch.setattr(chain, "_together", lambda start, case, accepted: case.model.cost < 100)
+    monkeypatch.setattr(chain, "mismatches", lambda case: () if case.model.cost < 100 else ("somewhere",))
+    monkeypatch.setattr(chain, "detail_of", lambda first, case, left: None)
+    monkeypatch.setattr(chain, "promising", lambda case, each: each.gain > 300)
     # blades alone leave the hum, which is too much; a mesh bends until it looks right
-    monkeypatch.setattr(findings, "convincing", lambda case, each, **_: each.candidate.mechanism != "blades")
-    monkeypatch.setattr(findings, "worth", lambda case, each: each.gain)
+    monkeypatch.setattr(chain, "convincing", lambda case, each, **_: each.candidate.mechanism != "blades")
+    monkeypatch.setattr(chain, "worth", lambda case, each: each.gain)
     return costs
 
 
@@ -79,7 +80,7 @@ def test_a_rival_beside_what_was_taken_first_replaces_nothing(world: dict[tuple[
 def test_a_rival_that_leaves_nearly_as_much_replaces_nothing(
     world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(findings, "_together", lambda start, case, accepted: True)
+    monkeypatch.setattr(chain, "_together", lambda start, case, accepted: True)
     world["blades", "hum"] = 300.0
     assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
 
@@ -87,7 +88,7 @@ def test_a_rival_that_leaves_nearly_as_much_replaces_nothing(
 def test_details_of_a_strong_effect_are_no_reason(
     world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(findings, "detail_of", lambda first, case, left: 1e-3)
+    monkeypatch.setattr(chain, "detail_of", lambda first, case, left: 1e-3)
     assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
 
 
@@ -105,6 +106,6 @@ def test_two_that_leave_nothing_standing_out_may_explain_less(
     def of(residual: float) -> Any:
         return SimpleNamespace(model=SimpleNamespace(misfits=[Misfit(np.zeros(0), np.zeros(0), np.full(40, residual))]))
 
-    monkeypatch.setattr(findings, "mismatches", lambda case: left)
+    monkeypatch.setattr(chain, "mismatches", lambda case: left)
     before, after = 3.9, float(np.sqrt(1 + (1 - share) * (3.9**2 - 1)))
-    assert findings._together(of(before), of(after), ()) is right
+    assert chain._together(of(before), of(after), ()) is right

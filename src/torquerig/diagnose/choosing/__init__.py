@@ -4,5 +4,6 @@ search       the hypotheses fitted, best first        gap_trial    a gap, which 
 explained    what of a mismatch went                  convincing   when an effect may be named
 equivalence  rivals that cannot be told apart         revising     each looked back at beside the others
 identifying  the numbers that identify an effect      confidence   how sure a finding is
+chain        one after the other, and once more begun elsewhere
 set_aside    what was not fitted, and why          around_gap   a gap told again beside a further effect
 """

@@ -1,0 +1,141 @@
+"""Effects taken one after the other, and another chain where the first ends in a model that is still wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.around_gap import told_again, with_gap
+from torquerig.diagnose.choosing.convincing import convincing, promising, worth
+from torquerig.diagnose.choosing.explained import (
+    LARGEST_REST,
+    LEAST_SHARE,
+    LEAST_SHARE_WHERE_ALL_FITS,
+    explained_share,
+    left_at_its_places,
+)
+from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
+from torquerig.diagnose.choosing.search import MOST_EFFECTS, Trial, Tried, excess, trials
+from torquerig.diagnose.hypotheses import is_possible
+from torquerig.diagnose.judging.leftover import detail_of, mismatches
+from torquerig.diagnose.looking.features import Features
+
+Progress = Callable[[str], None]
+
+_MUCH_LESS = 0.5  # of what a chain leaves, another that begins elsewhere may leave
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chain:
+    """Effects taken one after the other, what was tried first and last, and the case with them all."""
+
+    case: Case
+    accepted: tuple[Accepted, ...]
+    first: Tried
+    last: Tried
+
+
+def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chain:
+    """Return the effects that are found one after the other, each looked back at.
+
+    Where that ends in a model that is still wrong, it is begun again with the best rival of what was taken first, which
+    may have stood in for two effects together. A model that does without what was taken first, and leaves less than
+    half of what that one leaves, takes its place.
+    """
+    found = _chain(case, held, progress)
+    rival = _rival_of_first(case, found)
+    if rival is not None:
+        progress(f"beginning again with {rival.candidate.mechanism}")
+        other = _chain(case, held, progress, first=found.first, begin=rival)
+        found = other if _replaces(other, found) else found
+    return found
+
+
+def _chain(
+    start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None, begin: Trial | None = None
+) -> Chain:
+    """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``."""
+    case, accepted, on_trial, tried = start, list[Accepted](), False, first
+    if begin is not None and first is not None:
+        accepted = [Accepted(before=start, trial=begin, tried=first)]
+        case, on_trial = with_all(start, accepted), not convincing(start, begin, earlier=[], held=held)
+    while True:
+        progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
+        tried = trials(case)
+        first = first or tried
+        described = max((trial.gain for trial in tried.fitted if trial.candidate.description), default=0.0)
+        good = [
+            trial
+            for trial in (*_around_gap(case, tried), *tried.fitted)
+            if trial.gain >= described and convincing(case, trial, earlier=[each.trial for each in accepted], held=held)
+        ]
+        if not (good or accepted):  # where one does not suffice, two may
+            good = [trial for trial in tried.fitted if promising(case, trial)]
+            on_trial = bool(good)
+        if not good or len(accepted) == MOST_EFFECTS:
+            break
+        of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
+        best = max(of_each.values(), key=partial(worth, case))
+        accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
+        case = with_all(start, accepted)
+    if on_trial and not _together(start, case, accepted):
+        case, accepted = start, []
+    if len(accepted) > 1:
+        progress("asking of each effect whether the others need it")
+        accepted = list(revised(start, accepted))
+        case = with_all(start, accepted)
+    while fallen := [each for each in accepted if not _stands(case, each)]:
+        case, accepted = only(start, accepted, max(fallen, key=partial(rest_of, case)))
+    return Chain(case=case, accepted=tuple(accepted), first=first, last=tried)
+
+
+def _rival_of_first(case: Case, found: Chain) -> Trial | None:
+    """Return the best rival of the effect that was taken first, where the model is still wrong with all of them."""
+    left = mismatches(found.case)
+    if not (found.accepted and left) or detail_of(case, found.case, left) is not None:
+        return None
+    taken = {each.trial.candidate.mechanism for each in found.accepted}
+    rivals = [
+        trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
+    ]
+    return max(rivals, key=lambda trial: trial.gain, default=None)
+
+
+def _replaces(other: Chain, found: Chain) -> bool:
+    """Whether another chain does without what was taken first, and does much better."""
+    stood_in = found.accepted[0].trial.candidate.mechanism
+    without = all(each.trial.candidate.mechanism != stood_in for each in other.accepted)
+    return bool(other.accepted) and without and excess(other.case) < _MUCH_LESS * excess(found.case)
+
+
+def _around_gap(case: Case, tried: Tried) -> list[Trial]:
+    """Return the best trial beside a gap whose width is told again, where a gap was found and this explains much."""
+    named = [trial for trial in tried.fitted if not trial.candidate.description]
+    if not (case.model.corrections and named and promising(case, named[0])):
+        return []
+    again = told_again(case, named[0])
+    return [] if again is None else [again]
+
+
+def _together(first: Case, final: Case, accepted: Sequence[Accepted]) -> bool:
+    """Whether effects of which none sufficed alone explain their places together, less of them where all fits."""
+    beside = [each.trial.beside for each in accepted]
+    flown = (sum(before for before, _ in beside), sum(after for _, after in beside))
+    share = explained_share(first.model.misfits, final.model.misfits, beside=flown)
+    return share > LEAST_SHARE or (share > LEAST_SHARE_WHERE_ALL_FITS and not mismatches(final))
+
+
+def _stands(final: Case, accepted: Accepted) -> bool:
+    """Whether an effect leaves its places right in the final model, with numbers such as can be."""
+    return rest_of(final, accepted) < LARGEST_REST and is_possible(accepted.trial.candidate, final.model.rig)
+
+
+def rest_of(final: Case, accepted: Accepted) -> float:
+    """Return the mean robust square that the final model leaves of the slow torque at an effect's places [1]."""
+    return left_at_its_places(accepted.before.model.misfits, accepted.trial.model.misfits, final.model.misfits)
+
+
+def _said(accepted: Accepted) -> str:
+    return accepted.trial.candidate.description or accepted.trial.candidate.mechanism
