@@ -165,6 +165,17 @@ def test_clipping_cuts_the_noise_too() -> None:
     assert np.array_equal(cut[free < 1.0 - LSB], free[free < 1.0 - LSB])
 
 
+def test_a_hum_rides_on_what_the_amplifier_cut() -> None:
+    """The rails of an amplifier come before its cable, the range of a converter behind it."""
+    hum = MainsInterference(name="hum", frequency=50.0, amplitudes=(0.2,), phases=(0.0,))
+    at_amplifier, at_input = (
+        volts(simulate(sensed(hum, Clipping(name="rail", limit=0.5, where=where)), duration=0.5, seed=3))
+        for where in ("amplifier", "input")
+    )
+    assert at_amplifier.max() == pytest.approx(0.7, abs=0.01)
+    assert at_input.max() == pytest.approx(0.5, abs=LSB)
+
+
 def test_coarse_codes_are_the_whole_reading_and_their_error_is_uniform() -> None:
     free, coarse = (
         volts(simulate(sensed(*effects, noise=0.05), duration=1.0, seed=3))

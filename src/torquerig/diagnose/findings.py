@@ -21,6 +21,7 @@ from torquerig.diagnose.neutral import in_words
 from torquerig.diagnose.sentences import explanation
 
 _MOST_RIVALS = 3
+_WITHDRAWN = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,6 +37,8 @@ class Searched:
         Of what was modelled without a name, in words.
     first, last : Tried
         What was tried on the calibrated nominal model, and on the last one, which found nothing more.
+    withdrawn : tuple of str
+        Mechanisms with which what no fit has seen is predicted worse than without.
     """
 
     case: Case
@@ -43,6 +46,12 @@ class Searched:
     descriptions: tuple[str, ...]
     first: Tried
     last: Tried
+    withdrawn: tuple[str, ...] = ()
+
+    def all_withdrawn(self, before: Case) -> Searched:
+        """Return the outcome of a search that found nothing in the case ``before`` that holds."""
+        names = tuple(each.mechanism for each in self.findings)
+        return replace(self, case=before, findings=(), descriptions=(), last=self.first, withdrawn=names)
 
 
 def searched(case: Case, held: Sequence[Features], progress: Progress) -> Searched:
@@ -65,7 +74,9 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
 def reasons(case: Case, found: Searched, findings: Sequence[Finding]) -> Mapping[str, str]:
     """Return why each mechanism that is neither found nor a rival of what is was set aside; ``case`` is the first."""
     rivals = [name for each in findings for name, _ in each.rivals]
-    return set_aside(case, found.first, known=[*(each.mechanism for each in findings), *rivals])
+    known = [each.mechanism for each in findings]
+    aside = set_aside(case, found.first, known=[*known, *rivals])
+    return {**aside, **{name: _WITHDRAWN for name in found.withdrawn if name not in known}}
 
 
 def run_for_the_rest(found: Searched) -> str | None:

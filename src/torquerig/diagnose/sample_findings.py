@@ -10,6 +10,7 @@ from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
+from torquerig.diagnose.looking.under_hum import flat_under_hum
 from torquerig.diagnose.untrue_samples import Untrue, repeated, without_untrue
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
@@ -43,7 +44,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     unnamed: list[str] = []
     present = {part.kind for part in rig.parts}
 
-    def add(kind: str, class_name: str, **values: float) -> None:
+    def add(kind: str, class_name: str, **values: float | str) -> None:
         if kind in present:
             return
         made = getattr(mechanisms, class_name, None)
@@ -61,10 +62,14 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
     lost_of_each = tuple(map(moments_lost, recordings))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
+    under_hum = None if flat is not None or codes is not None else flat_under_hum(mended)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
+    elif under_hum is not None:
+        add("clipping", "Clipping", limit=under_hum.limit, where="amplifier")
     mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
-    clipped = () if flat is None else flat.runs
+    cut = flat or under_hum
+    clipped = () if cut is None else cut.runs
     standing = clipped if codes is None else [recording.name for recording in recordings]
     mended, untrue = without_untrue(mended, lost_of_each, standing=standing)
     return SampleFindings(

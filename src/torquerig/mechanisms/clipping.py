@@ -13,16 +13,19 @@ from torquerig.signals.stages.clip import Clip
 
 @dataclass(frozen=True, kw_only=True)
 class Clipping(Part):
-    """``V = min(max(V, -limit), limit)`` at the converter's input, noise included.
+    """``V = min(max(V, -limit), limit)`` at the converter's input, noise included, or at the amplifier's output.
 
+    An amplifier's rails cut the signal before its cable picks up a hum, which then rides on the flat tops.
     Flat tops, odd harmonics, a mean that is too small. Source: signatures.md 6.9. Not true for a rail that bends
     before it breaks.
     """
 
     kind: Literal["clipping"] = "clipping"
     group: Literal["sensor"] = "sensor"
+    where: Literal["input", "amplifier"] = "input"
     limit: Annotated[float, Parameter("V", "largest reading, plus and minus", above=0)]
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return the limits."""
-        return (PlacedStage(position=PlacedStage.INPUT, stage=Clip(limit=self.limit)),)
+        position = PlacedStage.INPUT if self.where == "input" else PlacedStage.AMPLIFIER
+        return (PlacedStage(position=position, stage=Clip(limit=self.limit)),)

@@ -90,3 +90,17 @@ def test_flights_that_lines_make_in_a_simulation_too_are_none(
     case = case_of(wear_rig.rig + STRONG, recording)
     (flights,) = (mismatch for mismatch in mismatches(case) if mismatch.domain == "distribution")
     assert (flights in left_by_simulation(case, [flights])) is stays
+
+
+@pytest.mark.parametrize(("domain", "axis", "same"), [("speed", "rpm", True), ("frequency", "Hz", False)])
+def test_a_run_misses_its_mean_torque_once(domain: str, axis: str, same: bool) -> None:
+    """Where it misses most differs from twin to simulation; a line is another line elsewhere."""
+
+    def at(where: float) -> Mismatch:
+        return Mismatch(
+            domain=domain, axis=axis, at=where, width=10.0, recordings=("run",), excess_dB=20.0, share_of_misfit=1.0,
+            p_value=0.0,
+        )  # fmt: skip
+
+    assert by_simulation._same(at(-10.0), at(400.0)) is same
+    assert by_simulation._same(at(-10.0), at(-11.0))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import pi
 
 import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.looking.features import Features, features
@@ -35,12 +36,12 @@ def seen(by_hand: ByHand, wear_rig: Scenario) -> Callable[..., Features]:
     return made
 
 
-def found(wear_rig: Scenario, *runs: Features) -> list[tuple[str, float]]:
+def found(wear_rig: Scenario, *runs: Features, beyond: Sequence[Correction] = ()) -> list[tuple[str, float]]:
     # at such orders the load has died out and the model is flat, as the noise is
     rig = wear_rig.rig
     model = Calibrated(rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
     case = Case(nominal=rig, runs=tuple(run.observed for run in runs), seen=runs, model=model, left=())
-    return [(mismatch.domain, mismatch.at) for mismatch in narrow_humps(case, 1e3)]
+    return [(mismatch.domain, mismatch.at) for mismatch in narrow_humps(case, 1e3, beyond)]
 
 
 def test_a_line_that_jumps_is_found_at_its_order(wear_rig: Scenario, seen: Callable[..., Features]) -> None:
@@ -60,3 +61,18 @@ def test_one_speed_or_one_run_tells_nothing(wear_rig: Scenario, seen: Callable[.
     assert found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(100.0, seed=2, order=ORDER)) == []
     assert found(wear_rig, seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2)) == []
     assert found(wear_rig, seen(100.0, seed=1), seen(70.0, seed=2)) == []
+
+
+def test_what_simulations_have_as_well_is_none(wear_rig: Scenario, seen: Callable[..., Features]) -> None:
+    """A strong ripple swings its own phase with the load: a simulation of it has the same skirt."""
+    runs = seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2, order=ORDER)
+    there, without = (
+        [seen(speed, seed=seed + 10, order=order).power for speed, seed in ((100.0, 1), (70.0, 2))]
+        for order in (ORDER, 0.0)
+    )
+    beyond = [
+        Correction(power=one / other, squares=np.zeros((1, 0)), level=np.zeros(1), turning=None)
+        for one, other in zip(there, without, strict=True)
+    ]
+    assert found(wear_rig, *runs)
+    assert found(wear_rig, *runs, beyond=beyond) == []

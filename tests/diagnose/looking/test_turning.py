@@ -13,7 +13,7 @@ from torquerig.diagnose.expecting.simulated import expected_by_simulation
 from torquerig.diagnose.fitting.misfit import misfit
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.observed import Observed, observed
-from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.places import frequency, order
 from torquerig.diagnose.looking.shaft_angle import ShaftAngle
 from torquerig.diagnose.looking.turning import turning, turns_back
 from torquerig.scenario.reading import Scenario
@@ -54,6 +54,19 @@ def test_lines_of_any_phase_are_projected_out(by_hand: ByHand) -> None:
     assert np.abs(rippled.without_lines(added)).max() < 0.01
     curve = bare.without_lines(friction(bare.speed))
     assert np.linalg.norm(curve) > 0.7 * np.linalg.norm(friction(bare.speed)), "the curve must not go with the lines"
+
+
+@pytest.mark.parametrize("hum", [50.0, 60.0])
+def test_a_hum_does_not_show_in_the_blocks(hum: float, by_hand: ByHand) -> None:
+    """Blocks of 20 ms hold one period of 50 Hz, and of 60 Hz one and a fifth."""
+    bare, humming = (
+        features(by_hand(friction(SPEED) + size * np.cos(2 * pi * hum * TIME), ANGLE, rate=RATE, profile="reversal"),
+                 [frequency(hum)], held=None).turning
+        for size in (0.0, 0.5)
+    )  # fmt: skip
+    assert bare is not None
+    assert humming is not None
+    assert humming.torque == pytest.approx(bare.torque, abs=0.01)
 
 
 def test_projecting_twice_is_projecting_once(by_hand: ByHand) -> None:

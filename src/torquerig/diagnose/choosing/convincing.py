@@ -17,6 +17,7 @@ _LARGE = 100.0  # gain above which a smaller share is enough, if the model then 
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
+_OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -35,7 +36,8 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     """
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
-    least = max([_least_gain(case, trial), *_gains_of_details(case, trial, earlier)])
+    details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
+    least = max(_least_gain(case, trial), *details)
     well = feature_count(trial.model) * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and trial.model.cost < well
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE

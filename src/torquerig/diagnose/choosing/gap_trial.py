@@ -138,10 +138,18 @@ def _scatter(seen: Features, copies: Sequence[Observed]) -> float:
 
 
 def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None:
-    """Return the gap [rad] that comes nearest to the recordings, and the misfit without and with it."""
+    """Return the gap [rad] that comes nearest to the recordings, and the misfit without and with it.
+
+    Where too few flights are quiet enough to tell, because the shafts ring meanwhile, the stays near zero are asked.
+    """
+    told = _told_by(case, rigs, flying=True) if flanks_fly(case) else None
+    return _told_by(case, rigs, flying=False) if told is None else told
+
+
+def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> tuple[float, float, float] | None:
+    """Return the width as flights tell it, or else stays near zero, with the misfit without and with it."""
     parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
     seen = [case.seen[row] for row in parting]
-    flying = flanks_fly(case)
     statistics = partial(flight_statistics, rig=case.nominal) if flying else near_zero_stays
     apart = flight_misfit if flying else near_zero_misfit
     told = [statistics(features.untoned) for features in seen]
@@ -163,7 +171,7 @@ def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None
     each = np.array([shown([_with_gap(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS])
     course = _smoothed(each)
     costs = np.array([cost(modelled) for modelled in course])
-    longest = longest_flight([features.untoned for features in seen], case.nominal) if flying else np.inf
+    longest = longest_flight([features.untoned for features in seen], case.nominal) if flanks_fly(case) else np.inf
     at = int(np.argmin(costs + (np.log(np.maximum(_FINE / longest, 1.0)) / _BEYOND) ** 2))
     return (float(_FINE[at]), closed, float(costs[at])) if costs[at] < closed - _LEAST_GAIN else None
 

@@ -66,17 +66,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     """
     screened = [_screened(case, candidate) for candidate in (*proposals(case), *descriptions(case))]
     screened.sort(key=lambda trial: -trial.gain)
-    top = screened[0].gain if screened else 0.0
-    finalists: list[Trial] = []
-    for trial in screened:
-        if (
-            trial.gain > _WORTHWHILE * top
-            and trial.gain > 0
-            and len(finalists) < _FINALISTS
-            and not _repeated(trial, finalists)
-        ):
-            finalists.append(trial)
-    fitted = sorted((_joint(case, trial) for trial in finalists), key=lambda trial: -trial.gain)
+    fitted = sorted((_joint(case, trial) for trial in _finalists(screened)), key=lambda trial: -trial.gain)
     fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
@@ -87,6 +77,18 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(screened), gap_failed)
+
+
+def _finalists(screened: Sequence[Trial]) -> list[Trial]:
+    """Return those worth fitting with all numbers free: the best, and of what moves the slow torque alike any."""
+    top = screened[0].gain if screened else 0.0
+    finalists: list[Trial] = []
+    for trial in screened:
+        alike = any(trial.candidate.loosens and other.candidate.loosens for other in finalists)
+        worthwhile = trial.gain > (0 if alike else _WORTHWHILE * max(top, 0.0))
+        if worthwhile and len(finalists) < _FINALISTS and not _repeated(trial, finalists):
+            finalists.append(trial)
+    return finalists
 
 
 def _gap(case: Case) -> list[Trial]:

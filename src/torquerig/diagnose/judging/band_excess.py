@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.expecting.correction import Correction, corrected
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.looking.features import Features
 
@@ -35,12 +37,14 @@ class BandExcess:
     variance: Floats
 
 
-def band_excesses(case: Case) -> list[BandExcess]:
-    """Return the excess of every steady run over the case's twin."""
+def band_excesses(case: Case, beyond: Sequence[Correction] = ()) -> list[BandExcess]:
+    """Return the excess of every steady run over the case's twin, corrected for what it has ``beyond`` that twin."""
     answer = []
-    for features in case.seen:
+    corrections: Sequence[Correction | None] = beyond or [None] * len(case.seen)
+    for features, correction in zip(case.seen, corrections, strict=True):
         if features.turning is None and features.power.size:
             model = expected(case.model.rig, features)
+            model = model if correction is None else corrected(model, correction)
             share = np.broadcast_to(model.load_share, features.band.shape)
             with np.errstate(divide="ignore"):  # a band that holds nothing is not compared
                 excess = np.log(features.power / model.power)

@@ -12,6 +12,7 @@ from scipy.stats import poisson
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squares
 from torquerig.diagnose.judging.chance import by_chance
@@ -34,15 +35,18 @@ _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one a
 _MEAN_SQUARE = 3.0  # of all bands of a run
 
 
-def mismatches(case: Case) -> tuple[Mismatch, ...]:
-    """Return the places where the case's model is significantly wrong, largest share of the misfit first."""
+def mismatches(case: Case, beyond: Sequence[Correction] = ()) -> tuple[Mismatch, ...]:
+    """Return the places where the case's model is significantly wrong, largest share of the misfit first.
+
+    ``beyond`` is what simulations of each run have and the twin has not, where the case's misfits hold it.
+    """
     every = _every(case)
     total, places = _excess(every), sum(eased.all().size for eased in every)
     found = [*_lines(case, total, places)]
     for features, eased in zip(case.seen, every, strict=True):
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
         found += [*_turning(features, eased, total, places)]
-    found += [*_flights(case), *load_contradictions(case, total), *narrow_humps(case, total)]
+    found += [*_flights(case), *load_contradictions(case, total), *narrow_humps(case, total, beyond)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
 
 

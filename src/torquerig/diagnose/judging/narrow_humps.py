@@ -6,7 +6,7 @@ any shape, but that shape is wide: between one band and the next it does not ris
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 from math import log, pi
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE
 from torquerig.diagnose.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnose.judging.chance import by_chance
@@ -38,14 +39,15 @@ class _Heights:
     spreads: Floats
 
 
-def narrow_humps(case: Case, total: float) -> Iterator[Mismatch]:
+def narrow_humps(case: Case, total: float, beyond: Sequence[Correction] = ()) -> Iterator[Mismatch]:
     """Yield where single bands stand out of their neighbours in runs of two speeds or more.
 
-    ``total`` is the excess misfit of which they are a share. Blows of flanks, which some models hold, are left out.
+    ``total`` is the excess misfit of which they are a share, ``beyond`` what simulations have and the twin has not.
+    Blows of flanks, which some models hold, are left out.
     """
     if case.model.corrections:
         return
-    every = [_heights(run) for run in band_excesses(case)]
+    every = [_heights(run) for run in band_excesses(case, beyond)]
     places, told = sum(each.height.size for each in every), list[tuple[str, float]]()
     for one, other in permutations(every, 2):
         speed, another = (abs(each.features.observed.mean_speed) for each in (one, other))

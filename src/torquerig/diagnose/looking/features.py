@@ -180,7 +180,7 @@ def _turning_features(
         observed=observed, held=held, stretches=(), parts=(), places=tuple(places),
         amplitude=np.zeros((0, len(places)), dtype=complex), level=np.zeros(0), speed=np.zeros((0, POINTS)),
         duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, count=floor.count,
-        width=floor.width, turning=turning(observed, places, held=held, unknown=unknown),
+        width=floor.width, turning=turning(without_tones(observed, places), places, held=held, unknown=unknown),
         unknown=tuple(unknown),
     )  # fmt: skip
 

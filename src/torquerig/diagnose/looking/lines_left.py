@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
@@ -26,18 +26,27 @@ def known_places(runs: Sequence[Observed], rig: Rig) -> list[Place]:
     return sorted({order(line.order) for run in runs for line in Twin(rig.at(run.run)).lines()})
 
 
-def strong_orders(runs: Sequence[Observed], rig: Rig) -> list[float]:
-    """Return the strong orders of the motor that ``rig`` lacks, where an angle was followed without them.
+@dataclass(frozen=True)
+class Strong:
+    """Strong lines that a rig lacks: orders of its motor [1/rev], and tones of fixed frequency [Hz]."""
 
-    An angle that is followed by the weaker lines alone would smear them. Only orders that stand in runs of several
-    speeds count, or a line of fixed frequency would be followed.
+    orders: tuple[float, ...] = ()
+    tones: tuple[float, ...] = ()
+
+
+def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
+    """Return the strong lines that ``rig`` lacks, where an angle was followed without knowing of them.
+
+    An angle that is followed by the weaker lines alone would smear strong orders, and a tone of fixed frequency beside
+    an order that is followed makes the angle swing with their beat. Only lines that stand in runs of several speeds
+    count, or one of a kind could be taken for the other.
     """
     if all(run.angle_measured for run in runs if run.steady):
-        return []
+        return Strong()
     left = lines_left(runs, known_places(runs, rig), rig=rig)
-    return [
-        peak.place.at for peak in left if peak.place.domain == "order" and peak.speeds > 1 and peak.excess > _LEADING
-    ]
+    leading = [peak.place for peak in left if peak.speeds > 1 and peak.excess > _LEADING]
+    orders, tones = ([place.at for place in leading if place.domain == domain] for domain in ("order", "frequency"))
+    return Strong(tuple(orders), tuple(tones))
 
 
 def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) -> tuple[Peak, ...]:

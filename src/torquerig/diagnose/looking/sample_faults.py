@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 _COARSER = 1.7  # a lattice must be so many converter steps wide
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
-_FLAT_SHARE, _FEWEST_FLAT = 2e-4, 20
+FLAT_SHARE, FEWEST_FLAT = 2e-4, 20
 _LOWEST_LIMIT = 4.0  # codes: a signal that stops nearer to zero holds nothing
 _JUMP = 12.0
 _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
@@ -100,7 +100,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
             before = int(((depth >= 0.5 * code) & (depth < 5.5 * code)).sum())
             level = float((sign * volts).max())
             largest = level > max(float(np.abs(volts).max()) - 0.5 * code, _LOWEST_LIMIT * code)
-            if largest and piled >= max(_FEWEST_FLAT, _FLAT_SHARE * volts.size, 2 * before):
+            if largest and piled >= max(FEWEST_FLAT, FLAT_SHARE * volts.size, 2 * before):
                 found[recording.name] = (level, piled / volts.size)
     if not found or max(level for level, _ in found.values()) > 0.999 * full_range:
         return None

@@ -76,7 +76,8 @@ def turning(
 ) -> Turning:
     """Return the blocks of the stretches that fits may see (``held`` False), may not see (True), or all (None).
 
-    Lines of ``unknown`` cause may be a load's, which opposes the motion whichever way it goes.
+    Blocks of 20 ms hold whole periods of 50 Hz, and of no other tone: those are to be taken out before. Lines of
+    ``unknown`` cause may be a load's, which opposes the motion whichever way it goes.
     """
     size = block_size(observed)
     starts = np.concatenate([

@@ -23,11 +23,15 @@ def without_tones(observed: Observed, places: Sequence[Place]) -> Observed:
     Hann window of 2 s, so that a tone whose phase wanders is followed.
     """
     tones = [place.at for place in places if place.domain == "frequency" and place.at < 0.5 * observed.rate]
-    torque = observed.torque
+    return replace(observed, torque=less_tones(observed.torque, observed.rate, tones)) if tones else observed
+
+
+def less_tones(values: NDArray[np.float64], rate: float, tones: Sequence[float]) -> NDArray[np.float64]:
+    """Return samples at a rate [Hz] less the lines at ``tones`` [Hz], each with its slow envelope; shape (samples,)."""
     for tone in tones:
-        carrier = np.exp(2j * pi * tone / observed.rate * np.arange(torque.size))
-        torque = torque - 2 * np.real(_envelope(torque * carrier.conj(), observed.rate) * carrier)
-    return replace(observed, torque=torque) if tones else observed
+        carrier = np.exp(2j * pi * tone / rate * np.arange(values.size))
+        values = values - 2 * np.real(_envelope(values * carrier.conj(), rate) * carrier)
+    return values
 
 
 def _envelope(mixed: NDArray[np.complex128], rate: float) -> NDArray[np.complex128]:

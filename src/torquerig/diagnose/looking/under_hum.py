@@ -1,0 +1,96 @@
+"""Flat tops that a hum rides on: an amplifier's rails cut the signal before its cable picks the hum up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.hum import GRIDS
+from torquerig.diagnose.looking.sample_faults import FEWEST_FLAT, FLAT_SHARE, FlatTops
+from torquerig.signals.recording import Recording
+
+Floats = NDArray[np.float64]
+
+_OFF_GRID, _BESIDE = 0.006, 8.0  # of the grid's frequency [1]; [Hz] either way of it
+_STANDS_OUT = 30.0  # power over the median beside it
+_HARMONICS = 3
+_TOP = 1e-3  # share of the samples above which a first guess of the limit lies
+_FIRST, _LAST = 0.02, 2e-3  # of the signal's span, and [V]: around a guess, within which samples are taken as its pile
+_CLOSER, _ROUNDS = 0.6, 12
+_OVER_BESIDE = 4.0  # samples of a pile over those just below, on twice its width
+
+
+def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
+    """Return the level at which the signal stops once the mains' hum is taken off, where it piles up there; else None.
+
+    The hum is fitted by least squares with the harmonics 1 to 3 of the grid, their amplitudes straight in time (which
+    takes up what its frequency is misjudged by), and once more on the samples near the limit alone, closer and closer:
+    a limit leaves these nothing but the hum, so that they come to lie within 2 mV of one level. Noise behind the
+    limit of more than that hides it.
+    """
+    found: dict[str, tuple[float, float]] = {}
+    for recording in recordings:
+        volts = recording.channels[recording.torque_name()].values
+        frequency = _grid_line(volts, recording.sample_rate)
+        if frequency is None:
+            continue
+        hum = _waves(np.arange(volts.size) / recording.sample_rate, frequency)
+        for sign in (1.0, -1.0):
+            pile = _pile(sign * volts, hum)
+            if pile is not None:
+                found[recording.name] = pile
+    if not found:
+        return None
+    limit = float(np.median([level for level, _ in found.values()]))
+    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
+
+
+def _grid_line(volts: Floats, rate: float) -> float | None:
+    """Return the frequency [Hz] of the clearest line at a grid's frequency, between the bins; None where none is."""
+    power, step = np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
+    clearest, answer = _STANDS_OUT, None
+    for grid in GRIDS:
+        low, high = int(grid * (1 - _OFF_GRID) / step), int(np.ceil(grid * (1 + _OFF_GRID) / step)) + 1
+        near = power[max(int((grid - _BESIDE) / step), 0) : int((grid + _BESIDE) / step)]
+        if low < 1 or high >= power.size:
+            continue
+        at = low + int(np.argmax(power[low:high]))
+        height = float(power[at] / (np.median(near) + 1e-300))
+        if height > clearest:
+            below, top, above = np.log(power[at - 1 : at + 2] + 1e-300)
+            clearest, answer = height, step * float(at + 0.5 * (below - above) / (below - 2 * top + above))
+    return answer
+
+
+def _waves(time: Floats, frequency: float) -> Floats:
+    """Return one, and the harmonics' cosines and sines, constant and straight in time, shape (samples, columns)."""
+    phase = [2 * pi * frequency * harmonic * time for harmonic in range(1, _HARMONICS + 1)]
+    waves = np.column_stack([wave(angle) for angle in phase for wave in (np.cos, np.sin)])
+    course = np.linspace(-1.0, 1.0, time.size)[:, None]
+    return np.hstack([np.ones((time.size, 1)), waves, waves * course])
+
+
+def _pile(volts: Floats, hum: Floats) -> tuple[float, float] | None:
+    """Return the level [V] at which the largest values pile up with the hum off, and their share, else None."""
+    left = volts - hum[:, 1:] @ _fitted(hum, volts)[1:]
+    limit, within = float(np.quantile(left, 1 - _TOP)), _FIRST * float(np.ptp(left))
+    for _ in range(_ROUNDS):
+        near = np.abs(left - limit) < within
+        if near.sum() < 2 * hum.shape[1]:
+            return None
+        fitted = _fitted(hum[near], volts[near])
+        limit, left = float(fitted[0]), volts - hum[:, 1:] @ fitted[1:]
+        within = max(_CLOSER * within, _LAST)
+    piled = int((np.abs(left - limit) < within).sum())
+    beside = int(((left <= limit - within) & (left > limit - 3 * within)).sum())
+    beyond = int((np.abs(left) > abs(limit) + within).sum())
+    enough = piled > max(FEWEST_FLAT, FLAT_SHARE * volts.size, _OVER_BESIDE * beside, beyond)
+    return (limit, piled / volts.size) if limit > 0 and enough else None
+
+
+def _fitted(columns: Floats, values: Floats) -> Floats:
+    """Return the factors of least squares by the normal equations: waves of some periods are far from dependent."""
+    return np.asarray(np.linalg.lstsq(columns.T @ columns, columns.T @ values, rcond=None)[0])

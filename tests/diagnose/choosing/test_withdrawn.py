@@ -1,0 +1,33 @@
+"""What no fit has seen must not be predicted worse with what was found: all of it is withdrawn then, and said."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+from torquerig.diagnose import findings
+from torquerig.diagnose.choosing.search import Tried
+from torquerig.diagnose.diagnosis import Finding
+from torquerig.diagnose.findings import Searched, reasons
+
+
+def test_a_withdrawn_effect_is_told_among_what_was_set_aside(monkeypatch: pytest.MonkeyPatch) -> None:
+    before, after = cast(Any, SimpleNamespace(name="before")), cast(Any, SimpleNamespace(name="after"))
+    friction = cast(Finding, SimpleNamespace(mechanism="stribeck_friction", rivals=()))
+    first, last = Tried((), ()), Tried((), ())
+    found = Searched(case=after, findings=(friction,), descriptions=("noise",), first=first, last=last)
+    withdrawn = found.all_withdrawn(before)
+    assert withdrawn.case is before
+    assert withdrawn.findings == withdrawn.descriptions == ()
+    assert withdrawn.last is first  # what would tell is asked of the model without it
+
+    def aside(case: Any, tried: Tried, *, known: list[str]) -> dict[str, str]:
+        return {name: "tried" for name in ("cogging", "stribeck_friction") if name not in known}
+
+    monkeypatch.setattr(findings, "set_aside", aside)
+    told = reasons(before, withdrawn, ())
+    assert "withdrawn" in told["stribeck_friction"]
+    assert told["cogging"] == "tried"
+    assert reasons(before, found, (friction,)) == {"cogging": "tried"}

@@ -1,0 +1,55 @@
+"""What the angle of a shaft without encoder must be followed by, and what must not pull it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose import diagnose as whole
+from torquerig.diagnose.looking.lines_left import strong_lines
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.shaft_angle import shaft_angles
+from torquerig.mechanisms import MainsInterference
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+RATE, LENGTH, TONE, ORDER = 5000.0, 12.0, 49.98, 13.4
+TIME = np.arange(int(RATE * LENGTH)) / RATE
+
+
+@pytest.mark.parametrize("measured", [True, False])
+def test_strong_orders_and_tones_that_the_rig_lacks(
+    measured: bool, by_hand: Callable[..., Observed], wear_rig: Scenario
+) -> None:
+    def run(speed: float, seed: int) -> Observed:
+        lines = 0.2 * np.cos(2 * pi * TONE * TIME) + 0.2 * np.cos(ORDER * speed * TIME)
+        noise = 0.02 * np.random.default_rng(seed).standard_normal(TIME.size)
+        return by_hand(1.0 + lines + noise, speed * TIME, name=f"{speed:g}", measured=measured)
+
+    strong = strong_lines([run(100.0, 1), run(70.0, 2)], wear_rig.rig)
+    if measured:
+        assert strong.orders == strong.tones == ()
+    else:
+        assert strong.orders == pytest.approx((ORDER,), abs=0.01)
+        assert strong.tones == pytest.approx((TONE,), abs=0.03)
+
+
+def test_a_hum_beside_an_order_does_not_swing_the_angle(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
+    """At 994 rpm order 3 stands 0.3 Hz below a hum: followed with it, the angle swings with the beat of both."""
+    hum = MainsInterference(name="hum", frequency=TONE, amplitudes=(0.5,))
+    full = record(wear_rig.rig + hum, 3, rpm=990.0, duration=12.0)
+    torque = {name: one for name, one in full.channels.items() if one.quantity == "torque"}
+    blind = replace(full, channels=torque)
+    (true,), _ = shaft_angles([full], wear_rig.rig)
+
+    def swing(recording: Recording) -> float:
+        (angle,), _ = shaft_angles([recording], wear_rig.rig)
+        apart = angle.values - true.values
+        return float(np.std(apart - np.polyval(np.polyfit(TIME, apart, 1), TIME)))
+
+    assert true.measured
+    assert swing(whole._less(blind, [TONE])) < 0.5 * swing(blind)
