@@ -62,7 +62,7 @@ def prove(plan: Plan, *, tell: Tell, stage: Stage) -> Proved:
     ]  # fmt: skip
     if missing:
         run_jobs(recorded, missing, workers=plan.workers, progress=stage("recording"))
-    names = () if plan.alone else baseline_names()
+    names = baseline_names()
     _diagnose_all(plan, [*_jobs(blind, names), *_jobs([*same, *riddles], ()), *practice], stage)
     answers = {trials.name: unseal(trials.folder) for trials in sets}
     if not plan.alone:

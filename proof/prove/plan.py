@@ -24,7 +24,7 @@ class Plan:
     riddle : bool
         The twelve rigs of the 280 Hz riddle for each seed.
     alone : bool
-        No baselines, no oracle, no gains of clean rigs.
+        No oracle, no gains of clean rigs.
     duration : float
         Of each run [s].
     practice, real : Path or None
@@ -47,5 +47,9 @@ class Plan:
         """The command that makes the same again, without any folder of this machine."""
         words = ["torquerig prove", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
-        words += [word for word, on in (("--same-laws", self.same_laws), ("--riddle", self.riddle)) if on]
+        words += [
+            word
+            for word, on in (("--same-laws", self.same_laws), ("--riddle", self.riddle), ("--alone", self.alone))
+            if on
+        ]
         return " ".join(words)

@@ -28,7 +28,7 @@ CHECKOUT = Path(__file__).resolve().parents[3]
 @click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes.")
 @click.option("--same-laws", is_flag=True, help="The same rigs once more with the reference's own laws.")
 @click.option("--riddle", is_flag=True, help="The twelve rigs of the 280 Hz riddle as well.")
-@click.option("--alone", is_flag=True, help="No baselines, no oracle, no gains of clean rigs: a third of the time.")
+@click.option("--alone", is_flag=True, help="No oracle, no gains of clean rigs: a third of the time.")
 @click.option("--duration", type=click.FloatRange(2.0), default=12.0, show_default=True, help="Of each run, in s.")
 @click.option("--practice", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Practice rigs with their answers.yaml.")  # fmt: skip
