@@ -47,9 +47,6 @@ class Plan:
         """The command that makes the same again, without any folder of this machine."""
         words = ["torquerig prove", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
-        words += [
-            word
-            for word, on in (("--same-laws", self.same_laws), ("--riddle", self.riddle), ("--alone", self.alone))
-            if on
-        ]
+        flags = {"--same-laws": self.same_laws, "--riddle": self.riddle, "--alone": self.alone}
+        words += [word for word, on in flags.items() if on]
         return " ".join(words)
