@@ -8,7 +8,8 @@ fitting/     turning a model's numbers until it fits    case         where a dia
 hypotheses/  how each mechanism would explain what is left          neutral/  descriptions that compete with names
 diagnosis    the outcome, and its JSON                  judging/     how good a model is
 choosing/    which effects complete the model           advising/    what to measure next
-findings     effect after effect                        diagnose     all of it in order
+opening      from recordings to a case                  findings     effect after effect
+diagnose     all of it in order
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 
 Beside them: ``rig_under_test`` (are these runs of that rig), ``sample_findings`` (faults of samples as effects),

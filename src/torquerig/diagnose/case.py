@@ -65,6 +65,13 @@ class Candidate:
             rig = rig + part
         return rig
 
+    def removed_from(self, rig: Rig) -> Rig:
+        """Return the rig without those of the parts that it has."""
+        present = {part.name for part in rig.parts}
+        for part in self.parts:
+            rig = rig.without(part.name) if part.name in present else rig
+        return rig
+
 
 @dataclass(frozen=True, kw_only=True)
 class Case:

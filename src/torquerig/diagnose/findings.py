@@ -18,9 +18,11 @@ from torquerig.diagnose.choosing.set_aside import set_aside
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.neutral import in_words
+from torquerig.diagnose.sample_findings import SampleFindings
 from torquerig.diagnose.sentences import explanation
 
 _MOST_RIVALS = 3
+_SEEN_IN_SAMPLES = 0.98  # confidence
 _WITHDRAWN = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 
 
@@ -69,6 +71,21 @@ def searched(case: Case, held: Sequence[Features], progress: Progress) -> Search
         first=found.first,
         last=found.last,
     )
+
+
+def faults_found(faults: SampleFindings, case: Case, *, gain: float) -> list[Finding]:
+    """Return the faults of the samples as findings, which share what the held-out misfit fell by."""
+    answer = []
+    for candidate in faults.candidates:
+        model = replace(case.model, rig=candidate.added_to(candidate.removed_from(case.model.rig)))
+        parameters = identifying(candidate, model, case)
+        said = explanation(candidate.mechanism, parameters, share=1.0, rivals=(), gain=0.0)
+        finding = Finding(
+            mechanism=candidate.mechanism, variant="", explanation=said, confidence=_SEEN_IN_SAMPLES,
+            parameters=parameters, gain=gain,
+        )  # fmt: skip
+        answer.append(finding)
+    return answer
 
 
 def reasons(case: Case, found: Searched, findings: Sequence[Finding]) -> Mapping[str, str]:

@@ -9,7 +9,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose import diagnose as whole
+from torquerig.diagnose import opening
 from torquerig.diagnose.looking.lines_left import strong_lines
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
@@ -52,4 +52,4 @@ def test_a_hum_beside_an_order_does_not_swing_the_angle(wear_rig: Scenario, reco
         return float(np.std(apart - np.polyval(np.polyfit(TIME, apart, 1), TIME)))
 
     assert true.measured
-    assert swing(whole._less(blind, [TONE])) < 0.5 * swing(blind)
+    assert swing(opening._less(blind, [TONE])) < 0.5 * swing(blind)

@@ -1,0 +1,77 @@
+"""From recordings to a case: shafts followed, lines found, and the nominal model calibrated on what fits may see."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.fitting.calibration import calibrated
+from torquerig.diagnose.fitting.knobs import nuisance_knobs
+from torquerig.diagnose.looking.combs import without_comb
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.hum import hum_places
+from torquerig.diagnose.looking.lines_left import Strong, known_places, lines_left, strong_lines
+from torquerig.diagnose.looking.observed import Observed, observed
+from torquerig.diagnose.looking.refilled import refilled
+from torquerig.diagnose.looking.shaft_angle import shaft_angles
+from torquerig.diagnose.looking.without_tones import less_tones
+from torquerig.diagnose.sample_findings import SampleFindings
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+
+def followed(recordings: Sequence[Recording], mended: Sequence[Recording], rig: Rig) -> tuple[Observed, ...]:
+    """Return the runs with the torque of the mended recordings, and their samples as they were recorded.
+
+    Where strong lines stand out that ``rig`` lacks, the shafts are followed once more, by those orders as well and with
+    those tones taken off.
+    """
+    runs = _runs(recordings, mended, rig, Strong())
+    strong = strong_lines(runs, rig)
+    return _runs(recordings, mended, rig, strong) if strong.orders or strong.tones else runs
+
+
+def opened(
+    scenario: Scenario, runs: tuple[Observed, ...], nominal: Rig, faults: SampleFindings
+) -> tuple[Case, tuple[Features, ...]]:
+    """Return the case with the nominal model calibrated, and the held-out features."""
+    whole = _unclipped(runs, faults)
+    known = known_places(whole, nominal)
+    left = without_comb(lines_left(whole, known, rig=nominal))
+    unknown = [peak.place for peak in left]
+    places = [*known, *unknown, *hum_places(left)]
+    runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
+    fitted = _unclipped(runs, faults)
+    seen = tuple(features(run, places, unknown=unknown) for run in fitted)
+    held = tuple(features(run, places, held=True, unknown=unknown) for run in runs)
+    occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
+    knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
+    rig = nominal
+    for candidate in faults.candidates:
+        rig = candidate.added_to(rig) if candidate.mechanism == "quantization" else rig
+    apart = calibrated(rig, [each.without(unknown) for each in seen], knobs)
+    model = calibrated(rig, seen, knobs, start=apart.positions, jacobian=apart.jacobian, near=False)
+    return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart.positions), held
+
+
+def _runs(
+    recordings: Sequence[Recording], mended: Sequence[Recording], rig: Rig, strong: Strong
+) -> tuple[Observed, ...]:
+    angles, factor = shaft_angles([_less(each, strong.tones) for each in mended], rig, also=strong.orders)
+    ratio = kinematics_of(rig).ratio
+    runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(mended, angles, strict=True)]
+    return tuple(replace(run, recording=replace(raw, run=run.run)) for run, raw in zip(runs, recordings, strict=True))
+
+
+def _less(recording: Recording, tones: Sequence[float]) -> Recording:
+    name = recording.torque_name()
+    values = less_tones(recording.channels[name].values, recording.sample_rate, tones)
+    return recording.with_values(name, values) if tones else recording
+
+
+def _unclipped(runs: tuple[Observed, ...], faults: SampleFindings) -> tuple[Observed, ...]:
+    """Return the runs that fits may use: those that are not clipped, all where all are."""
+    return tuple(run for run in runs if run.name not in faults.clipped) or runs
