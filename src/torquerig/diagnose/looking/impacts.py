@@ -19,6 +19,7 @@ _ORDERS = (0.1, 20.0)  # of the motor shaft
 _STEP = 0.002  # [1/rev of the motor]
 _CLEAR = 12.0  # summed log power over the local floor, for each run; two clean runs reach 9 somewhere among 1e5 places
 _HARMONICS = 3
+_RESOLVED = 2.5  # steps of the spectrum: half the main lobe of a Hann window and half a step
 _MOST_PARTS, _BETWEEN = 5, 2.0  # mean log power at the other multiples of a lower order; 0.2 by chance
 
 
@@ -48,7 +49,7 @@ def impact_orders(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Imp
         beats = [_beats(run, centre) for run in steady]
         score = np.sum([beat.score(orders) for beat in beats], axis=0)
         best = int(np.argmax(score))
-        at = _fundamental(beats, float(orders[best]))
+        at = _fundamental(beats, float(orders[best]), known)
         if score[best] > _CLEAR * len(steady) and not _of_family(at, known):
             found.append(Impact(at, centre, float(score[best])))
         centre *= 2**_OCTAVES
@@ -58,8 +59,13 @@ def impact_orders(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Imp
 
 def _of_family(at: float, known: Sequence[Place]) -> bool:
     """Whether a beat is a difference of the model's own lines: a whole or fifth order of the motor."""
+    return bool(_from_family(np.array([at]), known)[0] < 2 * _STEP)
+
+
+def _from_family(at: Floats, known: Sequence[Place]) -> Floats:
+    """Return how far orders lie from the next difference of the model's own lines [1/rev of the motor]."""
     spacing = min((place.at for place in known if place.domain == "order"), default=1.0)
-    return abs(at / spacing - round(at / spacing)) * spacing < 2 * _STEP
+    return np.asarray(np.abs(at / spacing - np.round(at / spacing)) * spacing)
 
 
 @dataclass(frozen=True)
@@ -90,11 +96,18 @@ def _beats(run: Observed, centre: float) -> _Beats:
     return _Beats(np.log(np.maximum(_over_floor(power[:size]), 1.0)), step)
 
 
-def _fundamental(beats: Sequence[_Beats], at: float) -> float:
-    """Return the lowest order of which ``at`` is a multiple and whose other multiples beat too."""
+def _fundamental(beats: Sequence[_Beats], at: float, known: Sequence[Place]) -> float:
+    """Return the lowest order of which ``at`` is a multiple and whose other multiples beat too.
+
+    Those say nothing that a Hann window does not tell from what stands beside the multiples of ``at`` itself, by
+    differences of the model's own lines: a load makes rings stronger and weaker as the shaft turns.
+    """
+    resolved = _RESOLVED * max(beat.step for beat in beats)
     for divisor in range(_MOST_PARTS, 1, -1):
         between = np.array([h for h in range(1, 2 * divisor) if h % divisor]) * at / divisor
-        if np.mean([beat.at(between).mean() for beat in beats]) > _BETWEEN:
+        apart = [_from_family(between - multiple * at, known) for multiple in (0, 1, 2)]
+        between = between[np.min(apart, axis=0) > resolved]
+        if between.size and np.mean([beat.at(between).mean() for beat in beats]) > _BETWEEN:
             return at / divisor
     return at
 
