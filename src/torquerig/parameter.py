@@ -65,6 +65,17 @@ class Estimate:
             return float("nan"), float("nan")
         return self.value * exp(-self.rel_sd), self.value * exp(self.rel_sd)
 
+    @property
+    def spread(self) -> float:
+        """One-sigma relative spread of a real part around the value that a scenario has of it [1]; 0 if unknown.
+
+        ``rel_sd`` where stated; of an interval, from which that value is drawn, the rms of ``ln(one / other)`` of two
+        log-uniform draws: ``ln(high / low) / sqrt(6)``.
+        """
+        if self.low is None or self.high is None or not 0 < self.low < self.high:
+            return self.rel_sd
+        return log(self.high / self.low) / sqrt(6)
+
     def nominal(self) -> float:
         """Return the stated value, else the middle of the interval (geometric where it is log-uniform) [SI]."""
         if self.value is not None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import log, pi, sqrt
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
+from torquerig.parameter import Estimate
 from torquerig.rig.parts import Coupling, Gear, Motor, TorqueSensor
 from torquerig.scenario.from_catalog import COUPLING_MODE, FIELDS, filled_from_catalog
 from torquerig.scenario.reading import KINDS
@@ -61,3 +63,31 @@ def test_reference_sensor_brings_its_converter() -> None:
 
 def test_shipped_folder_is_the_checkouts() -> None:
     assert shipped_folder() == Path(__file__).resolve().parents[2] / "catalogs"
+
+
+def test_what_is_drawn_from_an_interval_may_be_turned_by_a_calibration() -> None:
+    """Two draws of 0.01 to 0.04 N m, log-uniform, differ by ln 4 / sqrt 6 rms."""
+    filled = filled_from_catalog(CATALOG, "HDS6A-0104A", kind="motor", name="m", seed=1, place="here")
+    assert filled.uncertainties["coulomb"] == pytest.approx(log(4) / sqrt(6))
+    assert "torque_limit" not in filled.uncertainties  # the end of a range
+    by_name = {effect.name: effect for effect in filled.effects}
+    assert by_name["m.cogging"].values["amplitude_rel_sd"] == pytest.approx(log(4 / 0.2) / sqrt(6))
+    (six_pulse,) = (one for name, one in by_name.items() if name in {"m.ripple_24", "m.ripple_30"})
+    assert six_pulse.uncertainties == {"depth": pytest.approx(log(10) / sqrt(6))}
+    loss = filled_from_catalog(CATALOG, "jaw-14-19", kind="coupling", name="c", seed=1, place="here")
+    low, high = CATALOG.coupling("jaw-14-19").loss_factor.bounds
+    assert loss.uncertainties["damping"] == pytest.approx(log(high / low) / sqrt(6))
+
+
+def test_what_is_stated_keeps_its_own_spread() -> None:
+    filled = filled_from_catalog(CATALOG, "bldc-12n14p", kind="motor", name="m", seed=1, place="here")
+    assert filled.uncertainties == {"inertia": 0.08, "viscous": 0.3, "coulomb": 0.3}
+    assert all(effect.values["amplitude_rel_sd"] == 0.25 for effect in filled.effects)
+
+
+def test_the_spread_of_two_draws_is_what_their_logarithms_differ_by() -> None:
+    rng = np.random.default_rng(1)
+    known = Estimate(low=0.2, high=4.0)
+    draws = np.log([[known.draw(rng) for _ in range(4000)] for _ in range(2)])
+    assert known.spread == pytest.approx(float(np.sqrt(np.mean((draws[0] - draws[1]) ** 2))), rel=0.03)
+    assert Estimate(1.0).spread == 0.0

@@ -31,12 +31,15 @@ class RippleLine:
         Zero-to-peak torque whatever the load [N m], >= 0.
     share : float
         Zero-to-peak share of the transmitted torque [1], >= 0.
+    field : str
+        Of the catalog entry, that states its size: ``ripple.cogging_native``.
     """
 
     family: Family
     order: int
     torque: float = 0.0
     share: float = 0.0
+    field: str = ""
 
 
 def ripple_lines(motor: Drawn[Motor]) -> tuple[RippleLine, ...]:
@@ -54,21 +57,26 @@ def ripple_lines(motor: Drawn[Motor]) -> tuple[RippleLine, ...]:
 def _known_lines(motor: Drawn[Motor]) -> Iterator[RippleLine]:
     for name, family in KNOWN_FAMILIES.items():
         for order in getattr(motor.entry.ripple.known_lines, name):
-            yield RippleLine(family, order, torque=motor.value(f"ripple.known_lines.{name}.{order}"))
+            field = f"ripple.known_lines.{name}.{order}"
+            yield RippleLine(family, order, torque=motor.value(field), field=field)
 
 
 def _class_lines(motor: Drawn[Motor]) -> Iterator[RippleLine]:
     poles, slots = motor.count("pole_pairs"), round(motor.values.get("slots", 0))
     rated = motor.value("rated_torque")
-    share = {key: motor.values.get(f"ripple.{key}", 0.0) for key in type(motor.entry.ripple).model_fields}
-    yield RippleLine("motor", 1, torque=rated * share["mechanical_unbalance"])
-    yield RippleLine("electrical", poles, torque=rated * share["current_offset_ripple"])
-    yield RippleLine("electrical", 2 * poles, share=share["current_gain_ripple"])
-    yield RippleLine("six_pulse", 6 * poles, share=share["six_pulse_ripple"])
+
+    def line(family: Family, order: int, key: str, *, follows_load: bool = False) -> RippleLine:
+        share = motor.values.get(f"ripple.{key}", 0.0)
+        sizes = {"share": share} if follows_load else {"torque": rated * share}
+        return RippleLine(family, order, field=f"ripple.{key}", **sizes)
+
+    yield line("motor", 1, "mechanical_unbalance")
+    yield line("electrical", poles, "current_offset_ripple")
+    yield line("electrical", 2 * poles, "current_gain_ripple", follows_load=True)
+    yield line("six_pulse", 6 * poles, "six_pulse_ripple", follows_load=True)
     if slots:
-        tolerance = rated * share["cogging_tolerance"]
-        yield RippleLine("cogging", lcm(slots, 2 * poles), torque=rated * share["cogging_native"])
-        yield RippleLine("cogging_tolerance_slots", slots, torque=tolerance)
-        yield RippleLine("cogging_tolerance_poles", 2 * poles, torque=tolerance)
+        yield line("cogging", lcm(slots, 2 * poles), "cogging_native")
+        yield line("cogging_tolerance_slots", slots, "cogging_tolerance")
+        yield line("cogging_tolerance_poles", 2 * poles, "cogging_tolerance")
     if "rotor_bars" in motor.values:
-        yield RippleLine("electrical", motor.count("rotor_bars"), share=share["rotor_slot_ripple"])
+        yield line("electrical", motor.count("rotor_bars"), "rotor_slot_ripple", follows_load=True)

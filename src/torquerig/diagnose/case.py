@@ -93,6 +93,8 @@ class Case:
         Least gains that were made for the scenario.
     apart : ndarray, shape (knobs,), or None
         Positions of the model's own knobs when the left lines are not looked at: what is missing bends the others.
+    stated_gap : float
+        Of a gear, which the scenario has and ``nominal`` has not [rad]; 0 where it has none.
     """
 
     nominal: Rig
@@ -103,6 +105,7 @@ class Case:
     accepted: tuple[Candidate, ...] = field(default=())
     thresholds: NullTable | None = None
     apart: NDArray[np.float64] | None = None
+    stated_gap: float = 0.0
 
     def nominal_with_accepted(self) -> Rig:
         """Return the scenario's rig with what was added, none of its numbers fitted."""

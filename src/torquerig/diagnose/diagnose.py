@@ -20,6 +20,7 @@ from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.null_table import null_table, without_table
 from torquerig.diagnose.opening import followed, opened
+from torquerig.diagnose.own_gap import MECHANISM, closed
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS
@@ -80,8 +81,9 @@ def diagnose(
     """
     thresholds, unknown = null_table(scenario), without_table(scenario)
     scenario = with_free_names(scenario, MECHANISMS)
-    nominal = with_free_load(scenario.rig.at(recordings[0].run))
-    check_recordings(recordings, nominal)
+    whole = with_free_load(scenario.rig.at(recordings[0].run))
+    check_recordings(recordings, whole)
+    nominal, own_gap = closed(whole)
     progress("looking at the samples")
     faults = sample_findings(recordings, nominal)
     progress("following the shaft")
@@ -89,7 +91,7 @@ def diagnose(
     untrue = [*faults.untrue, *off_set_points(recordings, runs)]
     progress("fitting the nominal model's own numbers")
     before, held = opened(scenario, runs, nominal, faults)
-    before = replace(before, thresholds=thresholds)
+    before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
     fitted = {run.name for run in before.runs}
     sought = searched(before, [each for each in held if each.observed.name in fitted], progress)
     progress("predicting what no fit has seen")
@@ -99,15 +101,20 @@ def diagnose(
 
     def foretold(case: Case) -> tuple[Case, tuple[Features, ...], Rig, HeldOut]:
         after, unseen = looked_at_as_found(case, held)
-        completed = _completed(after, faults)
-        return after, unseen, completed, held_out(nominal, fitted_nominal, completed, unseen, seed=seed)
+        completed, fitted = _completed(after, faults), fitted_nominal
+        if own_gap is not None:
+            width = own_gap.told(completed)
+            completed, fitted = own_gap.reopened(completed), own_gap.reopened(fitted, width=width)
+        return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed)
 
     after, unseen, completed, fit = foretold(sought.case)
     if (sought.findings or sought.descriptions) and fit.after > _WORSE * fit.before:
         sought = sought.all_withdrawn(before)
         after, unseen, completed, fit = foretold(before)
-    found_more = bool(sought.findings or faults.candidates or sought.descriptions)
-    found = [*faults_found(faults, after, gain=fit.before - fit.after), *sought.findings]
+    gap_told = own_gap is not None and after.has(MECHANISM)
+    named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
+    found_more = bool(named or faults.candidates or sought.descriptions)
+    found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
     came_and_went = passing(after, completed)
     left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
     detail = detail_of(before, after, left)
@@ -127,6 +134,7 @@ def diagnose(
         remarks=(
             *(sentence for sentence, _ in untrue),
             *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
+            *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
             *([unknown] if thresholds is None else []),

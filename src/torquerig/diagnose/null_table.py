@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Container, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -70,7 +70,11 @@ def content_key(scenario: Scenario) -> str:
     an interval for want of a stated one (these change with the seed).
     """
     parts = [(type(part).__name__, _stated(part, scenario.assumed)) for part in scenario.rig.parts]
-    said = _plain((parts, scenario.rig.measured, dict(scenario.uncertainties)))
+    spreads = {
+        name: replace(known, value=None) if name in scenario.assumed else known
+        for name, known in scenario.uncertainties.items()
+    }
+    said = _plain((parts, scenario.rig.measured, spreads))
     return hashlib.sha256(repr(said).encode()).hexdigest()
 
 

@@ -58,6 +58,9 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
     ),
 }
 
+RANGES = ("torque_limit", "rated_torque", "rated_speed", "breakdown_torque", "converter_range", "backlash")
+"""Ends of ranges, and a gap that is none where the flanks touch: nothing that a reading within them could tell."""
+
 BOUGHT_AS = {"planetary_gear": "gear", "fixed_axis_gear": "gear"}  # kinds that share a shelf and its fields
 
 COUPLING_MODE = 130.0  # [Hz] where a damping or loss ratio is turned into a damping: the wear rig's first mode
@@ -111,8 +114,9 @@ def _quantities(copy: Drawn[Any], kind: str, name: str) -> Filled:
             continue
         values[target] = written_quantity(copy.values[source], unit)
         taken[target] = _taken(copy, source)
-        if known[source].rel_sd:
-            uncertainties[target] = known[source].rel_sd
+        spread = known[source].spread if target not in RANGES else known[source].rel_sd
+        if spread and (source in copy.assumed or known[source].rel_sd):
+            uncertainties[target] = spread
         if source in copy.assumed:
             value, shown = in_unit(copy.values[source], known[source].unit), known[source].unit
             assumed[target] = f"{value:.4g}{'' if shown == '1' else ' ' + shown} of {copy.assumed[source].known}"
@@ -177,11 +181,13 @@ def _with_damping(filled: Filled, copy: Drawn[Any]) -> Filled:
     source = "damping_ratio" if "damping_ratio" in copy.values else "loss_factor"
     loss = copy.value(source) * (2 if source == "damping_ratio" else 1)
     damping = loss * copy.value("stiffness") / (2 * pi * COUPLING_MODE)
+    spread = dict(estimates(copy.entry))[source].spread
     text = f"{damping:.3g} N*m*s/rad, from its {source.replace('_', ' ')} at {COUPLING_MODE:g} Hz"
     return replace(
         filled,
         values={**filled.values, "damping": written_quantity(damping, "N*m*s/rad")},
         assumed={**filled.assumed, "damping": text},
+        uncertainties={**filled.uncertainties, **({"damping": spread} if spread else {})},
         taken={**filled.taken, "damping": _taken(copy, source)},
     )
 

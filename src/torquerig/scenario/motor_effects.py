@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from torquerig.catalog.drawing import Drawn
 from torquerig.catalog.entry import estimates
 from torquerig.catalog.lines import RippleLine, ripple_lines
 from torquerig.catalog.motor import Motor
+from torquerig.parameter import Estimate
 from torquerig.scenario.filled import Filled
 from torquerig.units import written_quantity
 
@@ -23,16 +26,17 @@ GROUPS = {
 
 def motor_effects(motor: Drawn[Motor], name: str) -> tuple[Filled, ...]:
     """Return the lines of the motor part ``name``: one effect per group, and one per line that follows the torque."""
-    lines = ripple_lines(motor)
+    lines, known = ripple_lines(motor), dict(estimates(motor.entry))
     effects = []
     for group in dict.fromkeys(GROUPS.values()):
         steady = [line for line in lines if GROUPS[line.family] == group and line.torque > 0]
         if steady:
-            effects.append(_ripple(name, group, steady, motor))
+            effects.append(_ripple(name, group, steady, known))
         effects += [
             Filled(
                 name=f"{name}.ripple_{line.order}",
                 values={"kind": "commutation_ripple", "at": name, "order_motor": line.order, "depth": line.share},
+                uncertainties=_spread("depth", known[line.field]),
             )
             for line in lines
             if GROUPS[line.family] == group and line.share > 0
@@ -40,11 +44,14 @@ def motor_effects(motor: Drawn[Motor], name: str) -> tuple[Filled, ...]:
     return tuple(effects)
 
 
-def _ripple(name: str, group: str, lines: list[RippleLine], motor: Drawn[Motor]) -> Filled:
+def _spread(field: str, known: Estimate) -> dict[str, float]:
+    return {field: known.spread} if known.spread else {}
+
+
+def _ripple(name: str, group: str, lines: list[RippleLine], known: Mapping[str, Estimate]) -> Filled:
     amplitudes: dict[int, float] = {}
     for line in lines:
         amplitudes[line.order] = amplitudes.get(line.order, 0.0) + line.torque
-    spreads = [estimate.rel_sd for key, estimate in estimates(motor.entry.ripple) if key.startswith("known_lines")]
     return Filled(
         name=f"{name}.{group}",
         values={
@@ -52,6 +59,6 @@ def _ripple(name: str, group: str, lines: list[RippleLine], motor: Drawn[Motor])
             "at": name,
             "group": group,
             "amplitudes": {order: written_quantity(torque, "N*m") for order, torque in amplitudes.items()},
-            "amplitude_rel_sd": max(spreads, default=0.0),
+            "amplitude_rel_sd": max(known[line.field].spread for line in lines),
         },
     )

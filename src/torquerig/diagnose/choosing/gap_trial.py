@@ -56,7 +56,7 @@ class FittedGap:
 
 
 def gap_is_possible(case: Case) -> bool:
-    """Whether flanks fly, or an amplifier too slow to show it lies before a run that is fitted badly."""
+    """Whether flanks fly, or a run is fitted badly whose amplifier is too slow to show it, or whose gap is stated."""
     if not hasattr(mechanisms, "Backlash") or case.has("backlash") or not gears_to_sensor(case.nominal):
         return False
     if flanks_fly(case):
@@ -64,7 +64,7 @@ def gap_is_possible(case: Case) -> bool:
     poor = [
         float(np.mean(misfit.all() ** 2)) > _SUSPICIOUS
         for features, misfit in zip(case.seen, case.model.misfits, strict=True)
-        if flanks_may_part(features) and _blurred(case, features)
+        if flanks_may_part(features) and (case.stated_gap or _blurred(case, features))
     ]
     return any(poor)
 
@@ -140,10 +140,12 @@ def _scatter(seen: Features, copies: Sequence[Observed]) -> float:
 def _width(case: Case, rigs: Sequence[Rig]) -> tuple[float, float, float] | None:
     """Return the gap [rad] that comes nearest to the recordings, and the misfit without and with it.
 
-    Where too few flights are quiet enough to tell, because the shafts ring meanwhile, the stays near zero are asked.
+    Where too few flights are quiet enough to tell, because the shafts ring meanwhile, the stays near zero are asked. Of
+    a gap that the scenario states, the stated width is taken where neither tells it.
     """
     told = _told_by(case, rigs, flying=True) if flanks_fly(case) else None
-    return _told_by(case, rigs, flying=False) if told is None else told
+    told = _told_by(case, rigs, flying=False) if told is None else told
+    return (case.stated_gap, 0.0, 0.0) if told is None and case.stated_gap else told
 
 
 def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> tuple[float, float, float] | None:
