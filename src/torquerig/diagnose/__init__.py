@@ -13,7 +13,6 @@ diagnose     all of it in order
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 
 Beside them: ``rig_under_test`` (are these runs of that rig), ``sample_findings`` (faults of samples as effects),
-``untrue_samples`` (what is no reading of the torque, taken out and told), ``own_gap`` (that a scenario states itself),
-``free_names``, ``sentences``, and
-``null_table`` (least gains from clean rigs, by the scenario's content).
+``untrue_samples`` (what is no reading of the torque, taken out and told), ``own_gap`` (one that a scenario states
+itself), ``free_names``, ``sentences``, and ``null_table`` (least gains from clean rigs, by the scenario's content).
 """

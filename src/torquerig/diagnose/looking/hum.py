@@ -9,7 +9,7 @@ from torquerig.diagnose.looking.places import Place, frequency
 
 GRIDS = (50.0, 60.0)  # [Hz]
 ALWAYS = (1, 2, 3)  # a hum has its first harmonics even where other lines hide them
-_TOLERANCE = 0.006  # grids keep within some tenths of a per cent [1]
+TOLERANCE = 0.006  # grids keep within some tenths of a per cent [1]
 _HARMONICS = 8
 
 
@@ -18,7 +18,7 @@ def harmonics_of(grid: float, peaks: Iterable[Peak]) -> dict[int, Peak]:
     found: dict[int, Peak] = {}
     for peak in peaks:
         harmonic = round(peak.place.at / grid)
-        on_grid = 1 <= harmonic <= _HARMONICS and abs(peak.place.at / (harmonic * grid) - 1) < _TOLERANCE
+        on_grid = 1 <= harmonic <= _HARMONICS and abs(peak.place.at / (harmonic * grid) - 1) < TOLERANCE
         if peak.place.domain == "frequency" and on_grid:
             found.setdefault(harmonic, peak)
     return found

@@ -8,13 +8,14 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.looking.hum import GRIDS
+from torquerig.diagnose.looking.hum import GRIDS, TOLERANCE
+from torquerig.diagnose.looking.peaks import between_bins
 from torquerig.diagnose.looking.sample_faults import FEWEST_FLAT, FLAT_SHARE, FlatTops
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
 
-_OFF_GRID, _BESIDE = 0.006, 8.0  # of the grid's frequency [1]; [Hz] either way of it
+_BESIDE = 8.0  # [Hz] either way of the grid's frequency
 _STANDS_OUT = 30.0  # power over the median beside it
 _HARMONICS = 3
 _TOP = 1e-3  # share of the samples above which a first guess of the limit lies
@@ -53,15 +54,14 @@ def _grid_line(volts: Floats, rate: float) -> float | None:
     power, step = np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
     clearest, answer = _STANDS_OUT, None
     for grid in GRIDS:
-        low, high = int(grid * (1 - _OFF_GRID) / step), int(np.ceil(grid * (1 + _OFF_GRID) / step)) + 1
+        low, high = int(grid * (1 - TOLERANCE) / step), int(np.ceil(grid * (1 + TOLERANCE) / step)) + 1
         near = power[max(int((grid - _BESIDE) / step), 0) : int((grid + _BESIDE) / step)]
         if low < 1 or high >= power.size:
             continue
         at = low + int(np.argmax(power[low:high]))
         height = float(power[at] / (np.median(near) + 1e-300))
         if height > clearest:
-            below, top, above = np.log(power[at - 1 : at + 2] + 1e-300)
-            clearest, answer = height, step * float(at + 0.5 * (below - above) / (below - 2 * top + above))
+            clearest, answer = height, step * between_bins(power, at)
     return answer
 
 
