@@ -45,6 +45,8 @@ class Candidate:
         What it must gain beside, because few rigs have its like.
     loosens : tuple of str
         Fields of the model whose numbers have stood in for it, and must give way where it is looked at first.
+    bends : tuple of str
+        Names of the model's knobs that are fitted far off where it is missing, and come back where it is not.
     slow : bool
         Whether it moves the slow torque and nothing else, so that lines and bands tell nothing of it.
     """
@@ -57,6 +59,7 @@ class Candidate:
     description: str = ""
     price: float = 0.0
     loosens: tuple[str, ...] = ()
+    bends: tuple[str, ...] = ()
     slow: bool = False
 
     def added_to(self, rig: Rig) -> Rig:

@@ -11,6 +11,7 @@ from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
 _CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
 _FEW = 5
+_SLOW_PART = 0.05  # of all that an effect takes away, below which the slow torque is not what it was taken for
 LEAST_SHARE = 0.8
 LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out
 
@@ -35,10 +36,19 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
 
     Large where an effect took what it could of something else, and nothing found since took the rest. Only the slow
     torque counts: a few large lines and the bands beside them miss by what no model of a strong line gets right. Fewer
-    than five features count as five, the others as right: an effect of lines changes one or two of the slow torque.
+    than five features count as five, the others as right: an effect of lines changes one or two of the slow torque. One
+    whose lines and bands gained nearly all owes nothing to the slow torque, and answers for none of it: 0.
     """
     old, new, rest = (
         np.concatenate([robust_squares(misfit.slow().all()) for misfit in each]) for each in (before, with_it, final)
     )
     place = old - new > _CHANGED
+    if float((old - new)[place].sum()) < _SLOW_PART * _taken_away(before, with_it):
+        return 0.0
     return float(rest[place].sum()) / max(int(place.sum()), _FEW)
+
+
+def _taken_away(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
+    """Return by how much the robust squares of all features fell where they fell."""
+    fell = [robust_squares(one.all()) - robust_squares(other.all()) for one, other in zip(before, after, strict=True)]
+    return float(np.maximum(np.concatenate(fell), 0.0).sum())

@@ -21,7 +21,10 @@ _RINGS = 0.2  # damping ratio: beyond it a step swings over by less than half an
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield the branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part."""
+    """Yield the branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part.
+
+    Below its frequency a branch is but more inertia of the part it hangs on, which may have been fitted too heavy.
+    """
     at = loaded_part(case.nominal)
     body = None if at is None else case.nominal.part(at)
     if not isinstance(body, Body):
@@ -44,7 +47,8 @@ def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
         Knob(part.name, "inertia", 0.8),
         Knob(part.name, "damping_ratio", 0.8),
     )
-    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs)
+    bends = (f"{body.name}.inertia",)
+    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends)
 
 
 def possible(part: Part) -> bool:

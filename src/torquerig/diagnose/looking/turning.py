@@ -14,19 +14,23 @@ from torquerig.diagnose.looking.places import Place
 Floats = NDArray[np.float64]
 
 STEPS = 4
-_BLOCK = 0.02  # [s] long against the first mode, short against a reversal
-_OVERSAMPLED = 5  # the lines are followed at so many points of a block
+_BLOCK = 0.02  # [s] from one to the next, long against the first mode, short against a reversal
+SPACINGS = 2  # of a block's length: under a Hann window it then weighs little beyond its neighbours' middles
+_POINTS = 64  # of a block, at which the lines are followed
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
 
 
 @dataclass(frozen=True)
 class Turning:
-    """Block means of one run.
+    """Means of one run over blocks that overlap by half, under a Hann window each.
+
+    A line that passes a resonance has no one size and phase over the run, so projecting it out leaves some of it; the
+    window leaves a thousandth of what turns five times in a block, and nothing of 50 Hz.
 
     Parameters
     ----------
     size : int
-        Samples of a block.
+        Samples from one block to the next, half a block's length.
     start : ndarray, shape (blocks,)
         First sample of each block.
     course : ndarray, shape (steps,)
@@ -49,10 +53,11 @@ class Turning:
     lines: Floats
 
     def mean_of(self, course: Floats) -> Floats:
-        """Return the mean over each block of values that are given at the steps of the course."""
+        """Return the weighted mean over each block of values that are given at the steps of the course."""
         first = np.round(self.start * STEPS / self.size).astype(int)
-        index = np.minimum(first[:, None] + np.arange(STEPS), course.size - 1)
-        return np.asarray(course[index].mean(axis=1))
+        weights = _weights(SPACINGS * STEPS)
+        index = np.minimum(first[:, None] + np.arange(weights.size), course.size - 1)
+        return np.asarray(course[index] @ weights)
 
     def without_lines(self, blocks: Floats, spread: Floats | float = 1.0) -> Floats:
         """Return the part of ``blocks`` that no line can make, in units of the spread of each."""
@@ -76,21 +81,23 @@ def turning(
 ) -> Turning:
     """Return the blocks of the stretches that fits may see (``held`` False), may not see (True), or all (None).
 
-    Blocks of 20 ms hold whole periods of 50 Hz, and of no other tone: those are to be taken out before. Lines of
-    ``unknown`` cause may be a load's, which opposes the motion whichever way it goes.
+    Blocks hold whole periods of 50 Hz, and of few other tones: those are to be taken out before. Lines of ``unknown``
+    cause may be a load's, which opposes the motion whichever way it goes.
     """
     size = block_size(observed)
+    length = SPACINGS * size
     starts = np.concatenate([
-        np.arange(stretch.start, stretch.stop - size + 1, size)
+        np.arange(stretch.start, stretch.stop - length + 1, size)
         for stretch in observed.stretches
         if held is None or stretch.held == held
     ])  # fmt: skip
-    index = starts[:, None] + np.arange(size)
-    angle = observed.angle[starts[:, None] + np.linspace(0, size - 1, _OVERSAMPLED).astype(int)]
-    ends = observed.speed[np.minimum(starts + size, observed.speed.size - 1)]
-    waves = [np.exp(1j * place.at * angle).mean(axis=1) for place in places if place.domain == "order"]
-    way = np.sign(observed.speed[starts + size // 2])
-    waves += [way * np.exp(1j * place.at * angle).mean(axis=1) for place in unknown if place.domain == "order"]
+    middles = starts + length // 2
+    points, weights = starts[:, None] + np.linspace(0, length, _POINTS, endpoint=False).astype(int), _weights(_POINTS)
+    angle = observed.angle[points]
+    ends = observed.speed[np.minimum(starts + length, observed.speed.size - 1)]
+    waves = [np.exp(1j * place.at * angle) @ weights for place in places if place.domain == "order"]
+    way = np.sign(observed.speed[points])
+    waves += [(way * np.exp(1j * place.at * angle)) @ weights for place in unknown if place.domain == "order"]
     columns = [part for wave in waves for part in (wave.real, wave.imag)]
     steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
     return Turning(
@@ -98,11 +105,17 @@ def turning(
         start=starts,
         course=observed.speed[steps],
         first=float(observed.torque[: max(1, size // STEPS)].mean()),
-        torque=observed.torque[index].mean(axis=1),
-        speed=observed.speed[starts + size // 2],
-        acceleration=(ends - observed.speed[starts]) * observed.rate / size,
+        torque=observed.torque[starts[:, None] + np.arange(length)] @ _weights(length),
+        speed=observed.speed[middles],
+        acceleration=(ends - observed.speed[starts]) * observed.rate / length,
         lines=_orthonormal(np.array(columns).T.reshape(starts.size, len(columns))),
     )
+
+
+def _weights(count: int) -> Floats:
+    """Return Hann's weights of so many points from a block's start on, their sum 1."""
+    weights = np.sin(np.pi * np.arange(count) / count) ** 2
+    return np.asarray(weights / weights.sum())
 
 
 def _orthonormal(columns: Floats) -> Floats:
