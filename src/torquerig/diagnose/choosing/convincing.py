@@ -13,7 +13,7 @@ from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import Features
 
 _WHOLLY = 6  # power of the share by which gains are compared
-_LARGE = 100.0  # gain above which a smaller share is enough, if the model then fits as a whole
+_LARGE = 60.0  # gain above which a smaller share is enough, if the model then fits as a whole
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more

@@ -57,7 +57,8 @@ def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | No
     """
     if not left or any(mismatch.domain in ("distribution", "time") for mismatch in left):
         return None
-    rest = sum(mismatch.share_of_misfit for mismatch in left) * _excess(_every(after)) / _excess(_every(before))
+    share = min(1.0, sum(mismatch.share_of_misfit for mismatch in left))  # places may tell of one thing twice
+    rest = share * _excess(_every(after)) / _excess(_every(before))
     return rest if rest < _DETAIL else None
 
 

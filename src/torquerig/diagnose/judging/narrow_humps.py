@@ -28,6 +28,7 @@ Floats = NDArray[np.float64]
 _HIGH, _CLEAR = 1.0, 8.0  # of the density's logarithm above both neighbours, and in spreads, in the run that shows it
 _AGAIN = 4.0  # spreads in another run, of another speed
 _WITHIN = 1  # bands beside, at which it may stand there
+_SMEARED = 0.05  # of a line's power an angle that was followed, not measured, may leave in bands beside it
 
 
 @dataclass(frozen=True)
@@ -76,9 +77,22 @@ def _heights(run: BandExcess) -> _Heights:
     height, spreads = np.zeros(run.log.size), np.zeros(run.log.size)
     if shown.size > 2:
         above = excess[1:-1] - np.maximum(excess[:-2], excess[2:])
+        above = np.where(_smeared_lines(run.features)[shown[1:-1]], 0.0, above)
         height[shown[1:-1]] = above
         spreads[shown[1:-1]] = above / np.sqrt(variance[1:-1] + np.maximum(variance[:-2], variance[2:]))
     return _Heights(run.features, height, spreads)
+
+
+def _smeared_lines(features: Features) -> NDArray[np.bool_]:
+    """Whether a band holds no more than what strays of the lines in it and at its edges, shape (bands,)."""
+    if features.observed.angle_measured:
+        return np.zeros(features.band.size, dtype=bool)
+    at = features.line_frequency.mean(axis=(0, 2))
+    power = 0.5 * np.nanmean(np.abs(features.amplitude) ** 2, axis=0)
+    reach = features.width[:, None]  # half a band's width beyond its edges
+    beside = np.abs(at[None, :] - features.band[:, None]) < reach
+    lines = np.where(beside, np.nan_to_num(power)[None, :], 0.0).sum(axis=1)
+    return np.asarray(features.power * features.width < _SMEARED * lines)
 
 
 def _again(other: _Heights, frequency: float) -> bool:

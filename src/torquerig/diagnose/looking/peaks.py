@@ -23,6 +23,8 @@ _NEIGHBOURS, _NEAREST = 60, 15  # bins either way that make the local floor, and
 _MOST = 40
 SHIFTED = 0.25  # of the width over which an unmeasured angle smears a line: how far off its peak may stand
 _LOWEST = 3.0  # [Hz] slower than this the load's own drift rules
+# of half the sample rate: an alias may stand anywhere below it; an order so high is made by the resampling
+_TOP_FREQUENCY, _TOP_ORDER = 0.995, 0.92
 
 
 @dataclass(frozen=True)
@@ -106,9 +108,9 @@ def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
     turned = np.abs(np.fft.rfft(resampled * window)) ** 2
     return _Spectrum(
         run,
-        _over_floor(turned),
+        _over_floor(turned, below=_TOP_ORDER),
         2 * pi / abs(float(angle[-1] - angle[0])) * (rest.size - 1) / rest.size,
-        _over_floor(direct),
+        _over_floor(direct, below=_TOP_FREQUENCY),
         run.rate / rest.size,
     )
 
@@ -121,8 +123,8 @@ def _rest(run: Observed, start: int, stop: int, known: Sequence[Place]) -> Float
     return regressed(run.torque[start:stop], waves(shown, run.angle[start:stop], time)).rest
 
 
-def _over_floor(power: Floats) -> Floats:
-    """Power over the local mean that its median stands for; the last bins, where nothing is left, are 0.
+def _over_floor(power: Floats, *, below: float) -> Floats:
+    """Power over the local mean that its median stands for; 0 from the share ``below`` of the bins on.
 
     Of two medians the larger counts: what a lightly damped mode leaves is as narrow as some bins, and no line.
     """
@@ -130,7 +132,7 @@ def _over_floor(power: Floats) -> Floats:
 
     wide, near = (median_filter(power, size=2 * reach + 1, mode="nearest") for reach in (_NEIGHBOURS, _NEAREST))
     answer = power / np.maximum(np.maximum(wide, near) / np.log(2), 1e-30)
-    answer[int(0.92 * answer.size) :] = 0.0
+    answer[int(below * answer.size) :] = 0.0
     return np.asarray(answer)
 
 

@@ -20,7 +20,7 @@ from torquerig.diagnose.looking.short_spectra import OVERLAP, spectrogram
 
 Floats = NDArray[np.float64]
 
-CLEAR = 9.0  # spreads; the largest of some 4e5 paths reaches 5 by chance
+CLEAR = 14.0  # spreads; a struck mode that comes and goes has reached 10, and the faintest lines that sweep 40
 _BLOCK = 0.16  # [s], every half of which a new one begins: 6 Hz
 _LOWEST, _HIGHEST = 60.0, 4000.0  # [Hz]
 _FEWEST = 40  # blocks
