@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from torquerig.diagnose.advising.next_run import next_run
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.chain import Progress, best_chain, rest_of
-from torquerig.diagnose.choosing.confidence import confidence
+from torquerig.diagnose.choosing.confidence import confidence_of, rivals_of
 from torquerig.diagnose.choosing.convincing import share_of
 from torquerig.diagnose.choosing.equivalence import equivalents
 from torquerig.diagnose.choosing.identifying import identifying
@@ -112,18 +112,14 @@ def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Findi
     candidate = best.candidate
     parameters = identifying(candidate, final.model, final)
     share = share_of(case, best)
-    others: dict[str, float] = {}
-    for trial in tried:
-        if trial.candidate.mechanism != candidate.mechanism and not final.has(trial.candidate.mechanism):
-            others.setdefault(trial.candidate.mechanism, trial.gain)
-    listed = tuple(others.items())
+    listed = tuple(rivals_of(final, accepted).items())
     rivals = [t for t in tried if not t.candidate.description and not final.has(t.candidate.mechanism)]
     alike = equivalents(best, rivals, held)
     finding = Finding(
         mechanism=candidate.mechanism,
         variant=candidate.variant,
         explanation=explanation(candidate.mechanism, parameters, share=share, rivals=listed, gain=best.gain),
-        confidence=confidence(gain=best.gain, share=share, rival=max(others.values(), default=0.0)),
+        confidence=confidence_of(final, accepted),
         parameters=parameters,
         gain=best.gain,
         share=share,

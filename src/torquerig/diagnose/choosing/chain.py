@@ -8,6 +8,8 @@ from functools import partial
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.around_gap import told_again, with_gap
+from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
+from torquerig.diagnose.choosing.confidence import confidence_of
 from torquerig.diagnose.choosing.convincing import convincing, promising, worth
 from torquerig.diagnose.choosing.explained import (
     LARGEST_REST,
@@ -128,8 +130,10 @@ def _together(first: Case, final: Case, accepted: Sequence[Accepted]) -> bool:
 
 
 def _stands(final: Case, accepted: Accepted) -> bool:
-    """Whether an effect leaves its places right in the final model, with numbers such as can be."""
-    return rest_of(final, accepted) < LARGEST_REST and is_possible(accepted.trial.candidate, final.model.rig)
+    """Whether an effect leaves its places right in the final model, with numbers such as can be, and is likely."""
+    likely = bool(accepted.trial.candidate.description) or confidence_of(final, accepted) > LEAST_CONFIDENCE
+    possible = is_possible(accepted.trial.candidate, final.model.rig)
+    return likely and possible and rest_of(final, accepted) < LARGEST_REST
 
 
 def rest_of(final: Case, accepted: Accepted) -> float:

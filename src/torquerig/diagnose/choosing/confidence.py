@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from math import exp, log
 
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.convincing import share_of
+from torquerig.diagnose.choosing.revising import Accepted
+
+LEAST = 0.5  # a name that is likelier wrong than right is none
 # of a logistic curve over `terms`; made by `python -m proof.confidence_fit` on blind trials of the seeds 21 to 23
 COEFFICIENTS = (1.23, 0.37, 1.67, -2.18)
 
@@ -23,6 +28,22 @@ def confidence(*, gain: float, share: float, rival: float) -> float:
     values = terms(gain=gain, share=share, rival=rival)
     score = sum(each * value for each, value in zip(COEFFICIENTS, values, strict=True))
     return min(0.99, 1 / (1 + exp(-score)))
+
+
+def confidence_of(final: Case, accepted: Accepted) -> float:
+    """Return the probability that the name of an effect is right, beside the rivals that the final case lacks."""
+    rival = max(rivals_of(final, accepted).values(), default=0.0)
+    return confidence(gain=accepted.trial.gain, share=share_of(accepted.before, accepted.trial), rival=rival)
+
+
+def rivals_of(final: Case, accepted: Accepted) -> dict[str, float]:
+    """Return the best gain of every other mechanism that was tried when the effect was taken, best first."""
+    others: dict[str, float] = {}
+    for trial in accepted.tried.fitted:
+        name = trial.candidate.mechanism
+        if name != accepted.trial.candidate.mechanism and not final.has(name):
+            others.setdefault(name, trial.gain)
+    return others
 
 
 def terms(*, gain: float, share: float, rival: float) -> tuple[float, float, float, float]:

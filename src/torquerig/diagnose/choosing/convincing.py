@@ -12,7 +12,7 @@ from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import Features
 
-_WHOLLY = 6  # power of the share by which gains are compared
+_WHOLLY, _ALL = 6, 0.97  # power of the share by which gains are compared, and the share that counts as all
 _LARGE = 60.0  # gain above which a smaller share is enough, if the model then fits as a whole
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
@@ -23,6 +23,9 @@ _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequence[Features]) -> bool:
     """Whether the trial may be named.
+
+    What it must gain is counted in units of what a feature is still missed by, which is above 1 where the model is
+    wrong otherwise (the variance inflation of Burnham & Anderson 2002, Model Selection and Multimodel Inference, 2.5).
 
     Parameters
     ----------
@@ -37,8 +40,9 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
-    least = max(_least_gain(case, trial), *details)
-    well = feature_count(trial.model) * (1.0 if trial.gap is None else WELL)
+    count = feature_count(trial.model)
+    least = max(_least_gain(case, trial) * max(1.0, trial.model.cost / count), *details)
+    well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and trial.model.cost < well
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
@@ -68,7 +72,7 @@ def promising(case: Case, trial: Trial) -> bool:
 
 def worth(case: Case, trial: Trial) -> float:
     """Return the gain, less for what leaves a rest at its places: a stand-in may gain more than what is there."""
-    return trial.gain * max(share_of(case, trial), 0.0) ** _WHOLLY
+    return trial.gain * min(max(share_of(case, trial), 0.0) / _ALL, 1.0) ** _WHOLLY
 
 
 def share_of(case: Case, trial: Trial) -> float:

@@ -149,7 +149,10 @@ def _screened(case: Case, candidate: Candidate) -> Trial:
     loose = [knob for knob in case.model.knobs if knob.field in candidate.loosens]
     knobs, steps = (*candidate.knobs, *loose), _LOOSE_DERIVATIVES if loose else 2
     model = calibrated(rig, case.seen, knobs, derivatives=steps, corrections=case.model.corrections or None)
-    bent = [knob.name in candidate.bends and abs(at) > _BENT for knob, at in zip(case.model.knobs, case.model.positions, strict=True)]
+    bent = [
+        knob.name in candidate.bends and abs(at) > _BENT
+        for knob, at in zip(case.model.knobs, case.model.positions, strict=True)
+    ]
     kept = case.model.positions[~np.array(bent, dtype=bool)]
     before = case.model.cost - float(kept @ kept)
     return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)

@@ -18,7 +18,7 @@ _SKIRTED = 0.05  # [1] depth at which one that shows no line is started
 _START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 20.0
-_DEEPEST = 1.2  # of the motor's torque
+_DEEPEST = 0.7  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a third
 
 
 def propose(case: Case) -> Iterator[Candidate]:

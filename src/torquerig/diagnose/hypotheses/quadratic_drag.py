@@ -8,6 +8,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.linear.loaded_part import loaded_part
+from torquerig.diagnose.looking.features import Features
 
 _STARTS = (1e-5, 1e-4, 1e-3)  # [N m s^2/rad^2]
 
@@ -15,10 +16,16 @@ _STARTS = (1e-5, 1e-4, 1e-3)  # [N m s^2/rad^2]
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield that of a few sizes on the loaded part which fits best, where the runs differ in speed."""
     at = loaded_part(case.nominal)
-    speeds = [abs(float(speed)) for features in case.seen for speed in features.speed.mean(axis=1)]
+    speeds = [speed for features in case.seen for speed in _speeds(features)]
     if at is None or not speeds or min(speeds) > 0.9 * max(speeds):
         return
     sizes = [mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=start) for start in _STARTS]
     part = min(sizes, key=lambda one: case.misfit_of(case.model.rig + one))
     knobs = (Knob(part.name, "coefficient", 1.5),)
     yield Candidate(mechanism="quadratic_drag", parts=(part,), knobs=knobs, loosens=SLOW_TORQUE)
+
+
+def _speeds(features: Features) -> list[float]:
+    """Return at which speeds of the motor a run shows its slow torque [rad/s]."""
+    shown = features.speed.mean(axis=1) if features.turning is None else features.turning.speed
+    return [abs(float(speed)) for speed in shown]

@@ -10,9 +10,11 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.linear.loaded_part import loaded_part
+from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
+_RISES = 0.5  # of the Coulomb torque, below which the static one makes no dry friction but a drag that grows with speed
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -46,3 +48,11 @@ def _best(case: Case, at: str, rig: Rig) -> Iterator[Candidate]:
 def _knobs(part: mechanisms.StribeckFriction) -> tuple[Knob, ...]:
     fields = ("coulomb", "static", "stribeck_speed", "coulomb_backward", "static_backward")
     return tuple(Knob(part.name, field, 0.8) for field in fields if getattr(part, field) is not None)
+
+
+def possible(part: Part) -> bool:
+    """Whether a fitted curve could be dry friction, which falls as a contact begins to slide, and does not set in."""
+    if not isinstance(part, mechanisms.StribeckFriction):
+        return False
+    sides = ((part.coulomb, part.static), (part.coulomb_backward, part.static_backward))
+    return all(static > _RISES * coulomb for coulomb, static in sides if coulomb is not None and static is not None)
