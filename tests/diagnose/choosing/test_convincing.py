@@ -17,7 +17,7 @@ from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging import leftover
 from torquerig.diagnose.judging.leftover import detail_of
 from torquerig.diagnose.null_table import NullTable
-from torquerig.mechanisms import CommutationRipple, TorsionalMode
+from torquerig.mechanisms import CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 
@@ -47,6 +47,26 @@ def test_what_explains_its_places_comes_before_a_stand_in_that_gains_more(case: 
     assert judging.worth(case, effect) > judging.worth(case, stand_in)
     assert judging.convincing(case, effect, earlier=(), held=())
     assert not judging.convincing(case, stand_in, earlier=(), held=())
+
+
+def test_of_what_explains_all_the_larger_gain_comes_first(case: Case, wear_rig: Scenario) -> None:
+    """Shares of 0.99 and 1 differ by less than either is known to."""
+    ripple = replace(trial(wear_rig.rig, "commutation_ripple", *[1.4] * 40, before=case.model), gain=3990.0)
+    mesh = replace(trial(wear_rig.rig, "gear_mesh", *[1.0] * 40, before=case.model), gain=3950.0)
+    assert judging.share_of(case, ripple) < judging.share_of(case, mesh)
+    assert judging.worth(case, ripple) > judging.worth(case, mesh)
+
+
+def test_a_model_that_misses_otherwise_asks_for_a_larger_gain(wear_rig: Scenario) -> None:
+    """A gain of 50 is clear where each feature is right to its spread, and none where all are out by 1.5 spreads."""
+    named = []
+    for missed in (1.0, 1.5):
+        before = model(wear_rig.rig, *[5.0, 5.0], *[missed] * 200)
+        case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+        effect = trial(wear_rig.rig, "gear_mesh", *[0.5] * 2, *[missed] * 200, before=before)
+        assert 40 < effect.gain < 60
+        named.append(judging.convincing(case, effect, earlier=(), held=()))
+    assert named == [True, False]
 
 
 def test_what_moves_the_slow_torque_alone_is_judged_there(wear_rig: Scenario) -> None:
@@ -96,6 +116,16 @@ def test_a_branch_that_hardly_rings_is_no_mode(wear_rig: Scenario) -> None:
     for damping, possible in ((0.4, False), (0.06, True)):
         part = TorsionalMode(name="mode", after="wear_part", frequency=90.0, inertia=1e-3, damping_ratio=damping)
         candidate = Candidate(mechanism="torsional_mode", parts=(part,), knobs=())
+        assert is_possible(candidate, wear_rig.rig + part) is possible
+
+
+def test_friction_that_sets_in_with_speed_is_drag(wear_rig: Scenario) -> None:
+    for static, backward, possible in ((0.4, None, True), (0.29, 0.5, True), (0.05, None, False), (0.4, 0.02, False)):
+        part = StribeckFriction(
+            name="friction", coulomb=0.3, static=static, stribeck_speed=50.0,
+            coulomb_backward=None if backward is None else 0.3, static_backward=backward,
+        )  # fmt: skip
+        candidate = Candidate(mechanism="stribeck_friction", parts=(part,), knobs=())
         assert is_possible(candidate, wear_rig.rig + part) is possible
 
 

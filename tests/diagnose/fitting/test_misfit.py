@@ -82,6 +82,18 @@ def test_a_single_feature_that_stays_wrong_is_no_place() -> None:
     assert left_at_its_places(before, with_it, row(3.0, 0.0)) < 2.0
 
 
+def test_an_effect_of_lines_does_not_answer_for_the_slow_torque() -> None:
+    """A mesh that takes a strong line away moves the level a little with it, which was wrong and stays so."""
+
+    def case(line: float, level: float) -> list[Misfit]:
+        return [Misfit(np.zeros(0), np.array([line]), np.full(6, level))]
+
+    before, with_it = case(1000.0, 5.0), case(0.0, 4.5)
+    assert left_at_its_places(before, with_it, with_it) == 0.0
+    small = case(10.0, 5.0)
+    assert left_at_its_places(small, with_it, with_it) > 6.0
+
+
 def test_a_zero_that_settles_within_a_second_is_seen_in_the_first_parts(by_hand: Callable[..., Observed]) -> None:
     time = np.arange(int(12 * RATE)) / RATE
     tau = 0.6

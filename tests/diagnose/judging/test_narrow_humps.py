@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -11,9 +12,10 @@ import pytest
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.fitting.calibration import Calibrated
-from torquerig.diagnose.judging.narrow_humps import narrow_humps
+from torquerig.diagnose.judging.narrow_humps import _smeared_lines, narrow_humps
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import order
 from torquerig.scenario.reading import Scenario
 
 RATE, LENGTH, ORDER = 5000.0, 12.0, 60.4
@@ -76,3 +78,20 @@ def test_what_simulations_have_as_well_is_none(wear_rig: Scenario, seen: Callabl
     ]
     assert found(wear_rig, *runs)
     assert found(wear_rig, *runs, beyond=beyond) == []
+
+
+@pytest.mark.parametrize(
+    ("measured", "share", "smeared"), [(False, 0.02, True), (False, 0.2, False), (True, 0.02, False)]
+)
+def test_what_a_followed_angle_smears_of_a_line_is_none(
+    measured: bool, share: float, smeared: bool, by_hand: ByHand
+) -> None:
+    """An angle that was followed leaves a part of a strong line in its band; more than that is something else."""
+    torque = 1.0 + 1e-3 * np.random.default_rng(4).standard_normal(TIME.size) + 0.3 * np.cos(ORDER * 100.0 * TIME)
+    run = features(by_hand(torque, 100.0 * TIME, rate=RATE, measured=measured), [order(ORDER)])
+    at = int(np.argmin(np.abs(run.band - ORDER * 100.0 / (2 * pi))))
+    power = np.full(run.band.size, 1e-7)
+    power[[at, 3]] = share * 0.5 * 0.3**2 / run.width[[at, 3]]
+    told = _smeared_lines(replace(run, power=power))
+    assert told[at] == smeared
+    assert not told[3], "far from the line"

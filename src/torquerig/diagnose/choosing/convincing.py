@@ -18,6 +18,7 @@ _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, w
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
+_MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -41,7 +42,8 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
         return False  # what does not stand out needs no description
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     count = feature_count(trial.model)
-    least = max(_least_gain(case, trial) * max(1.0, trial.model.cost / count), *details)
+    missed = min(max(trial.model.cost / count, 1.0), _MOST_MISSED)
+    least = max(_least_gain(case, trial) * missed, *details)
     well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and trial.model.cost < well
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE

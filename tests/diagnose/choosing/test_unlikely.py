@@ -1,0 +1,29 @@
+"""A name that is likelier wrong than right is given up, and what it was to explain stays unexplained."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from torquerig.diagnose.choosing import chain
+from torquerig.diagnose.choosing.confidence import LEAST, confidence
+
+
+def accepted(description: str = "") -> Any:
+    return SimpleNamespace(
+        trial=SimpleNamespace(candidate=SimpleNamespace(mechanism="gear_mesh", description=description))
+    )
+
+
+@pytest.mark.parametrize(("rival", "stands"), [(0.0, True), (2000.0, False)])
+def test_an_unlikely_name_falls(rival: float, stands: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    likely = confidence(gain=1000.0, share=0.7, rival=rival)
+    assert (likely > LEAST) is stands
+    monkeypatch.setattr(chain, "confidence_of", lambda final, each: likely)
+    monkeypatch.setattr(chain, "is_possible", lambda candidate, rig: True)
+    monkeypatch.setattr(chain, "rest_of", lambda final, each: 0.0)
+    case: Any = SimpleNamespace(model=SimpleNamespace(rig=None))
+    assert chain._stands(case, accepted()) is stands
+    assert chain._stands(case, accepted("noise in one band")), "a description claims no cause"
