@@ -88,10 +88,12 @@ def _smeared_lines(features: Features) -> NDArray[np.bool_]:
     if features.observed.angle_measured:
         return np.zeros(features.band.size, dtype=bool)
     at = features.line_frequency.mean(axis=(0, 2))
-    power = 0.5 * np.nanmean(np.abs(features.amplitude) ** 2, axis=0)
+    shown = np.isfinite(features.amplitude)
+    squares = np.where(shown, np.abs(features.amplitude) ** 2, 0.0).sum(axis=0)
+    power = 0.5 * squares / np.maximum(shown.sum(axis=0), 1)
     reach = features.width[:, None]  # half a band's width beyond its edges
     beside = np.abs(at[None, :] - features.band[:, None]) < reach
-    lines = np.where(beside, np.nan_to_num(power)[None, :], 0.0).sum(axis=1)
+    lines = np.where(beside, power[None, :], 0.0).sum(axis=1)
     return np.asarray(features.power * features.width < _SMEARED * lines)
 
 
