@@ -190,6 +190,21 @@ def test_of_several_moments_at_one_level_those_without_a_jump_count_too(clean: R
     assert [start for start, _, _ in found] == pytest.approx(starts, abs=2)
 
 
+def test_a_moment_that_begins_and_ends_without_a_jump_is_lost_all_the_same(clean: Recording) -> None:
+    """Where the torque passes zero no jump shows a lost signal, but its noise stands still."""
+    volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
+    start, stop = 4000, 4000 + round(0.034 * rate)
+    volts -= np.linspace(volts[start], volts[stop], stop - start).mean()
+    volts[start - 3 : start] = volts[stop : stop + 3] = [0.001, -0.002, 0.001]
+    volts[start:stop] = 0.0
+    lost = with_volts(clean, volts)
+    ((first, last, level),) = gaps(lost.channels["torque_V"].values, rate)
+    assert (first, level) == (pytest.approx(start, abs=1), 0.0)
+    assert last == pytest.approx(stop, abs=1)
+    volts[start:stop] += 0.002 * np.random.default_rng(1).standard_normal(stop - start)
+    assert gaps(with_volts(clean, volts).channels["torque_V"].values, rate) == []
+
+
 @pytest.mark.parametrize("share", [0.45, 0.7])
 def test_a_signal_that_stands_at_its_limit_for_half_the_time_is_not_lost(share: float, clean: Recording) -> None:
     """Most samples then share their value with the one before, and the noise is that of those that do not."""

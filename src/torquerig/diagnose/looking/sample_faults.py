@@ -22,6 +22,7 @@ _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torq
 _SHORTEST = 8e-4  # [s] half a period of what rings is shorter
 _ONE_LEVEL = 6.0
 _MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
+_REPEATS = 20  # samples of one value, which noise of many codes repeats once in ten
 _ONE_CODE = 1.5  # codes that most steps stay below: of one code the noise is but a part
 _STANDS = 0.5  # share of the steps that are none where codes are coarse
 _TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, which would not elsewhere
@@ -131,7 +132,8 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
     steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal stands still: it keeps to
     its level, and at least half of the noise is gone, or the level is zero. A signal that goes on at another level is
-    not lost. Where such moments are found, others at the same level count that begin and end without a jump.
+    not lost. Where such moments are found, others at the same level count that begin and end without a jump. Where
+    noise covers many codes, a signal that repeats one value twenty times and more needs no jump at all.
     """
     steps = np.diff(volts)
     sigma, code = _noise_of(steps)
@@ -154,6 +156,8 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         if away and still and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
             last = stop
+    if not found and fine:
+        found = _standing(volts, rate)
     if not found or not _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma):
         return []
     if fine:
@@ -183,6 +187,15 @@ def _still_at(volts: Floats, level: float, rate: float) -> list[tuple[int, int, 
     edges = np.flatnonzero(np.diff(same.astype(int)))
     pairs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
     return [(start, stop, level) for start, stop in pairs if stop - start >= _SHORTEST * rate]
+
+
+def _standing(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
+    """Return the moments in which every sample is the same, at whatever level short of a limit."""
+    edges = np.flatnonzero(np.concatenate([[True], np.diff(volts) != 0, [True]]))
+    long = np.flatnonzero(np.diff(edges) >= max(_REPEATS, _SHORTEST * rate))
+    pairs = zip(edges[long].tolist(), edges[long + 1].tolist(), strict=True)
+    low, high = float(volts.min()), float(volts.max())
+    return [(start, stop, float(volts[start])) for start, stop in pairs if low < volts[start] < high]
 
 
 def _meet(one: tuple[int, int, float], other: tuple[int, int, float]) -> bool:
