@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.expecting.simulated import simulated
+from torquerig.diagnose.looking import flights as looking
 from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, flights
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.shaft_angle import ShaftAngle
@@ -81,6 +82,18 @@ def test_flanks_fly_where_there_is_a_gap_and_nowhere_else(wear_rig: Scenario, tu
     assert told[1][-1] > told[0][-1] + 0.5, "a wider gap lets them fly further"
     assert np.exp(told[0][-1]) < 1.6 * 6.0, "and none flies much further than the gap is wide"
     assert (flight_misfit(told[0], told[1]) ** 2).sum() > 10 * (flight_misfit(told[0], told[0] + 0.01) ** 2).sum()
+
+
+def test_a_step_of_coarse_codes_is_no_blow(by_hand: ByHand, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A torque near zero stays at one code, and then takes the next, whatever noise its rare steps are taken for."""
+    monkeypatch.setattr(looking, "_noise", lambda _: 5e-3)
+    time = np.arange(int(6 * RATE)) / RATE
+    slow = 0.06 + 0.05 * np.sin(2 * pi * 3 * time) + 2e-3 * np.random.default_rng(2).standard_normal(time.size)
+    assert blows(by_hand(slow, 40.0 * time, rate=RATE)) == []
+    assert blows(by_hand(0.104 * np.round(slow / 0.104), 40.0 * time, rate=RATE)) == []
+    struck = parted(by_hand, flying=0.0, lasting=0.02)
+    coarse = replace(struck, torque=4e-3 * np.round(struck.torque / 4e-3))
+    assert len(blows(coarse)) >= CLEARLY
 
 
 def test_a_run_without_noise_or_shorter_than_a_blow_has_no_flights(by_hand: ByHand) -> None:

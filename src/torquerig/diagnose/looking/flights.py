@@ -25,12 +25,13 @@ Floats = NDArray[np.float64]
 CLEARLY = 5  # flights that no rig without a gap shows
 BY_CHANCE = 0.1  # flights in four runs of a rig without a gap: 22 in 226 blind rigs, three at most in one
 _SMOOTHED, _BLOW = 1e-3, 1.5e-3  # [s] short against a flight; in which a blow rises
-_HARD = 12.0  # noises that a blow rises by
+_HARD, _CODES = 12.0, 2.2  # noises, and steps of coarse codes, that a blow rises by: two may follow one another
 _QUIET = 12.0  # spreads of the smoothed noise within which a flight stays, from top to bottom
 _SHORTEST = 4e-3  # [s]
 UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
 _NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
 _SLOPE = 2.5e-3  # [s] each way, over which the speed at the parting is taken
+_SMALLEST = 0.01  # quantile: what was mended moves by less
 _TRIMMED, _OF_TRIMMED = 0.95, 0.871  # quantile, and the rms of a normal variate below it
 _LONGEST = 0.95  # quantile of the distances: single ones are misjudged
 _ARCMIN = pi / 180 / 60
@@ -61,7 +62,8 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
         return []
     jump = np.zeros(torque.size)
     jump[:-rise] = np.abs(smooth[rise:] - smooth[:-rise])
-    starts = np.flatnonzero((jump[1:] > _HARD * noise) & (jump[:-1] <= _HARD * noise)) + 1
+    hard = max(_HARD * noise, _CODES * _code(observed))
+    starts = np.flatnonzero((jump[1:] > hard) & (jump[:-1] <= hard)) + 1
     within = _QUIET * noise / np.sqrt(max(1, _SMOOTHED * observed.rate))
     wanted = observed.mask(held=held)
     return [
@@ -126,6 +128,13 @@ def _noise(observed: Observed) -> float:
     if middle == 0:
         middle = float(np.sqrt(np.mean(steps[steps <= np.quantile(steps, _TRIMMED)] ** 2))) / _OF_TRIMMED
     return middle / float(np.sqrt(2))
+
+
+def _code(observed: Observed) -> float:
+    """Return the step of coarse codes [N m]: the smallest of a torque that mostly takes none; else 0."""
+    steps = np.abs(np.diff(observed.torque))
+    moving = steps[steps > 0]
+    return float(np.quantile(moving, _SMALLEST)) if 0 < moving.size < 0.5 * steps.size else 0.0
 
 
 def _smooth(observed: Observed) -> Floats:
