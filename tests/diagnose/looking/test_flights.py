@@ -88,7 +88,7 @@ def test_a_step_of_coarse_codes_is_no_blow(by_hand: ByHand, monkeypatch: pytest.
     """A torque near zero stays at one code, and then takes the next, whatever noise its rare steps are taken for."""
     monkeypatch.setattr(looking, "_noise", lambda _: 5e-3)
     time = np.arange(int(6 * RATE)) / RATE
-    slow = 0.06 + 0.05 * np.sin(2 * pi * 3 * time) + 2e-3 * np.random.default_rng(2).standard_normal(time.size)
+    slow = 0.06 + 0.05 * np.sin(2 * pi * 3 * time) + 2e-4 * np.random.default_rng(2).standard_normal(time.size)
     assert blows(by_hand(slow, 40.0 * time, rate=RATE)) == []
     assert blows(by_hand(0.104 * np.round(slow / 0.104), 40.0 * time, rate=RATE)) == []
     struck = parted(by_hand, flying=0.0, lasting=0.02)
