@@ -12,6 +12,7 @@ from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_opt
 from torquerig.cli.targets import check_targets
 from torquerig.errors import InputError
 from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.readings import other_readings
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.signals.files import read_recording
 from torquerig.signals.files.sidecar import sidecar_path
@@ -51,7 +52,8 @@ def command(
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
     written = [(target, _HEAD), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
     check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
-    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    document, catalog = edited(scenario, settings), catalog_beside(scenario, catalogs)
+    made = read_scenario(document, catalog, seed=seed)
     if report is not None and under_measured_motion(made.rig):
         raise InputError("there is no page for rigs under measured motion; leave --report out, the JSON has it all")
     read = [read_recording(path) for path in recordings]
@@ -62,7 +64,8 @@ def command(
         if under_measured_motion(made.rig):
             outcome = diagnose_motion(made, read, seed=seed, progress=progress)
         else:
-            outcome = diagnose(made, read, seed=seed, progress=progress)
+            others = other_readings(document, catalog, seed=seed)
+            outcome = diagnose(made, read, others=others, seed=seed, progress=progress)
     data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
     if outcome.completes:
         text = scenario_text(

@@ -9,6 +9,7 @@ hypotheses/  how each mechanism would explain what is left          neutral/  de
 diagnosis    the outcome, and its JSON                  judging/     how good a model is
 choosing/    which effects complete the model           advising/    what to measure next
 opening      from recordings to a case                  findings     effect after effect
+beginning    the case that a search begins with, of the rig that fits where a catalog leaves counts open
 diagnose     all of it in order
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 

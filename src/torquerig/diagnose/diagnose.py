@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
+from torquerig.diagnose.beginning import begun
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, Mismatch, UsedRecording, Verdict
 from torquerig.diagnose.findings import faults_found, reasons, run_for_the_rest, searched
-from torquerig.diagnose.fitting.knobs import with_free_load
-from torquerig.diagnose.free_names import with_free_names
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
@@ -18,12 +17,8 @@ from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.null_table import null_table, without_table
-from torquerig.diagnose.opening import followed, opened
-from torquerig.diagnose.own_gap import MECHANISM, closed
-from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
-from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
-from torquerig.diagnose.sentences import MECHANISMS
+from torquerig.diagnose.own_gap import MECHANISM
+from torquerig.diagnose.sample_findings import SampleFindings
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -70,28 +65,28 @@ class Outcome:
 
 
 def diagnose(
-    scenario: Scenario, recordings: Sequence[Recording], *, seed: int = 0, progress: Progress = lambda _: None
-) -> Outcome:
+    scenario: Scenario, recordings: Sequence[Recording], *, others: Sequence[Scenario] = (), seed: int = 0,
+    progress: Progress = lambda _: None,
+) -> Outcome:  # fmt: skip
     """Return where model and recordings differ, which physics was left out, and how much better the model gets.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    recordings : sequence of Recording
+        Runs of one rig.
+    others : sequence of Scenario
+        The scenario as it may be read too, where a catalog leaves whole numbers open (``scenario.readings``).
+    seed : int
+    progress : callable
 
     Raises
     ------
     InputError, RecordingError
         Where the recordings are of different rigs, contradict the scenario, or are too short to tell anything.
     """
-    thresholds, unknown = null_table(scenario), without_table(scenario)
-    scenario = with_free_names(scenario, MECHANISMS)
-    whole = with_free_load(scenario.rig.at(recordings[0].run))
-    check_recordings(recordings, whole)
-    nominal, own_gap = closed(whole)
-    progress("looking at the samples")
-    faults = sample_findings(recordings, nominal)
-    progress("following the shaft")
-    runs = followed(recordings, faults.recordings, nominal)
-    untrue = [*faults.untrue, *off_set_points(recordings, runs)]
-    progress("fitting the nominal model's own numbers")
-    before, held = opened(scenario, runs, nominal, faults)
-    before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
+    start = begun(scenario, others, recordings, progress)
+    whole, own_gap, faults, before, held = start.whole, start.own_gap, start.faults, start.before, start.held
     fitted = {run.name for run in before.runs}
     sought = searched(before, [each for each in held if each.observed.name in fitted], progress)
     progress("predicting what no fit has seen")
@@ -126,18 +121,18 @@ def diagnose(
         verdict=verdict,
         mismatch=(
             *((*mismatches(before), *came_and_went) if found_more else left),
-            *(mismatch for _, mismatch in untrue),
+            *(mismatch for _, mismatch in start.untrue),
         ),
         findings=tuple(found),
         fit=fit,
-        recordings=tuple(_used(run) for run in runs),
+        recordings=tuple(_used(run) for run in start.runs),
         remarks=(
-            *(sentence for sentence, _ in untrue),
+            *(sentence for sentence, _ in start.untrue),
             *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
             *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
-            *([unknown] if thresholds is None else []),
+            *start.remarks,
         ),
         set_aside=reasons(before, sought, found),
         next_experiment=run_for_the_rest(sought) if verdict == "unexplained" else None,

@@ -58,6 +58,11 @@ class Scenario:
     assumed: Mapping[str, str] = field(default_factory=dict)
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
 
+    def choices(self) -> dict[str, float]:
+        """Return the counts that were drawn of a few which the catalog names, such as pole pairs, by ``part.field``."""
+        several = {name: one for name, one in self.taken.items() if len(one.known.choices) > 1}
+        return {name: one.used for name, one in several.items() if all(of == int(of) for of in one.known.choices)}
+
 
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
     """Return the scenario of a document; ``seed`` fixes what is drawn where the catalog has only an interval.

@@ -14,6 +14,7 @@ from torquerig.diagnose.diagnose import diagnose
 from torquerig.document import read_document
 from torquerig.mechanisms import MainsInterference
 from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.readings import other_readings
 from torquerig.signals.recording import Recording
 
 pytestmark = pytest.mark.skipif(
@@ -51,3 +52,21 @@ def test_another_copy_of_the_same_parts(
     assert [each.mechanism for each in said.findings] == (["mains_interference"] if hum else [])
     assert said.verdict == ("missing_physics" if hum else "adequate")
     assert any("the gap that the scenario states" in remark for remark in said.remarks)
+
+
+def test_a_motor_with_another_number_of_poles_than_was_drawn(tmp_path: Path, record: Callable[..., Recording]) -> None:
+    """The catalog knows 4 or 5 pole pairs; lines at the other's orders are no missing physics."""
+    text = (shipped_scenarios() / "wear_rig.yaml").read_text(encoding="utf-8").split("study:")[0]
+    path = tmp_path / "rig.yaml"
+    path.write_text(text.replace(PARTS[0][0], "ESM06X-401-302").replace("reference-5-1", "GB060-5"), encoding="utf-8")
+    document, catalog = read_document(path), load_catalog(shipped_folder())
+    drawn, real = (read_scenario(document, catalog, seed=seed) for seed in (0, 7))
+    assert (drawn.choices()["motor.pole_pairs"], real.choices()["motor.pole_pairs"]) == (5, 4)
+    plan = [(1000.0, 5.0, "steady"), (600.0, 5.0, "steady"), (1000.0, 0.0, "steady"), (1400.0, 5.0, "ramp")]
+    runs = [
+        record(real.rig, 10 + place, rpm=rpm, occupancy=load, profile=profile, duration=12.0, rate=10_000.0)
+        for place, (rpm, load, profile) in enumerate(plan)
+    ]
+    said = diagnose(drawn, runs, others=other_readings(document, catalog, seed=0)).diagnosis
+    assert said.verdict == "adequate"
+    assert any("motor.pole_pairs 4 (not 5" in remark for remark in said.remarks)

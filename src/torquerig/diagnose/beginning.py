@@ -1,0 +1,102 @@
+"""Where a search begins: the nominal model calibrated, of the rig that fits where a catalog leaves counts open.
+
+A motor whose maker states no pole pairs is drawn with one of a few counts. Lines at the orders of another count are no
+missing physics: every rig that the catalog allows is calibrated, and the one whose model misses least is diagnosed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.search import LEAST_GAIN, excess
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.fitting.knobs import with_free_load
+from torquerig.diagnose.free_names import with_free_names
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.null_table import null_table, without_table
+from torquerig.diagnose.opening import followed, opened
+from torquerig.diagnose.own_gap import OwnGap, closed
+from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
+from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
+from torquerig.diagnose.sentences import MECHANISMS
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Beginning:
+    """What a search begins with.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        As it was read, with names for what may be found.
+    whole : Rig
+        The scenario's rig, a gap that it states included.
+    own_gap : OwnGap or None
+        That gap, which is closed in ``before``.
+    faults : SampleFindings
+    runs : tuple of Observed
+    untrue : tuple of (str, Mismatch)
+        What cannot be true of recordings or sheets, in words and located.
+    before : Case
+        The nominal model, calibrated.
+    held : tuple of Features
+        Of the stretches that no fit has seen.
+    remarks : tuple of str
+        Which counts fit, and what is not known of the scenario.
+    """
+
+    scenario: Scenario
+    whole: Rig
+    own_gap: OwnGap | None
+    faults: SampleFindings
+    runs: tuple[Observed, ...]
+    untrue: tuple[tuple[str, Mismatch], ...]
+    before: Case
+    held: tuple[Features, ...]
+    remarks: tuple[str, ...] = ()
+
+
+def begun(
+    scenario: Scenario, others: Sequence[Scenario], recordings: Sequence[Recording], progress: Progress
+) -> Beginning:
+    """Return the beginning of the scenario, or of one of the ``others`` where that fits clearly better."""
+    drawn = _begun(scenario, recordings, progress)
+    best = drawn
+    for number, other in enumerate(others, start=2):
+        progress(f"trying reading {number} of {len(others) + 1} of what the catalog leaves open")
+        one = _begun(other, recordings, lambda _: None)
+        best = one if excess(one.before) < excess(best.before) - LEAST_GAIN else best
+    if best is drawn:
+        return drawn
+    chosen, left = best.scenario.choices(), drawn.scenario.choices()
+    told = [f"{name} {of:g} (not {left[name]:g}, as drawn)" for name, of in chosen.items() if left.get(name) != of]
+    said = f"of what the catalog leaves open, the recordings fit {', '.join(told) or 'another draw'}"
+    return replace(best, remarks=(said, *best.remarks))
+
+
+def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progress) -> Beginning:
+    thresholds, unknown = null_table(scenario), without_table(scenario)
+    scenario = with_free_names(scenario, MECHANISMS)
+    whole = with_free_load(scenario.rig.at(recordings[0].run))
+    check_recordings(recordings, whole)
+    nominal, own_gap = closed(whole)
+    progress("looking at the samples")
+    faults = sample_findings(recordings, nominal)
+    progress("following the shaft")
+    runs = followed(recordings, faults.recordings, nominal)
+    untrue = (*faults.untrue, *off_set_points(recordings, runs))
+    progress("fitting the nominal model's own numbers")
+    before, held = opened(scenario, runs, nominal, faults)
+    before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
+    return Beginning(
+        scenario=scenario, whole=whole, own_gap=own_gap, faults=faults, runs=runs, untrue=untrue, before=before,
+        held=held, remarks=(unknown,) if thresholds is None else (),
+    )  # fmt: skip
