@@ -14,7 +14,10 @@ from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
-_RISES = 0.5  # of the Coulomb torque, below which the static one makes no dry friction but a drag that grows with speed
+_TWO_WAYS = 30.0  # that directions differ is a claim of its own, and near standstill no friction law is to be trusted
+# a static torque below so much of the Coulomb one, up to a speed so high [rad/s], is a drag that grows with the speed;
+# at lower speeds few samples tell the static torque
+_RISES, _UP_TO = 0.5, 10.0
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -41,7 +44,12 @@ def _best(case: Case, at: str, rig: Rig) -> Iterator[Candidate]:
     if any(features.turning is not None for features in case.seen):
         own = replace(part, coulomb_backward=part.coulomb, static_backward=part.static)
         yield Candidate(
-            mechanism="stribeck_friction", parts=(own,), knobs=_knobs(own), variant="by_direction", loosens=SLOW_TORQUE
+            mechanism="stribeck_friction",
+            parts=(own,),
+            knobs=_knobs(own),
+            variant="by_direction",
+            price=_TWO_WAYS,
+            loosens=SLOW_TORQUE,
         )
 
 
@@ -55,4 +63,5 @@ def possible(part: Part) -> bool:
     if not isinstance(part, mechanisms.StribeckFriction):
         return False
     sides = ((part.coulomb, part.static), (part.coulomb_backward, part.static_backward))
-    return all(static > _RISES * coulomb for coulomb, static in sides if coulomb is not None and static is not None)
+    rises = any(static < _RISES * coulomb for coulomb, static in sides if coulomb is not None and static is not None)
+    return not rises or part.stribeck_speed < _UP_TO
