@@ -14,6 +14,7 @@ from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
+_STATIC = 0.4  # of the logarithm: static friction is one to three times the Coulomb one, and few blocks tell it
 _TWO_WAYS = 30.0  # that directions differ is a claim of its own, and near standstill no friction law is to be trusted
 # a static torque below so much of the Coulomb one, up to a speed so high [rad/s], is a drag that grows with the speed;
 # at lower speeds few samples tell the static torque
@@ -55,7 +56,8 @@ def _best(case: Case, at: str, rig: Rig) -> Iterator[Candidate]:
 
 def _knobs(part: mechanisms.StribeckFriction) -> tuple[Knob, ...]:
     fields = ("coulomb", "static", "stribeck_speed", "coulomb_backward", "static_backward")
-    return tuple(Knob(part.name, field, 0.8) for field in fields if getattr(part, field) is not None)
+    stated = (field for field in fields if getattr(part, field) is not None)
+    return tuple(Knob(part.name, field, _STATIC if field.startswith("static") else 0.8) for field in stated)
 
 
 def possible(part: Part) -> bool:

@@ -53,7 +53,7 @@ class Turning:
     lines: Floats
 
     def mean_of(self, course: Floats) -> Floats:
-        """Return the weighted mean over each block of values that are given at the steps of the course."""
+        """Return the weighted mean over each block of values that hold from one step of the course to the next."""
         first = np.round(self.start * STEPS / self.size).astype(int)
         weights = _weights(SPACINGS * STEPS)
         index = np.minimum(first[:, None] + np.arange(weights.size), course.size - 1)
@@ -92,7 +92,7 @@ def turning(
         if held is None or stretch.held == held
     ])  # fmt: skip
     middles = starts + length // 2
-    points, weights = starts[:, None] + np.linspace(0, length, _POINTS, endpoint=False).astype(int), _weights(_POINTS)
+    points, weights = starts[:, None] + ((np.arange(_POINTS) + 0.5) * length / _POINTS).astype(int), _weights(_POINTS)
     angle = observed.angle[points]
     ends = observed.speed[np.minimum(starts + length, observed.speed.size - 1)]
     waves = [np.exp(1j * place.at * angle) @ weights for place in places if place.domain == "order"]
@@ -113,8 +113,8 @@ def turning(
 
 
 def _weights(count: int) -> Floats:
-    """Return Hann's weights of so many points from a block's start on, their sum 1."""
-    weights = np.sin(np.pi * np.arange(count) / count) ** 2
+    """Return Hann's weights of so many even parts of a block, at the middle of each, their sum 1."""
+    weights = np.sin(np.pi * (np.arange(count) + 0.5) / count) ** 2
     return np.asarray(weights / weights.sum())
 
 
