@@ -1,4 +1,4 @@
-"""A scenario once for each rig that a catalog's open whole numbers allow: pole pairs, slots, teeth."""
+"""A scenario once for each rig that a catalog's open counts allow, such as pole pairs and slots."""
 
 from __future__ import annotations
 

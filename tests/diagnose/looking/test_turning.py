@@ -15,7 +15,7 @@ from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import frequency, order
 from torquerig.diagnose.looking.shaft_angle import ShaftAngle
-from torquerig.diagnose.looking.turning import SPACINGS, Turning, turning, turns_back
+from torquerig.diagnose.looking.turning import Turning, turning, turns_back
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
 
@@ -101,7 +101,7 @@ def test_only_a_run_that_turns_back_is_seen_by_blocks(by_hand: ByHand) -> None:
 
 
 def _samples(blocks: Turning) -> list[int]:
-    return [int(at) for start in blocks.start for at in range(start, start + SPACINGS * blocks.size)]
+    return [int(at) for start in blocks.start for at in range(start, start + blocks.length)]
 
 
 def test_a_simulation_of_the_same_rig_turns_like_it(wear_rig: Scenario, record: Callable[..., Recording]) -> None:

@@ -17,7 +17,7 @@ from torquerig.diagnose.linear.winding import wound_torque
 from torquerig.diagnose.looking.features import POINTS, Features
 from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.diagnose.looking.regression import HANN_NOISE
-from torquerig.diagnose.looking.turning import SPACINGS, STEPS, Turning
+from torquerig.diagnose.looking.turning import STEPS, Turning
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
 from torquerig.signals.stages.band_noise import BandNoise
@@ -149,7 +149,7 @@ def _turning(twin: Twin, seen: Features, blocks: Turning) -> Expectation:
     tolerance = np.hypot(blocks.mean_of(wound.tolerance), _LOAD_TOLERANCE * torque)
     if not seen.observed.angle_measured:
         tolerance = np.hypot(tolerance, blocks.mean_of(np.abs(np.gradient(wound.torque, step))) * _MISTIMED)
-    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + SPACINGS * blocks.size)
+    torque = torque + moving_zero(twin, seen.observed, blocks.start, blocks.start + blocks.length)
     none = np.zeros((0, len(seen.places)))
     return Expectation(
         np.zeros(0), none, none, np.zeros(0), np.zeros(0), turning=torque, turning_tolerance=tolerance

@@ -157,12 +157,16 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
             found.append((start, stop, level))
             last = stop
     if not found and fine:
-        found = _standing(volts, rate)
+        low, high = float(volts.min()), float(volts.max())
+        still_long = _standing(volts, max(_REPEATS, _SHORTEST * rate))
+        found = [each for each in still_long if low < each[2] < high]  # at its limit a signal is not lost
     if not found or not _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma):
         return []
     if fine:
         level = float(np.median([each[2] for each in found]))
-        found += [each for each in _still_at(volts, level, rate) if not any(_meet(each, other) for other in found)]
+        nearest = float(volts[np.argmin(np.abs(volts - level))])
+        others = [each for each in _standing(volts, _SHORTEST * rate) if each[2] == nearest]
+        found += [each for each in others if not any(_meet(each, other) for other in found)]
     return sorted(found)
 
 
@@ -181,21 +185,11 @@ def _noise_of(steps: Floats) -> tuple[float, float]:
     return (middle if middle < _ONE_CODE * code else middle / 0.6745), code
 
 
-def _still_at(volts: Floats, level: float, rate: float) -> list[tuple[int, int, float]]:
-    """Return the moments in which every sample is the same, at a level."""
-    same = np.concatenate([[False], volts == volts[np.argmin(np.abs(volts - level))], [False]])
-    edges = np.flatnonzero(np.diff(same.astype(int)))
-    pairs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
-    return [(start, stop, level) for start, stop in pairs if stop - start >= _SHORTEST * rate]
-
-
-def _standing(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
-    """Return the moments in which every sample is the same, at whatever level short of a limit."""
+def _standing(volts: Floats, samples: float) -> list[tuple[int, int, float]]:
+    """Return (first, one past last, level) of the moments in which at least so many samples are the same."""
     edges = np.flatnonzero(np.concatenate([[True], np.diff(volts) != 0, [True]]))
-    long = np.flatnonzero(np.diff(edges) >= max(_REPEATS, _SHORTEST * rate))
-    pairs = zip(edges[long].tolist(), edges[long + 1].tolist(), strict=True)
-    low, high = float(volts.min()), float(volts.max())
-    return [(start, stop, float(volts[start])) for start, stop in pairs if low < volts[start] < high]
+    long = np.flatnonzero(np.diff(edges) >= samples)
+    return [(int(edges[at]), int(edges[at + 1]), float(volts[edges[at]])) for at in long]
 
 
 def _meet(one: tuple[int, int, float], other: tuple[int, int, float]) -> bool:

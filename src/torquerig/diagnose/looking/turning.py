@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 STEPS = 4
 _BLOCK = 0.02  # [s] from one to the next, long against the first mode, short against a reversal
-SPACINGS = 2  # of a block's length: under a Hann window it then weighs little beyond its neighbours' middles
+_SPACINGS = 2  # of a block's length: under a Hann window it then weighs little beyond its neighbours' middles
 _POINTS = 64  # of a block, at which the lines are followed
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
 
@@ -52,10 +52,15 @@ class Turning:
     acceleration: Floats
     lines: Floats
 
+    @property
+    def length(self) -> int:
+        """Samples of a block."""
+        return _SPACINGS * self.size
+
     def mean_of(self, course: Floats) -> Floats:
         """Return the weighted mean over each block of values that hold from one step of the course to the next."""
         first = np.round(self.start * STEPS / self.size).astype(int)
-        weights = _weights(SPACINGS * STEPS)
+        weights = _weights(_SPACINGS * STEPS)
         index = np.minimum(first[:, None] + np.arange(weights.size), course.size - 1)
         return np.asarray(course[index] @ weights)
 
@@ -85,7 +90,7 @@ def turning(
     cause may be a load's, which opposes the motion whichever way it goes.
     """
     size = block_size(observed)
-    length = SPACINGS * size
+    length = _SPACINGS * size
     starts = np.concatenate([
         np.arange(stretch.start, stretch.stop - length + 1, size)
         for stretch in observed.stretches
