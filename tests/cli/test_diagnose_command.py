@@ -114,6 +114,14 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(folder: Path) -> 
     assert abs(volts - volts.round()).max() < 0.1
 
 
+def test_the_number_of_workers_changes_nothing(capsys: pytest.CaptureFixture[str]) -> None:
+    told = []
+    for workers in ("1", "2"):
+        main(("diagnose", "good.parquet", "--scenario", WEAR_RIG, "--json", "-", "--workers", workers))
+        told.append(capsys.readouterr().out)
+    assert told[0] == told[1]
+
+
 def test_to_standard_output_goes_the_json_alone(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     main(("diagnose", "good.parquet", "--scenario", WEAR_RIG, "--json", "-"))
     told = capsys.readouterr()

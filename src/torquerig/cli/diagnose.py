@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shlex
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from torquerig.signals.files import read_recording
 from torquerig.signals.files.sidecar import sidecar_path
 
 _PAGE = "<!-- written by torquerig diagnose -->"
+_MOST_WORKERS = 4  # of their own accord: each holds some 200 MB of its own
 _HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was found missing."
 
 
@@ -34,11 +36,14 @@ _HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was f
 @click.option("--model", type=click.Path(path_type=Path), default=None,
               help="Completed scenario to write; beside the JSON when not given.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Fixes every random number.")
+@click.option(
+    "--workers", type=click.IntRange(1), default=None, help="Fits at a time; default: one per core, four at most."
+)
 @set_option
 @catalog_option
 def command(
     *, recordings: tuple[Path, ...], scenario: Path, out: str, report: Path | None, model: Path | None, seed: int,
-    settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    workers: int | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Say where RECORDINGS (runs of one rig) and the SCENARIO differ, which effect was left out, and how sure that is.
 
@@ -48,6 +53,7 @@ def command(
     from torquerig.diagnose.diagnose import Outcome, diagnose
     from torquerig.diagnose.diagnosis import SCHEMA, as_json
     from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
+    from torquerig.diagnose.side_by_side import side_by_side
 
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
     written = [(target, _HEAD), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
@@ -60,7 +66,7 @@ def command(
     if len({recording.name for recording in read}) < len(read):
         raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
     outcome: Outcome | MotionOutcome
-    with stages("diagnose") as progress:
+    with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
         if under_measured_motion(made.rig):
             outcome = diagnose_motion(made, read, seed=seed, progress=progress)
         else:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.search import LEAST_GAIN, excess
 from torquerig.diagnose.diagnosis import Mismatch
@@ -22,6 +24,7 @@ from torquerig.diagnose.own_gap import OwnGap, closed
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -69,13 +72,14 @@ def begun(
 ) -> Beginning:
     """Return the beginning of the scenario, or of one of the ``others`` where that fits clearly better."""
     drawn = _begun(scenario, recordings, progress)
-    best = drawn
-    for number, other in enumerate(others, start=2):
-        progress(f"trying reading {number} of {len(others) + 1} of what the catalog leaves open")
-        one = _begun(other, recordings, lambda _: None)
-        best = one if excess(one.before) < excess(best.before) - LEAST_GAIN else best
-    if best is drawn:
+    if not others:
         return drawn
+    progress(f"trying the other {len(others)} readings of what the catalog leaves open")
+    left_by = of_each(lambda other: excess(_begun(other, recordings, lambda _: None).before), others)
+    least = int(np.argmin(left_by))
+    if left_by[least] >= excess(drawn.before) - LEAST_GAIN:
+        return drawn
+    best = _begun(others[least], recordings, progress)
     chosen, left = best.scenario.choices(), drawn.scenario.choices()
     told = [f"{name} {of:g} (not {left[name]:g}, as drawn)" for name, of in chosen.items() if left.get(name) != of]
     said = f"of what the catalog leaves open, the recordings fit {', '.join(told) or 'another draw'}"

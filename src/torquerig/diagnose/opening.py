@@ -17,6 +17,7 @@ from torquerig.diagnose.looking.refilled import refilled
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.diagnose.looking.without_tones import less_tones
 from torquerig.diagnose.sample_findings import SampleFindings
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
@@ -45,8 +46,10 @@ def opened(
     places = [*known, *unknown, *hum_places(left)]
     runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
     fitted = _unclipped(runs, faults)
-    seen = tuple(features(run, places, unknown=unknown) for run in fitted)
-    held = tuple(features(run, places, held=True, unknown=unknown) for run in runs)
+    looks = [(run, False) for run in fitted] + [(run, True) for run in runs]
+    found = of_each(lambda look: features(look[0], places, held=look[1], unknown=unknown), looks)
+    found = [replace(each, observed=run) for each, (run, _) in zip(found, looks, strict=True)]  # one run, not copies
+    seen, held = tuple(found[: len(fitted)]), tuple(found[len(fitted) :])
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
     knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
     rig = nominal

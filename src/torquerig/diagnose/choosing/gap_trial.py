@@ -6,7 +6,7 @@ long and how often the torque stays near zero (``near_zero``).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import pi
@@ -28,6 +28,7 @@ from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, fl
 from torquerig.diagnose.looking.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
@@ -157,11 +158,8 @@ def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> tuple[float, f
     told = [statistics(features.untoned) for features in seen]
 
     def shown(rigs: Sequence[Rig]) -> Floats:
-        copies = simulated_runs(rigs, seen, seeds=_SEEDS)
-        pairs = zip(seen, copies, strict=True)
-        return np.array(
-            [np.mean([statistics(without_tones(copy, one.places)) for copy in each], axis=0) for one, each in pairs]
-        )
+        pairs = list(zip(seen, simulated_runs(rigs, seen, seeds=_SEEDS), strict=True))
+        return np.array(of_each(lambda pair: _mean_of(statistics, *pair), pairs))
 
     def cost(modelled: Floats) -> float:
         pairs = zip(told, modelled, strict=True)
@@ -176,6 +174,11 @@ def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> tuple[float, f
     longest = longest_flight([features.untoned for features in seen], case.nominal) if flanks_fly(case) else np.inf
     at = int(np.argmin(costs + (np.log(np.maximum(_FINE / longest, 1.0)) / _BEYOND) ** 2))
     return (float(_FINE[at]), closed, float(costs[at])) if costs[at] < closed - _LEAST_GAIN else None
+
+
+def _mean_of(statistics: Callable[[Observed], Floats], seen: Features, copies: Sequence[Observed]) -> Floats:
+    """Return the mean of the statistics of a run's simulations."""
+    return np.asarray(np.mean([statistics(without_tones(copy, seen.places)) for copy in copies], axis=0))
 
 
 def _smoothed(each: Floats) -> Floats:

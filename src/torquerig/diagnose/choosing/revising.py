@@ -9,10 +9,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.search import LEAST_GAIN, PER_KNOB, Trial, Tried, extended, trials, unexplained
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
+from torquerig.diagnose.side_by_side import of_each
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -76,11 +78,11 @@ def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
     knobs = tuple(final.knobs[row] for row in rows)
     corrections = final.corrections or None
     known = None if final.jacobian is None else final.jacobian[:, rows]
-    there, afresh = (
-        calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known, near=False)
-        for start in (final.positions[rows], np.zeros(len(knobs)))
-    )
-    model = min(there, afresh, key=lambda each: each.cost)
+
+    def fitted(start: NDArray[np.float64]) -> Calibrated:
+        return calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known, near=False)
+
+    model = min(of_each(fitted, (final.positions[rows], np.zeros(len(knobs)))), key=lambda each: each.cost)
     return replace(bare, model=model, left=unexplained(first.left, first, model), apart=None)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +14,10 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, flanks_fly, gap_is_possible, simulated_model
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.knobs import turned
-from torquerig.diagnose.hypotheses import is_possible, proposals
+from torquerig.diagnose.hypotheses import is_possible, proposers
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.neutral import descriptions
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 
@@ -64,10 +67,12 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
     numbers free. ``simulated`` ones, which take longest, may be left out.
     """
-    screened = [_screened(case, candidate) for candidate in (*proposals(case), *descriptions(case))]
-    screened.sort(key=lambda trial: -trial.gain)
-    fitted = sorted((_joint(case, trial) for trial in _finalists(screened)), key=lambda trial: -trial.gain)
-    fitted[:_POLISHED] = [_polished(case, trial) for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
+    sources = (*proposers(case), descriptions)
+    of_sources = of_each(lambda propose: [_screened(case, candidate) for candidate in propose(case)], sources)
+    screened = sorted(chain.from_iterable(of_sources), key=lambda trial: -trial.gain)
+    fitted = sorted(of_each(partial(_joint, case), _finalists(screened)), key=lambda trial: -trial.gain)
+    promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
+    fitted[:_POLISHED] = of_each(partial(_polished, case), promising)
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
         try:

@@ -16,6 +16,7 @@ from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, speed_of
 from torquerig.diagnose.looking.refilled import refilled
 from torquerig.diagnose.looking.sample_faults import bridged, moments_lost
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 from torquerig.simulate.simulate import simulate
 
@@ -58,9 +59,11 @@ def expected_by_simulation(rig: Rig, seen: Sequence[Features], *, seeds: Sequenc
 
 def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[Observed]]) -> tuple[Expectation, ...]:
     """Return the expected features of every run from its simulated copies."""
-    return tuple(
-        _mean(rig, one, [_features(copy, one) for copy in each]) for one, each in zip(seen, copies, strict=True)
-    )
+
+    def of_run(row: int) -> Expectation:
+        return _mean(rig, seen[row], [_features(copy, seen[row]) for copy in copies[row]])
+
+    return tuple(of_each(of_run, range(len(seen))))
 
 
 def _features(copy: Observed, seen: Features) -> Features:

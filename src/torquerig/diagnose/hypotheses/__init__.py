@@ -44,11 +44,13 @@ CLASSES = {
 }
 
 
-def proposals(case: Case) -> Iterator[Candidate]:
-    """Yield what every mechanism of the library would add to the model."""
-    for name, class_name in CLASSES.items():
-        if hasattr(mechanisms, class_name) and not case.has(name):
-            yield from import_module(f"{__name__}.{name}").propose(case)
+def proposers(case: Case) -> tuple[Propose, ...]:
+    """Return, for every mechanism of the library that the case lacks, what proposes its ways to complete the model."""
+    return tuple(
+        import_module(f"{__name__}.{name}").propose
+        for name, class_name in CLASSES.items()
+        if hasattr(mechanisms, class_name) and not case.has(name)
+    )
 
 
 def is_possible(candidate: Candidate, rig: Rig) -> bool:

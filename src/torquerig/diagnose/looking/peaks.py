@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
@@ -14,6 +14,7 @@ from torquerig.diagnose.looking.places import RESOLVED_WELL, Place, frequency, o
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.stretch_lines import shown_places
 from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.side_by_side import of_each
 
 Floats = NDArray[np.float64]
 
@@ -78,7 +79,9 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
     A line of an order and a line of a fixed frequency look alike at one speed; each is taken as that which stands in
     runs of more different speeds, an order where both do.
     """
-    spectra = [_spectrum(run, known) for run in runs if run.steady]
+    steady = [run for run in runs if run.steady]
+    pairs = zip(of_each(lambda run: _spectrum(run, known), steady), steady, strict=True)
+    spectra = [replace(spectrum, observed=run) for spectrum, run in pairs]  # one run, not copies
     candidates: dict[Place, None] = {}
     for spectrum in spectra:
         speed = spectrum.observed.mean_speed

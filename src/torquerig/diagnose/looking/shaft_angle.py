@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from statistics import median
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
@@ -45,20 +47,25 @@ def shaft_angles(
     ramp or reversal without an encoder, or a run whose lines do not stand out, turns as the nominal rig does when its
     set-point is scaled by that factor; its ripple is left out, for nobody knows at which phase it moves the shaft.
     """
-    kinematics = kinematics_of(rig)
-    found: list[ShaftAngle | None] = []
-    factors: list[float] = []
-    for recording in recordings:
-        angle = measured_motor_angle(recording, ratio=kinematics.ratio)
-        measured = angle is not None
-        if angle is None and recording.run.profile == "steady" and recording.run.speed:
-            angle = _followed(recording, rig, also)
-        found.append(None if angle is None else ShaftAngle(angle.values, measured, angle.origin))
-        if angle is not None and recording.run.profile == "steady" and recording.run.speed:
-            factors.append(angle.mean_speed(recording.sample_rate) / recording.run.speed)
+    found = of_each(partial(_told, rig=rig, also=also), recordings)
+    factors = [factor for _, factor in found if factor is not None]
     factor = median(factors) if factors else 1.0
     pairs = zip(recordings, found, strict=True)
-    return [_simulated(recording, rig, factor) if angle is None else angle for recording, angle in pairs], factor
+    return [_simulated(recording, rig, factor) if angle is None else angle for recording, (angle, _) in pairs], factor
+
+
+def _told(recording: Recording, *, rig: Rig, also: Sequence[float]) -> tuple[ShaftAngle | None, float | None]:
+    """Return the angle that was measured or is followed, and of steady runs the speed over its set-point."""
+    run = recording.run
+    asked = run.speed if run.profile == "steady" else None
+    angle = measured_motor_angle(recording, ratio=kinematics_of(rig).ratio)
+    measured = angle is not None
+    if angle is None and asked:
+        angle = _followed(recording, rig, also)
+    if angle is None:
+        return None, None
+    factor = angle.mean_speed(recording.sample_rate) / asked if asked else None
+    return ShaftAngle(angle.values, measured, angle.origin), factor
 
 
 def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAngle | None:
