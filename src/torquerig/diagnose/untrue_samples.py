@@ -10,7 +10,8 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.copied import copied
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.refilled import Moments
-from torquerig.diagnose.looking.sweeps import Sweep, sweep_along, sweep_in, without_sweep
+from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
+from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
 from torquerig.signals.recording import Recording
 
 Untrue = tuple[str, Mismatch]
@@ -46,21 +47,20 @@ def without_untrue(
     standing : collection of str
         Recordings with flat tops or coarse codes: where their signal stands still, that is no gain.
     """
-    answer, told, sweeps = list(recordings), list[Untrue](), list[Sweep]()
+    answer, told = list(recordings), list[Untrue]()
     for index, (recording, moments) in enumerate(zip(recordings, lost, strict=True)):
         gains = () if recording.name in standing else gain_moments(recording, without=moments)
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
-    steady_first = sorted(range(len(answer)), key=lambda index: answer[index].run.profile != "steady")
-    for index in steady_first:
-        recording, name = answer[index], answer[index].torque_name()
-        volts, rate = recording.channels[name].values, recording.sample_rate
-        steady = recording.run.profile == "steady"
-        sweep = sweep_in(volts, rate) if steady else sweep_along(volts, rate, sweeps)
+    volts = [(each.channels[each.torque_name()].values, each.sample_rate) for each in answer]
+    steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
+    sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
+    known = [sweep for sweep in sweeps.values() if sweep is not None]
+    for index, recording in enumerate(answer):
+        sweep = sweeps[index] if index in sweeps else sweep_along(*volts[index], known)
         if sweep is not None:
-            sweeps.append(sweep)
-            answer[index] = recording.with_values(name, without_sweep(volts, rate, sweep))
+            answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
     return tuple(answer), tuple(told)
 

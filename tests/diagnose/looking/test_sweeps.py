@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.looking.kernel import largest_path_sum
-from torquerig.diagnose.looking.sweeps import Sweep, sweep_along, sweep_in, without_sweep
+from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
+from torquerig.diagnose.looking.sweeps import CLEAR, sweep_along, sweeps_in
 from torquerig.diagnose.sample_findings import sample_findings
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -37,25 +38,38 @@ def sweeping(start: float, stop: float, volts: float) -> np.ndarray:
 def test_a_sweep_is_found_and_taken_out(start: float, stop: float, volts: float, clean: Recording) -> None:
     line = sweeping(start, stop, volts)
     spoilt = volts_of(clean) + line
-    found = sweep_in(spoilt, RATE)
+    found = sweeps_in([(spoilt, RATE)])[0]
     assert found is not None
     assert (found.start, found.stop) == pytest.approx((start, stop), abs=0.2)
     left = without_sweep(spoilt, RATE, found) - volts_of(clean)
     # the torque's own noise within a hertz of the line goes with it
     assert np.std(left) < 0.1 * np.std(line) + 0.1 * np.std(volts_of(clean))
-    assert sweep_in(without_sweep(spoilt, RATE, found), RATE) is None
+    assert sweeps_in([(without_sweep(spoilt, RATE, found), RATE)])[0] is None
 
 
 def test_what_keeps_its_frequency_or_its_order_is_no_sweep(clean: Recording) -> None:
     volts = volts_of(clean)
-    assert sweep_in(volts, RATE) is None
+    assert sweeps_in([(volts, RATE)])[0] is None
     tone = 0.3 * np.cos(2 * pi * 731.0 * TIME)
     bursts = tone * (np.sin(2 * pi * 0.9 * TIME) > 0.7)
     wandering = 0.3 * np.cos(2 * pi * 1300.0 * TIME + 20.0 * np.sin(2 * pi * 0.2 * TIME))  # 4 Hz, as of an uneven speed
     faster = 0.3 * np.cos(2 * pi * (1300.0 * TIME + 0.5 * 50.0 / LENGTH * TIME**2))  # 4 % in the run, as of a motor
     for added in (tone, bursts, wandering, faster):
-        assert sweep_in(volts + added, RATE) is None
-    assert sweep_in(volts[: int(2 * RATE)], RATE) is None
+        assert sweeps_in([(volts + added, RATE)])[0] is None
+    assert sweeps_in([(volts[: int(2 * RATE)], RATE)])[0] is None
+
+
+def test_a_faint_sweep_is_told_by_several_runs_together() -> None:
+    noises = [0.01 * np.random.default_rng(seed).standard_normal(TIME.size) for seed in (1, 2, 3)]
+    line = sweeping(600.0, 251.0, 0.0015)
+    for alone in noises:
+        assert sweeps_in([(alone + line, RATE)]) == [None]
+    for found in sweeps_in([(noise + line, RATE) for noise in noises]):
+        assert found is not None
+        assert found.clear < CLEAR
+        assert (found.start, found.stop) == pytest.approx((600.0, 251.0), abs=0.5)
+    assert sweeps_in([(noise, RATE) for noise in noises]) == [None] * 3
+    assert sweeps_in([(noises[0] + line, RATE), *((noise, RATE) for noise in noises[1:])]) == [None] * 3
 
 
 def test_in_a_ramp_only_the_sweep_of_other_runs_is_looked_for() -> None:
