@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose import opening
-from torquerig.diagnose.looking.lines_left import strong_lines
+from torquerig.diagnose.looking.lines_left import Strong, strong_lines
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
-from torquerig.mechanisms import MainsInterference
+from torquerig.mechanisms import BladePass, MainsInterference
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
 
@@ -53,3 +53,27 @@ def test_a_hum_beside_an_order_does_not_swing_the_angle(wear_rig: Scenario, reco
 
     assert true.measured
     assert swing(opening._less(blind, [TONE])) < 0.5 * swing(blind)
+
+
+def test_at_one_speed_an_order_counts_where_the_wander_tells_it(
+    wear_rig: Scenario, record: Callable[..., Recording]
+) -> None:
+    """Blades swing the shaft within each turn, and cogging stands on the angle as it swings."""
+    bladed = wear_rig.rig + BladePass(name="blades", order_output=9.0, amplitude=0.8)
+    runs = [record(bladed, seed, duration=12.0, occupancy=occupancy) for seed, occupancy in ((3, 5.0), (4, 11.0))]
+    blind = [
+        replace(run, channels={name: one for name, one in run.channels.items() if one.quantity == "torque"})
+        for run in runs
+    ]
+    (true, _), _ = shaft_angles(runs, wear_rig.rig)
+    strong = strong_lines(opening._runs(blind, blind, wear_rig.rig, Strong()), wear_rig.rig)
+    assert [each for each in strong.orders if each == pytest.approx(1.8, abs=1e-3)]
+    assert not strong.tones
+
+    def swing(also: tuple[float, ...]) -> float:
+        (angle, _), _ = shaft_angles(blind, wear_rig.rig, also=also)
+        apart = angle.values - true.values
+        apart = apart - np.polyval(np.polyfit(TIME, apart, 2), TIME)
+        return float(np.abs(np.mean(apart * np.hanning(apart.size) * np.exp(-1j * 1.8 * true.values))))
+
+    assert swing(strong.orders) < 0.3 * swing(())

@@ -9,7 +9,7 @@ from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.order_or_fixed import may_be_fixed, rather_fixed
 from torquerig.diagnose.looking.peaks import SHIFTED, Peak, peaks
-from torquerig.diagnose.looking.places import Place, order
+from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
@@ -39,14 +39,27 @@ def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
 
     An angle that is followed by the weaker lines alone would smear strong orders, and a tone of fixed frequency beside
     an order that is followed makes the angle swing with their beat. Only lines that stand in runs of several speeds
-    count, or one of a kind could be taken for the other.
+    count, and orders that the wander of one speed tells, or one of a kind could be taken for the other.
     """
     if all(run.angle_measured for run in runs if run.steady):
         return Strong()
     left = lines_left(runs, known_places(runs, rig), rig=rig)
-    leading = [peak.place for peak in left if peak.speeds > 1 and peak.excess > _LEADING]
+    told = [peak.place.at for peak in left[:_ASKED] if peak.place.domain == "order" and not peak.either]
+    leading = [
+        peak.place
+        for row, peak in enumerate(left)
+        if peak.excess > _LEADING and (peak.speeds > 1 or (row < _ASKED and _turns(peak.place, told)))
+    ]
     orders, tones = ([place.at for place in leading if place.domain == domain] for domain in ("order", "frequency"))
     return Strong(tuple(orders), tuple(tones))
+
+
+def _turns(place: Place, told: Sequence[float]) -> bool:
+    """Whether a line is one of the orders that are told, or one that a told order is a multiple of."""
+    if place.domain != "order":
+        return False
+    multiples = [round(at / place.at) for at in told]
+    return any(most > 0 and abs(at - most * place.at) < SAME_ORDER for at, most in zip(told, multiples, strict=True))
 
 
 def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) -> tuple[Peak, ...]:
