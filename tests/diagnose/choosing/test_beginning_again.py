@@ -85,6 +85,15 @@ def test_a_rival_that_leaves_nearly_as_much_replaces_nothing(
     assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
 
 
+def test_where_what_was_taken_first_falls_its_rival_is_asked_too(
+    world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(chain, "_stands", lambda case, each: each.trial.candidate.mechanism != "mesh")
+    monkeypatch.setattr(chain, "rest_of", lambda case, each: 9.0)
+    monkeypatch.setattr(chain, "only", lambda start, accepted, gone: (start, []))
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("blades", "hum")
+
+
 def test_details_of_a_strong_effect_are_no_reason(
     world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
 ) -> None:

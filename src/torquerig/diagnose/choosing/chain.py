@@ -31,10 +31,14 @@ _MUCH_LESS = 0.5  # of what a chain leaves, another that begins elsewhere may le
 
 @dataclass(frozen=True, kw_only=True)
 class Chain:
-    """Effects taken one after the other, what was tried first and last, and the case with them all."""
+    """Effects taken one after the other, what was tried first and last, and the case with them all.
+
+    ``begun`` is what was taken first, whether or not the look back left it there.
+    """
 
     case: Case
     accepted: tuple[Accepted, ...]
+    begun: Trial | None
     first: Tried
     last: Tried
 
@@ -84,21 +88,22 @@ def _chain(
         case = with_all(start, accepted)
     if on_trial and not _together(start, case, accepted):
         case, accepted = start, []
+    begun = accepted[0].trial if accepted else None
     if len(accepted) > 1:
         progress("asking of each effect whether the others need it")
         accepted = list(revised(start, accepted))
         case = with_all(start, accepted)
     while fallen := [each for each in accepted if not _stands(case, each)]:
         case, accepted = only(start, accepted, max(fallen, key=partial(rest_of, case)))
-    return Chain(case=case, accepted=tuple(accepted), first=first, last=tried)
+    return Chain(case=case, accepted=tuple(accepted), begun=begun, first=first, last=tried)
 
 
 def _rival_of_first(case: Case, found: Chain) -> Trial | None:
     """Return the best rival of the effect that was taken first, where the model is still wrong with all of them."""
     left = mismatches(found.case)
-    if not (found.accepted and left) or detail_of(case, found.case, left) is not None:
+    if found.begun is None or not left or detail_of(case, found.case, left) is not None:
         return None
-    taken = {each.trial.candidate.mechanism for each in found.accepted}
+    taken = {each.candidate.mechanism for each in (found.begun, *(each.trial for each in found.accepted))}
     rivals = [
         trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
     ]
@@ -107,7 +112,7 @@ def _rival_of_first(case: Case, found: Chain) -> Trial | None:
 
 def _replaces(other: Chain, found: Chain) -> bool:
     """Whether another chain does without what was taken first, and does much better."""
-    stood_in = found.accepted[0].trial.candidate.mechanism
+    stood_in = "" if found.begun is None else found.begun.candidate.mechanism
     without = all(each.trial.candidate.mechanism != stood_in for each in other.accepted)
     return bool(other.accepted) and without and excess(other.case) < _MUCH_LESS * excess(found.case)
 

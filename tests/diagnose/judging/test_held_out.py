@@ -1,0 +1,60 @@
+"""What no fit has seen is foretold best by the rig itself, not by one that calls all of it chance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from torquerig.diagnose.judging import held_out as judged
+from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.lines_left import known_places
+from torquerig.diagnose.looking.observed import observed
+from torquerig.diagnose.looking.shaft_angle import shaft_angles
+from torquerig.errors import SimulationError
+from torquerig.mechanisms import ParticleLoad
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+
+@pytest.fixture(scope="module")
+def held(wear_rig: Scenario, record: Callable[..., Recording]) -> tuple[Features, ...]:
+    rig, recordings = wear_rig.rig, [record(wear_rig.rig, seed, duration=12.0) for seed in (5, 6, 7)]
+    angles, factor = shaft_angles(recordings, rig)
+    ratio = kinematics_of(rig).ratio
+    runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(recordings, angles, strict=True)]
+    return tuple(features(run, known_places(runs, rig), held=True) for run in runs)
+
+
+def loaded(rig: Rig, *, by: float = 1.0, chance: float = 1.0) -> Rig:
+    """The rig with another mean of its load, and another part of it called chance."""
+    (load,) = rig.parts_of(ParticleLoad)
+    means = {percent: mean * by for percent, mean in load.mean_by_occupancy_percent.items()}
+    return rig.changed(replace(load, mean_by_occupancy_percent=means, slow_rms=load.slow_rms * chance))
+
+
+@pytest.mark.parametrize("by_twin", [False, True])
+def test_a_wide_guess_foretells_less(
+    by_twin: bool, wear_rig: Scenario, held: tuple[Features, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(*_: object, **__: object) -> None:
+        raise SimulationError("the shaft stands still")
+
+    if by_twin:
+        monkeypatch.setattr(judged, "simulated_runs", refused)
+    true = wear_rig.rig
+    fit = held_out(true, loaded(true, by=1.5), loaded(true, chance=10.0), held, seed=1)
+    assert fit.by_twin is by_twin
+    assert fit.nominal < min(fit.before, fit.after)
+
+
+def test_the_improvement_is_of_the_mean_squares(wear_rig: Scenario, held: tuple[Features, ...]) -> None:
+    true = wear_rig.rig
+    fit = held_out(true, loaded(true, by=1.5), true, held, seed=1)
+    assert fit.after == fit.nominal
+    assert fit.improvement[0] == pytest.approx(1 - fit.after / fit.before)
+    assert fit.improvement[1] < fit.improvement[0] < fit.improvement[2]
