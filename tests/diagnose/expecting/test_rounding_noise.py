@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.signal import butter, lfilter, welch
 
-from torquerig.diagnose.expecting.rounding_noise import rounding_density, rounding_tolerance
+from torquerig.diagnose.expecting.rounding_noise import rounded_lines, rounding_density, rounding_tolerance
 
-RATE = 5000.0
+RATE, STEP = 5000.0, 0.2
 FREQUENCY = np.geomspace(1.0, 2400.0, 90)
 NONE = np.zeros(0)
 
@@ -46,3 +46,22 @@ def test_the_fewer_codes_a_signal_spans_the_less_is_promised() -> None:
     small, large = (rounding_tolerance(step, 0.5 * power, power, spread=0.1) for step in (0.01, 0.3))
     assert np.all(small < 0.01)
     assert np.all(large > 0.15)
+
+
+@pytest.mark.parametrize("dither", [0.02, 0.15, 0.3])
+def test_lines_that_rounding_makes_are_as_large_as_it_may_make_them(dither: float) -> None:
+    rng = np.random.default_rng(7)
+    time = np.arange(60_000) / 5000.0
+    window = np.hanning(time.size)
+    largest = []
+    for _ in range(12):
+        lines = zip(rng.uniform(0.05, 1.0, 4), rng.uniform(5.0, 300.0, 4), rng.uniform(0.0, 6.3, 4), strict=True)
+        signal = sum(size * np.cos(2 * np.pi * at * time + phase) for size, at, phase in lines)
+        signal = signal + rng.uniform() + dither * rng.standard_normal(time.size)
+        error = STEP * (np.round(signal) - signal)
+        largest.append(2 * np.abs(np.fft.rfft(error * window)).max() / window.sum())
+    # chance itself makes lines of a hundredth of a code
+    assert np.median(largest) == pytest.approx(
+        np.hypot(rounded_lines(STEP, dither=dither * STEP), 0.01 * STEP), rel=0.5
+    )
+    assert np.max(largest) < 3 * np.hypot(rounded_lines(STEP, dither=dither * STEP), 0.01 * STEP)

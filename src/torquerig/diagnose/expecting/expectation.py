@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.expecting.added_signals import added_signals, moving_zero
-from torquerig.diagnose.expecting.rounding_noise import rounding_density, rounding_tolerance
+from torquerig.diagnose.expecting.rounding_noise import rounded_lines, rounding_density, rounding_tolerance
 from torquerig.diagnose.expecting.skirts import skirts
 from torquerig.diagnose.linear.quasi_static import quasi_static
 from torquerig.diagnose.linear.twin import Twin, passed
@@ -116,14 +116,16 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     power = power + beside
     flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
     tolerance = np.hypot(beside / power, _RINGING_SHAPE * flank / power)
+    doubtful = np.hypot(added.impacts, shown.doubt)
     for step in added.codes:
+        doubtful = np.hypot(doubtful, rounded_lines(step, dither=float(np.sqrt(np.trapezoid(power, seen.band)))))
         rounding, doubt = _rounded(step, seen, power, shown.amplitude)
         power, tolerance = power + rounding, np.hypot(tolerance, doubt)
     return Expectation(
         power=power,
         load_share=load / power,
         power_tolerance=tolerance,
-        amplitude_tolerance=np.hypot(added.impacts, shown.doubt),
+        amplitude_tolerance=doubtful,
         amplitude=shown.amplitude,
         variance=amplitude_variance(seen, _floor(seen, power)),
         level=level,

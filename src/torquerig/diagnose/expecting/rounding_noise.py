@@ -12,6 +12,7 @@ Floats = NDArray[np.float64]
 _POINTS = 2048  # of the correlation, 80 ms at 25 kHz: codes forget sooner
 _HARMONICS = 4
 _FEW_CODES = 8.0  # a signal that spans so many codes rounds as theory says
+_OF_A_CODE = 0.05  # amplitude of the largest lines that rounding makes of four lines of up to a code, undithered
 
 
 def rounding_density(
@@ -55,3 +56,20 @@ def rounding_tolerance(step: float, added: Floats, power: Floats, *, spread: flo
     ``spread`` is the standard deviation of the signal [N m]: the fewer codes it spans, the less theory holds.
     """
     return np.asarray(np.minimum(step / (_FEW_CODES * max(spread, 1e-12)), 1.0) * added / np.maximum(power, 1e-300))
+
+
+def rounded_lines(step: float, *, dither: float) -> float:
+    """Return the size of the lines that rounding may make, or take from others [N m].
+
+    Of a signal of lines alone the error is a sum of their products, most of them small. What is random dithers it: each
+    product falls by ``exp(-2 pi^2 dither^2 / step^2)``, the characteristic function of a normal variate (Widrow and
+    Kollar 2008, ch. 19).
+
+    Parameters
+    ----------
+    step : float
+        [N m].
+    dither : float
+        Standard deviation of what is random in the signal [N m].
+    """
+    return float(_OF_A_CODE * step * np.exp(-2 * (pi * dither / step) ** 2))
