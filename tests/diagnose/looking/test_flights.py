@@ -61,6 +61,17 @@ def test_a_torque_that_stays_high_or_passes_zero_in_haste_is_no_flight(by_hand: 
     assert blows(seen) == []
 
 
+@pytest.mark.parametrize(("rising", "flies"), [(0.0, True), (0.02, False)])
+def test_under_much_noise_the_shoulder_of_a_wave_is_no_flight(rising: float, flies: bool, by_hand: ByHand) -> None:
+    time = np.arange(int(6 * RATE)) / RATE
+    torque = np.full(time.size, 0.2)
+    for at in np.arange(0.1, 5.9, 0.25):
+        since = time - at
+        torque = np.where((since >= 0) & (since < 0.006), rising * (since / 0.006 - 0.5), torque)
+    noisy = torque + 0.0096 * np.random.default_rng(1).standard_normal(time.size)
+    assert (len(blows(by_hand(noisy, 40.0 * time, rate=RATE))) >= CLEARLY) is flies
+
+
 @pytest.fixture(scope="module")
 def turning_back(wear_rig: Scenario, record: Callable[..., Recording]) -> Observed:
     recording = record(wear_rig.rig, 3, rpm=600.0, occupancy=0.0, profile="reversal", duration=6.0, rate=RATE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,10 @@ from torquerig.diagnose.expecting.expectation import Expectation, expected
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.misfit import LEVEL_FLOOR, Misfit, misfit, robust_squares
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.flights import blows
+from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.value_features import value_features, value_misfit
+from torquerig.diagnose.looking.without_tones import without_tones
 from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 
@@ -22,18 +26,35 @@ SEEDS = (101, 102)
 _DRAWS = 400
 
 
-def _by_simulation(rig: Rig, held: Sequence[Features]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the robust square of every held-out residual of ``rig``'s simulations, run after run, and its width."""
+def _by_simulation(
+    rig: Rig, held: Sequence[Features], *, flying: bool
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the robust square of every held-out residual of ``rig``'s simulations, run after run, and its width.
+
+    ``flying`` also counts how often flanks fly.
+    """
     copies = simulated_runs(rig, held, seeds=SEEDS)
     models = expected_from(rig, held, copies)
     squares, widths = [], []
     for features, model, each in zip(held, models, copies, strict=True):
         values = np.mean([value_features(copy, held=True) for copy in each], axis=0)
         residuals = value_misfit(value_features(features.observed, held=True), values)
+        if flying:
+            residuals = np.append(residuals, _flown(features, each))
         missed = misfit(features, model)
         squares.append(robust_squares(np.concatenate([missed.all(), residuals])))
         widths.append(np.concatenate([_width(missed, model), np.zeros(residuals.size)]))
     return np.concatenate(squares), np.concatenate(widths)
+
+
+def _flown(seen: Features, copies: Sequence[Observed]) -> float:
+    """Return by how many spreads the number of flights differs from that of simulations.
+
+    Twice the root of a Poisson number has spread 1 (Anscombe 1948, Biometrika 35).
+    """
+    there = len(blows(seen.untoned, held=True))
+    here = float(np.mean([len(blows(without_tones(copy, seen.places), held=True)) for copy in copies]))
+    return float(2 * (np.sqrt(there + 0.375) - np.sqrt(here + 0.375)) / np.sqrt(1 + 1 / len(copies)))
 
 
 def _by_the_twin(rig: Rig, held: Sequence[Features]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -53,12 +74,14 @@ def held_out(nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *,
     """Return the mean of the squares of the three models, and the improvement with its 95 % bootstrap interval.
 
     A model that calls more of the slow torque chance than the nominal one misses less of it, and foretells less: the
-    logarithm of the spread is counted, over the nominal model's, as in a likelihood.
+    logarithm of the spread is counted, over the nominal model's, as in a likelihood. Where one of them has a gap, so is
+    how often flanks fly across it.
 
     Where the fitted numbers of one cannot be simulated, all three are judged by their linear twins, and it is said.
     """
+    flying = any(part.kind == "backlash" for rig in (nominal, before, after) for part in rig.parts)
     try:
-        one, two, three = _each(_by_simulation, (nominal, before, after), held)
+        one, two, three = _each(partial(_by_simulation, flying=flying), (nominal, before, after), held)
         by_twin = False
     except SimulationError:
         one, two, three = _each(_by_the_twin, (nominal, before, after), held)

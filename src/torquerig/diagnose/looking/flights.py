@@ -26,7 +26,8 @@ CLEARLY = 5  # flights that no rig without a gap shows
 BY_CHANCE = 0.1  # flights in four runs of a rig without a gap: 22 in 226 blind rigs, three at most in one
 _SMOOTHED, _BLOW = 1e-3, 1.5e-3  # [s] short against a flight; in which a blow rises
 _HARD, _CODES = 12.0, 2.2  # noises, and steps of coarse codes, that a blow rises by: two may follow one another
-_QUIET = 12.0  # spreads of the smoothed noise within which a flight stays, from top to bottom
+_QUIET, _NOISY = 12.0, 6.0  # spreads of the smoothed noise within which a flight stays, from top to bottom
+_QUIET_AT_MOST = 0.012  # [N m] the same: under more noise, shoulders of waves would look quiet
 _SHORTEST = 4e-3  # [s]
 UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
 _NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
@@ -64,7 +65,8 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
     jump[:-rise] = np.abs(smooth[rise:] - smooth[:-rise])
     hard = max(_HARD * noise, _CODES * _code(observed))
     starts = np.flatnonzero((jump[1:] > hard) & (jump[:-1] <= hard)) + 1
-    within = _QUIET * noise / np.sqrt(max(1, _SMOOTHED * observed.rate))
+    left = noise / np.sqrt(max(1, _SMOOTHED * observed.rate))
+    within = max(min(_QUIET * left, _QUIET_AT_MOST), _NOISY * left)
     wanted = observed.mask(held=held)
     return [
         at
