@@ -11,7 +11,8 @@ import pytest
 
 from torquerig.diagnose.expecting.simulated import simulated
 from torquerig.diagnose.looking import flights as looking
-from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, flights
+from torquerig.diagnose.looking.flight_statistics import flight_misfit, flight_statistics
+from torquerig.diagnose.looking.flights import CLEARLY, blows, flights, flights_counted
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.shaft_angle import ShaftAngle
 from torquerig.mechanisms import Backlash
@@ -59,6 +60,12 @@ def test_no_flight_is_seen_in_what_is_held_out(by_hand: ByHand) -> None:
 def test_a_torque_that_stays_high_or_passes_zero_in_haste_is_no_flight(by_hand: ByHand, flying: float) -> None:
     seen = parted(by_hand, flying=flying, lasting=0.02 if flying > 0.05 else 0.003)
     assert blows(seen) == []
+
+
+@pytest.mark.parametrize(("lasting", "twice"), [(0.02, True), (0.008, False)])
+def test_long_flights_count_twice(lasting: float, twice: bool, by_hand: ByHand) -> None:
+    seen = parted(by_hand, flying=0.0, lasting=lasting)
+    assert flights_counted(seen) == (2 if twice else 1) * len(blows(seen)) > 0
 
 
 @pytest.mark.parametrize(("rising", "flies"), [(0.0, True), (0.02, False)])

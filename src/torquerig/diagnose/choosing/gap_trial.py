@@ -24,7 +24,8 @@ from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.flights import CLEARLY, blows, flight_misfit, flight_statistics, longest_flight
+from torquerig.diagnose.looking.flight_statistics import flight_misfit, flight_statistics, longest_flight
+from torquerig.diagnose.looking.flights import CLEARLY, blows, flights_counted
 from torquerig.diagnose.looking.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
@@ -72,7 +73,7 @@ def gap_is_possible(case: Case) -> bool:
 
 def flanks_fly(case: Case) -> bool:
     """Whether the recordings show more flights than a rig without a gap."""
-    return sum(len(blows(features.untoned)) for features in case.seen) >= CLEARLY
+    return sum(flights_counted(features.untoned) for features in case.seen) >= CLEARLY
 
 
 def _blurred(case: Case, seen: Features) -> bool:
@@ -85,7 +86,7 @@ def flanks_may_part(seen: Features) -> bool:
     """Whether the torque of the run passes through zero, or near it, or rests there."""
     torque = seen.untoned.torque
     low = float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
-    return low or len(blows(seen.untoned)) >= CLEARLY
+    return low or flights_counted(seen.untoned) >= CLEARLY
 
 
 def fitted_gap(case: Case, base: Rig) -> FittedGap | None:

@@ -6,9 +6,7 @@ linear rig stays there and then jumps.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,21 +20,18 @@ from torquerig.scenario.kinematics import gears_to_sensor
 
 Floats = NDArray[np.float64]
 
-CLEARLY = 5  # flights that no rig without a gap shows
+CLEARLY = 5  # flights that no rig without a gap shows, long ones counted twice
 BY_CHANCE = 0.1  # flights in four runs of a rig without a gap: 22 in 226 blind rigs, three at most in one
 _SMOOTHED, _BLOW = 1e-3, 1.5e-3  # [s] short against a flight; in which a blow rises
 _HARD, _CODES = 12.0, 2.2  # noises, and steps of coarse codes, that a blow rises by: two may follow one another
 _QUIET, _NOISY = 12.0, 6.0  # spreads of the smoothed noise within which a flight stays, from top to bottom
 _QUIET_AT_MOST = 0.012  # [N m] the same: under more noise, shoulders of waves would look quiet
-_SHORTEST = 4e-3  # [s]
+SHORTEST, _LONG = 4e-3, 12e-3  # [s]; of 22 in rigs without a gap none was as long as 7 ms
 UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
 _NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
 _SLOPE = 2.5e-3  # [s] each way, over which the speed at the parting is taken
 _SMALLEST = 0.01  # quantile: what was mended moves by less
 _TRIMMED, _OF_TRIMMED = 0.95, 0.871  # quantile, and the rms of a normal variate below it
-_LONGEST = 0.95  # quantile of the distances: single ones are misjudged
-_ARCMIN = pi / 180 / 60
-_SPREADS = np.array([0.5, 0.3, 0.3, 0.5, 0.4, 0.4])  # of the logarithms, between two like runs
 
 
 @dataclass(frozen=True)
@@ -58,7 +53,7 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
         In which stretches: those that fits may see (False), may not see (True), or all (None).
     """
     torque, noise, smooth = observed.torque, _noise(observed), _smooth(observed)
-    rise, quiet = (round(span * observed.rate) for span in (_BLOW, _SHORTEST))
+    rise, quiet = (round(span * observed.rate) for span in (_BLOW, SHORTEST))
     if noise == 0 or torque.size <= rise:
         return []
     jump = np.zeros(torque.size)
@@ -77,6 +72,13 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
     ]
 
 
+def flights_counted(observed: Observed, *, held: bool | None = False) -> int:
+    """Return how many flights are seen, long ones counted twice: chance makes hardly any of these."""
+    ended, smooth = blows(observed, held=held), _smooth(observed)
+    long = round(_LONG * observed.rate)
+    return len(ended) + sum(blow - _parted(smooth, blow, observed.rate) >= long for blow in ended)
+
+
 def flights(observed: Observed, rig: Rig) -> list[Flight]:
     """Return the flights in the stretches that fits may see.
 
@@ -87,10 +89,9 @@ def flights(observed: Observed, rig: Rig) -> list[Flight]:
     smooth, (inertia, turns) = _smooth(observed), _between_gear_and_sensor(rig, observed)
     slope, found = max(1, round(_SLOPE * observed.rate)), []
     for blow in blows(observed):
-        level = float(np.median(smooth[blow - round(_SHORTEST * observed.rate) : blow]))
-        away = np.abs(smooth - level) > _NEAR_LEVEL
-        left, met = np.flatnonzero(away[:blow]), np.flatnonzero(away[blow:])
-        start, stop = int(left[-1]) + 1 if left.size else 0, blow + int(met[0]) if met.size else blow
+        level = _level(smooth, blow, observed.rate)
+        met = np.flatnonzero(np.abs(smooth[blow:] - level) > _NEAR_LEVEL)
+        start, stop = _parted(smooth, blow, observed.rate), blow + int(met[0]) if met.size else blow
         if start <= slope or stop - start < 2:
             continue
         driven = (observed.angle[start + slope] - observed.angle[start - slope]) * observed.rate / (2 * slope)
@@ -101,26 +102,15 @@ def flights(observed: Observed, rig: Rig) -> list[Flight]:
     return found
 
 
-def flight_statistics(observed: Observed, rig: Rig) -> Floats:
-    """Return the logarithms of number per second, length at two quantiles, and distance at three, shape (6,)."""
-    found = flights(observed, rig)
-    length = [(each.stop - each.start) / observed.rate for each in found]
-    distance = [abs(each.distance) / _ARCMIN for each in found]
-    number = len(found) / observed.recording.duration
-    lengths = np.quantile([*length, _SHORTEST], [0.5, 0.9])
-    distances = np.quantile([*distance, 0.5], [0.5, 0.75, 0.9])
-    return np.asarray(np.log(np.array([number + 0.1, *lengths, *(distances + 0.5)])))
+def _level(smooth: Floats, blow: int, rate: float) -> float:
+    """Return the torque at which a flight stays before its blow."""
+    return float(np.median(smooth[blow - round(SHORTEST * rate) : blow]))
 
 
-def longest_flight(runs: Sequence[Observed], rig: Rig) -> float:
-    """Return how far [rad] flanks were seen to move before they met: at most the gap, less chance in single flights."""
-    every = [abs(flight.distance) for observed in runs for flight in flights(observed, rig)]
-    return float(np.quantile(every, _LONGEST)) if every else np.inf
-
-
-def flight_misfit(measured: Floats, model: Floats) -> Floats:
-    """Return the residuals in units of how much two like runs differ, shape (6,)."""
-    return np.asarray((measured - model) / _SPREADS)
+def _parted(smooth: Floats, blow: int, rate: float) -> int:
+    """Return the sample from which the torque stays near the level of a flight, up to its blow."""
+    left = np.flatnonzero(np.abs(smooth[:blow] - _level(smooth, blow, rate)) > _NEAR_LEVEL)
+    return int(left[-1]) + 1 if left.size else 0
 
 
 def _noise(observed: Observed) -> float:

@@ -1,0 +1,41 @@
+"""What the flights of a run tell of the gap: how many, how long, and how far the flanks moved."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.looking.flights import SHORTEST, flights
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.rig.rig import Rig
+
+Floats = NDArray[np.float64]
+
+_LONGEST = 0.95  # quantile of the distances: single ones are misjudged
+_ARCMIN = pi / 180 / 60
+_SPREADS = np.array([0.5, 0.3, 0.3, 0.5, 0.4, 0.4])  # of the logarithms, between two like runs
+
+
+def flight_statistics(observed: Observed, rig: Rig) -> Floats:
+    """Return the logarithms of number per second, length at two quantiles, and distance at three, shape (6,)."""
+    found = flights(observed, rig)
+    length = [(each.stop - each.start) / observed.rate for each in found]
+    distance = [abs(each.distance) / _ARCMIN for each in found]
+    number = len(found) / observed.recording.duration
+    lengths = np.quantile([*length, SHORTEST], [0.5, 0.9])
+    distances = np.quantile([*distance, 0.5], [0.5, 0.75, 0.9])
+    return np.asarray(np.log(np.array([number + 0.1, *lengths, *(distances + 0.5)])))
+
+
+def longest_flight(runs: Sequence[Observed], rig: Rig) -> float:
+    """Return how far [rad] flanks were seen to move before they met: at most the gap, less chance in single flights."""
+    every = [abs(flight.distance) for observed in runs for flight in flights(observed, rig)]
+    return float(np.quantile(every, _LONGEST)) if every else np.inf
+
+
+def flight_misfit(measured: Floats, model: Floats) -> Floats:
+    """Return the residuals in units of how much two like runs differ, shape (6,)."""
+    return np.asarray((measured - model) / _SPREADS)
