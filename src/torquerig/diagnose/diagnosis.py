@@ -100,9 +100,10 @@ class Diagnosis:
 
 
 METRIC = (
-    "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque), each"
-    " in units of its own spread and robust (pseudo-Huber beyond 4), against simulations of the model; about 1 for a "
-    "true model, 0 at best"
+    "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque, "
+    "values, flights where a gap is in question), each in units of its own spread and robust (pseudo-Huber beyond 4), "
+    "against simulations of the model; more by twice the logarithm of what it calls chance in the slow torque over "
+    "what the scenario does; about 1 for a true model, lower is better"
 )
 
 
