@@ -38,6 +38,17 @@ def test_strong_orders_and_tones_that_the_rig_lacks(
         assert strong.tones == pytest.approx((TONE,), abs=0.03)
 
 
+def test_a_line_of_one_of_several_speeds_is_not_followed(by_hand: Callable[..., Observed], wear_rig: Scenario) -> None:
+    def run(speed: float, seed: int, *, line: float) -> Observed:
+        noise = 0.02 * np.random.default_rng(seed).standard_normal(TIME.size)
+        return by_hand(
+            1.0 + line * np.cos(ORDER * speed * TIME) + noise, speed * TIME, name=f"{speed:g}", measured=False
+        )
+
+    strong = strong_lines([run(100.0, 1, line=0.2), run(70.0, 2, line=0.0)], wear_rig.rig)
+    assert strong == Strong()
+
+
 def test_a_hum_beside_an_order_does_not_swing_the_angle(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
     """At 994 rpm order 3 stands 0.3 Hz below a hum: followed with it, the angle swings with the beat of both."""
     hum = MainsInterference(name="hum", frequency=TONE, amplitudes=(0.5,))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.order_or_fixed import may_be_fixed, rather_fixed
+from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED, may_be_fixed, rather_fixed
 from torquerig.diagnose.looking.peaks import SHIFTED, Peak, peaks
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
@@ -44,11 +44,13 @@ def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
     if all(run.angle_measured for run in runs if run.steady):
         return Strong()
     left = lines_left(runs, known_places(runs, rig), rig=rig)
-    told = [peak.place.at for peak in left[:_ASKED] if peak.place.domain == "order" and not peak.either]
+    speeds = [abs(run.mean_speed) for run in runs if run.steady]
+    asked = left[:_ASKED] if max(speeds, default=0.0) < (1 + ONE_SPEED) * min(speeds, default=0.0) else ()
+    told = [peak.place.at for peak in asked if peak.place.domain == "order" and not peak.either]
     leading = [
         peak.place
-        for row, peak in enumerate(left)
-        if peak.excess > _LEADING and (peak.speeds > 1 or (row < _ASKED and _turns(peak.place, told)))
+        for peak in left
+        if peak.excess > _LEADING and (peak.speeds > 1 or (peak in asked and _turns(peak.place, told)))
     ]
     orders, tones = ([place.at for place in leading if place.domain == domain] for domain in ("order", "frequency"))
     return Strong(tuple(orders), tuple(tones))
