@@ -82,11 +82,11 @@ def test_flights_that_lines_make_in_a_simulation_too_are_none(
 ) -> None:
     """Where lines beat, the torque rests near zero and swings off, at the same moments in a simulation."""
 
-    def blows(run: Observed, **_: object) -> list[int]:
-        return [0] * (made if run.origin == "simulated" else 6)
+    def counted(run: Observed, **_: object) -> int:
+        return made if run.origin == "simulated" else 6
 
     for module in (by_simulation, leftover):
-        monkeypatch.setattr(module, "blows", blows)
+        monkeypatch.setattr(module, "flights_counted", counted)
     case = case_of(wear_rig.rig + STRONG, recording)
     (flights,) = (mismatch for mismatch in mismatches(case) if mismatch.domain == "distribution")
     assert (flights in left_by_simulation(case, [flights])) is stays
