@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,7 +68,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     """
     sources = (*proposers(case), descriptions)
     of_sources = of_each(lambda propose: [_screened(case, candidate) for candidate in propose(case)], sources)
-    screened = sorted(chain.from_iterable(of_sources), key=lambda trial: -trial.gain)
+    screened = sorted((trial for each in of_sources for trial in each), key=lambda trial: -trial.gain)
     fitted = sorted(of_each(partial(_joint, case), _finalists(screened)), key=lambda trial: -trial.gain)
     promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
     fitted[:_POLISHED] = of_each(partial(_polished, case), promising)

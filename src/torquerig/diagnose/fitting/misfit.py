@@ -93,8 +93,16 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
     lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)
     least = LEVEL_FLOOR**2 + (LEVEL_TOLERANCE * model.level) ** 2
     spread = np.sqrt(model.level_variance + least)
-    price = np.concatenate([np.sqrt(np.log1p(model.level_variance / LEVEL_FLOOR**2)), wide])
+    price = np.concatenate([np.sqrt(called_chance(model)), wide])
     return Misfit(bands, lines, (seen.level - model.level) / spread, price=price)
+
+
+def called_chance(model: Expectation) -> Floats:
+    """Return twice the logarithm of the spread that a model calls chance in each level, over the floor; shape (parts,).
+
+    What a likelihood charges for a wide guess, which misses little and foretells little.
+    """
+    return np.asarray(np.log1p(model.level_variance / LEVEL_FLOOR**2))
 
 
 def _wide(excess: Floats) -> Floats:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.diagnosis import HeldOut
 from torquerig.diagnose.expecting.expectation import Expectation, expected
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
-from torquerig.diagnose.fitting.misfit import LEVEL_FLOOR, Misfit, misfit, robust_squares
+from torquerig.diagnose.fitting.misfit import Misfit, called_chance, misfit, robust_squares
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import blows
 from torquerig.diagnose.looking.observed import Observed
@@ -65,9 +65,9 @@ def _by_the_twin(rig: Rig, held: Sequence[Features]) -> tuple[NDArray[np.float64
 
 
 def _width(missed: Misfit, model: Expectation) -> NDArray[np.float64]:
-    """Return twice the logarithm of the spread that a model calls chance in each level; 0 for all other residuals."""
+    """Return by each residual what its model pays for calling it chance: levels do, all others 0."""
     before, after = missed.bands.size + missed.lines.size, missed.turning.size
-    return np.concatenate([np.zeros(before), np.log1p(model.level_variance / LEVEL_FLOOR**2), np.zeros(after)])
+    return np.concatenate([np.zeros(before), called_chance(model), np.zeros(after)])
 
 
 def held_out(nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *, seed: int) -> HeldOut:
