@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -49,6 +50,8 @@ class Candidate:
         Names of the model's knobs that are fitted far off where it is missing, and come back where it is not.
     slow : bool
         Whether it moves the slow torque and nothing else, so that lines and bands tell nothing of it.
+    within : mapping of str to (float, float)
+        95 % intervals of fields of its first part that no knob fits, in the part's units.
     """
 
     mechanism: str
@@ -61,6 +64,7 @@ class Candidate:
     loosens: tuple[str, ...] = ()
     bends: tuple[str, ...] = ()
     slow: bool = False
+    within: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, pi
 from typing import Any
 
@@ -87,6 +87,9 @@ def identifying(candidate: Candidate, model: Calibrated, case: Case) -> dict[str
         if value is None:
             continue
         stated = _stated(model, part.name, field, float(value) * field.factor)
+        low, high = candidate.within.get(field.field, (None, None))
+        if low is not None and high is not None:
+            stated = replace(stated, low=low * field.factor, high=high * field.factor)
         answer[name] = stated
     if candidate.mechanism == "gear_mesh":
         read = _at_sensor(part, case)

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.choosing.gap_trial import fitted_gap, flanks_fly, gap_is_possible, simulated_model
+from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
+from torquerig.diagnose.choosing.opened_gap import flanks_fly
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.knobs import turned
 from torquerig.diagnose.hypotheses import is_possible, proposers
@@ -75,7 +76,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
         try:
-            fitted += _gap(case)
+            fitted.append(_gap(case))
         except SimulationError:
             gap_failed = True
     fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
@@ -95,14 +96,12 @@ def _finalists(screened: Sequence[Trial]) -> list[Trial]:
     return finalists
 
 
-def _gap(case: Case) -> list[Trial]:
-    """Return the trial of the fitted gap, or none where the recordings need none."""
+def _gap(case: Case) -> Trial:
+    """Return the trial of the fitted gap."""
     found = fitted_gap(case, case.nominal_with_accepted())
-    if found is None:
-        return []
     beside = (found.closed, found.opened)
     gain = case.model.cost - found.model.cost + found.closed - found.opened - PER_KNOB
-    return [Trial(found.candidate, simulated_model(found.candidate, found.model), gain, beside)]
+    return Trial(found.candidate, simulated_model(found.candidate, found.model), gain, beside)
 
 
 def extended(case: Case, best: Trial) -> Case:

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from torquerig import mechanisms
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import explained_share
-from torquerig.diagnose.choosing.gap_trial import flanks_may_part, gap_is_possible
+from torquerig.diagnose.choosing.gap_trial import gap_is_possible
+from torquerig.diagnose.choosing.opened_gap import flanks_may_part
 from torquerig.diagnose.choosing.search import Trial, Tried, excess
 from torquerig.diagnose.hypotheses import CLASSES
 from torquerig.diagnose.hypotheses.reasons import why_none

@@ -11,12 +11,14 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.linear.quasi_static import quasi_static
 from torquerig.diagnose.linear.twin import LineSource, Twin
+from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.turning import turns_back
 from torquerig.diagnose.looking.waves import waves
-from torquerig.mechanisms import TorqueRipple
+from torquerig.mechanisms import Backlash, TorqueRipple
+from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig
 
 Floats = NDArray[np.float64]
@@ -24,17 +26,25 @@ Floats = NDArray[np.float64]
 _PIECE = 2.0  # [s] a phase is followed over pieces of this length
 _THINNED = 2500.0  # [Hz] samples that the regression takes
 _SLOWEST = 0.05  # [Hz]
+_SEEN = 0.25  # share of a piece without which it tells no phases
 
 
-def with_phases_of(rig: Rig, observed: Observed) -> Rig:
+def with_phases_of(rig: Rig, observed: Observed, *, held: bool | None = None) -> Rig:
     """Return ``rig`` at the run with the phase of every torque ripple as measured there.
 
     The phase of a line at its source is that of the reading less that of the transfer between them (linear twin).
+
+    Parameters
+    ----------
+    rig : Rig
+    observed : Observed
+    held : bool or None
+        Measured in which stretches: those that fits may see (False), may not see (True), or all (None).
     """
     twin = Twin(rig.at(observed.run))
     sources = {(line.owner, round(line.order, 6)): line for line in twin.lines()}
     orders = sorted({order for _, order in sources})
-    pieces = _amplitudes(twin, observed, orders)
+    pieces = _amplitudes(twin, observed, orders, observed.mask(held=held))
     for ripple in rig.parts_of(TorqueRipple):
         turns = twin.turns[rig.node(ripple.at)]
         phases = {
@@ -45,10 +55,23 @@ def with_phases_of(rig: Rig, observed: Observed) -> Rig:
     return rig
 
 
-def _amplitudes(twin: Twin, observed: Observed, orders: Sequence[float]) -> list[tuple[NDArray[np.complex128], Floats]]:
-    """Complex amplitude and frequency [Hz] of every order in each piece of the run."""
+def phases_tell(rig: Rig) -> bool:
+    """Whether more than the lines depends on their phases: flanks may part where several meet."""
+    return any(part.gap > 0 for part in rig.parts_of(Backlash)) or any(part.backlash > 0 for part in rig.parts_of(Gear))
+
+
+def as_in_runs(rig: Rig, seen: Sequence[Features]) -> list[Rig]:
+    """Return ``rig`` for every run, with the phases that are measured where fits may see it."""
+    return [with_phases_of(rig, features.observed, held=False) for features in seen]
+
+
+def _amplitudes(
+    twin: Twin, observed: Observed, orders: Sequence[float], wanted: NDArray[np.bool_]
+) -> list[tuple[NDArray[np.complex128], Floats]]:
+    """Complex amplitude and frequency [Hz] of every order in each piece of the run that has wanted samples enough."""
     step = max(1, int(observed.rate / _THINNED))
     angle, speed, torque = observed.angle[::step], observed.speed[::step], observed.torque[::step]
+    weight = wanted[::step].astype(float)
     rate = observed.rate / step
     if turns_back(observed):
         slow = quasi_static(twin, speed=speed, acceleration=np.gradient(speed) * rate).sensor
@@ -57,8 +80,11 @@ def _amplitudes(twin: Twin, observed: Observed, orders: Sequence[float]) -> list
         edges = np.linspace(0, angle.size, max(1, round(angle.size / rate / _PIECE)) + 1).astype(int)
     answer = []
     for start, stop in itertools.pairwise(edges):
-        time = np.arange(start, stop) / rate
-        found = regressed(torque[start:stop], waves([order(each) for each in orders], angle[start:stop], time))
+        time, window = np.arange(start, stop) / rate, weight[start:stop]
+        if window.mean() < _SEEN:
+            continue
+        turning = waves([order(each) for each in orders], angle[start:stop], time)
+        found = regressed(torque[start:stop], turning, window=window)
         at = np.maximum(np.array(orders) * float(np.abs(speed[start:stop]).mean()) / (2 * np.pi), _SLOWEST)
         answer.append((found.amplitude, at))
     return answer

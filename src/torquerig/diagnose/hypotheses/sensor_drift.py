@@ -14,10 +14,12 @@ from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.misfit import LEVEL_FLOOR
 from torquerig.diagnose.linear.twin import Twin
+from torquerig.rig.part import Part
 
 _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording
 _START = 0.15  # [V] where the levels tell no span
 _SPREAD = 0.3  # [V]
+_FASTEST = 0.1  # [s] heat and creep take longer to move a zero; what has settled sooner is an offset from the start
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -66,3 +68,10 @@ def _span(case: Case, constant: float | None) -> tuple[float, float]:
 
 def _without(course: NDArray[np.float64], columns: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(course - columns @ np.linalg.lstsq(columns, course, rcond=None)[0])
+
+
+def possible(part: Part) -> bool:
+    """Whether a fitted zero moves within the recording, and does not stand elsewhere from its start."""
+    if not isinstance(part, mechanisms.SensorDrift):
+        return False
+    return part.time_constant is None or part.time_constant > _FASTEST

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -10,9 +11,11 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import HeldOut
 from torquerig.diagnose.expecting.expectation import Expectation, expected
+from torquerig.diagnose.expecting.phased import as_in_runs, phases_tell
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.misfit import Misfit, called_chance, misfit, robust_squares
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.flight_statistics import chance_of_blows
 from torquerig.diagnose.looking.flights import blows
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.value_features import value_features, value_misfit
@@ -31,9 +34,10 @@ def _by_simulation(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the robust square of every held-out residual of ``rig``'s simulations, run after run, and its width.
 
-    ``flying`` also counts how often flanks fly.
+    ``flying`` also counts how often flanks fly, which depends on the phases of lines: they are those that each run
+    shows where fits may see it.
     """
-    copies = simulated_runs(rig, held, seeds=SEEDS)
+    copies = simulated_runs(as_in_runs(rig, held) if flying else rig, held, seeds=SEEDS)
     models = expected_from(rig, held, copies)
     squares, widths = [], []
     for features, model, each in zip(held, models, copies, strict=True):
@@ -41,10 +45,22 @@ def _by_simulation(
         residuals = value_misfit(value_features(features.observed, held=True), values)
         if flying:
             residuals = np.append(residuals, _flown(features, each))
-        missed = misfit(features, model)
+        missed = misfit(features, _left_to_blows(model, features, copies=len(each)) if flying else model)
         squares.append(robust_squares(np.concatenate([missed.all(), residuals])))
         widths.append(np.concatenate([_width(missed, model), np.zeros(residuals.size)]))
     return np.concatenate(squares), np.concatenate(widths)
+
+
+def _left_to_blows(model: Expectation, seen: Features, *, copies: int) -> Expectation:
+    """Return the expectation with what the few blows that a run shows leave of its spectrum to chance.
+
+    It is the same for every model: so many blows are taken for each simulation too.
+    """
+    there = len(blows(seen.untoned, held=True))
+    chance = chance_of_blows(there, copies * there)
+    return (
+        replace(model, power_tolerance=np.hypot(model.power_tolerance, chance)) if there and model.power.size else model
+    )
 
 
 def _flown(seen: Features, copies: Sequence[Observed]) -> float:
@@ -79,7 +95,7 @@ def held_out(nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *,
 
     Where the fitted numbers of one cannot be simulated, all three are judged by their linear twins, and it is said.
     """
-    flying = any(part.kind == "backlash" for rig in (nominal, before, after) for part in rig.parts)
+    flying = any(phases_tell(rig) for rig in (nominal, before, after))
     try:
         one, two, three = _each(partial(_by_simulation, flying=flying), (nominal, before, after), held)
         by_twin = False

@@ -16,6 +16,7 @@ Floats = NDArray[np.float64]
 
 _LONGEST = 0.95  # quantile of the distances: single ones are misjudged
 _ARCMIN = pi / 180 / 60
+_OF_ONE_BLOW = 1.2  # [1] of the logarithm of the energy: blows are unlike
 _SPREADS = np.array([0.5, 0.3, 0.3, 0.5, 0.4, 0.4])  # of the logarithms, between two like runs
 
 
@@ -39,3 +40,8 @@ def longest_flight(runs: Sequence[Observed], rig: Rig) -> float:
 def flight_misfit(measured: Floats, model: Floats) -> Floats:
     """Return the residuals in units of how much two like runs differ, shape (6,)."""
     return np.asarray((measured - model) / _SPREADS)
+
+
+def chance_of_blows(there: int, here: int) -> float:
+    """Return what the numbers of blows in a run and in its simulations leave of its density's logarithm to chance."""
+    return _OF_ONE_BLOW * float(np.sqrt(1 / (1 + there) + 1 / (1 + here)))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnose import Outcome
 from torquerig.diagnose.expecting.expectation import Expectation
+from torquerig.diagnose.expecting.phased import as_in_runs, phases_tell
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.misfit import Misfit, misfit, robust_squares
 from torquerig.diagnose.judging.held_out import SEEDS
@@ -51,8 +52,9 @@ class Compared:
 
 def compared(outcome: Outcome) -> tuple[Compared, ...]:
     """Return every run beside simulations of both models; one model alone where nothing was found."""
-    before = _sides(outcome.before.model.rig, outcome.held)
-    after = before if not outcome.diagnosis.findings else _sides(outcome.completed, outcome.held)
+    flying = phases_tell(outcome.completed)
+    before = _sides(outcome.before.model.rig, outcome.held, flying=flying)
+    after = before if not outcome.diagnosis.findings else _sides(outcome.completed, outcome.held, flying=flying)
     return tuple(Compared(*three) for three in zip(outcome.held, before, after, strict=True))
 
 
@@ -62,8 +64,9 @@ def most_telling(runs: Sequence[Compared]) -> Compared | None:
     return max(lines, key=lambda one: (one.held.observed.steady, one.gained), default=None)
 
 
-def _sides(rig: Rig, held: Sequence[Features]) -> list[Side]:
-    copies = [each[0] for each in simulated_runs(rig, held, seeds=SEEDS[:1])]
+def _sides(rig: Rig, held: Sequence[Features], *, flying: bool) -> list[Side]:
+    rigs = as_in_runs(rig, held) if flying else rig
+    copies = [each[0] for each in simulated_runs(rigs, held, seeds=SEEDS[:1])]
     models = expected_from(rig, held, [[copy] for copy in copies])
     return [
         Side(copy, model, misfit(features, model)) for copy, model, features in zip(copies, models, held, strict=True)

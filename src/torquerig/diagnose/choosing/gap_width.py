@@ -1,0 +1,124 @@
+"""How wide a gap is: by how flanks fly across it, or by how long and how often the torque stays near zero.
+
+The latter where an amplifier is too slow for blows, or the shafts ring through the flights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from math import exp
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.opened_gap import ARCMIN, flanks_fly, flanks_may_part, opened
+from torquerig.diagnose.expecting.simulated import simulated_runs
+from torquerig.diagnose.fitting.misfit import robust_squares
+from torquerig.diagnose.looking.as_well_known import as_well_known
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.flight_statistics import flight_misfit, flight_statistics, longest_flight
+from torquerig.diagnose.looking.near_zero import near_zero_misfit, near_zero_stays
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.without_tones import without_tones
+from torquerig.diagnose.side_by_side import of_each
+from torquerig.rig.rig import Rig
+
+Floats = NDArray[np.float64]
+
+_GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
+_BEYOND, _SHORT = 0.15, 0.3  # [1] of the logarithm: wider than the longest flight, narrower than where it was measured
+_FINE = np.geomspace(_GAPS[0], _GAPS[-1], 121)
+_LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
+_SEEDS = (1, 2)
+_ALIKE = 4.0  # of the misfit: 95 % of one number
+_CONTACT = 0.55  # of the logarithm: how flanks meet changes how they fly, and no model knows it (29 blind rigs)
+
+
+@dataclass(frozen=True)
+class Width:
+    """A gap [rad] with its 95 % interval, and the misfit of what told it, closed and open."""
+
+    gap: float
+    within: tuple[float, float]
+    closed: float
+    opened: float
+
+
+def width(case: Case, rigs: Sequence[Rig]) -> Width | None:
+    """Return the gap that comes nearest to the recordings, or None where neither flights nor stays tell any.
+
+    Parameters
+    ----------
+    case : Case
+    rigs : sequence of Rig
+        The model without a gap as it is simulated for each of the case's runs.
+    """
+    told = _told_by(case, rigs, flying=True) if flanks_fly(case) else None
+    return _told_by(case, rigs, flying=False) if told is None else told
+
+
+def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> Width | None:
+    """Return the width as flights tell it, or else stays near zero."""
+    parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
+    seen = [case.seen[row] for row in parting]
+    statistics = partial(flight_statistics, rig=case.nominal) if flying else near_zero_stays
+    apart = flight_misfit if flying else near_zero_misfit
+    told = [statistics(features.untoned) for features in seen]
+
+    def shown(rigs: Sequence[Rig]) -> Floats:
+        pairs = list(zip(seen, simulated_runs(rigs, seen, seeds=_SEEDS), strict=True))
+        return np.array(of_each(lambda pair: _mean_of(statistics, *pair), pairs))
+
+    def cost(modelled: Floats) -> float:
+        pairs = zip(told, modelled, strict=True)
+        return float(sum(robust_squares(apart(measured, model)).sum() for measured, model in pairs))
+
+    closed = cost(shown([rigs[row] for row in parting]))
+    if closed < _LEAST_GAIN:
+        return None
+    each = np.array([shown([opened(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS])
+    costs = np.array([cost(modelled) for modelled in _smoothed(each)])
+    # what no width explains is no chance of the width's: the variance is inflated by it
+    inflated = costs / max(1.0, float(costs.min()) / np.concatenate(told).size)
+    inflated += _far_from_longest(case, seen) if flanks_fly(case) else 0.0
+    at = int(np.argmin(inflated))
+    if costs[at] >= closed - _LEAST_GAIN:
+        return None
+    return Width(float(_FINE[at]), _within(inflated), closed, float(costs[at]))
+
+
+def _far_from_longest(case: Case, seen: Sequence[Features]) -> Floats:
+    """Return what each width costs for being far from the longest flight, shape (fine,).
+
+    Flanks that fly from side to side move by the gap; how far is told well only where the motor's angle was measured.
+    """
+    apart = np.log(_FINE / longest_flight([features.untoned for features in seen], case.nominal))
+    measured = all(features.observed.angle_measured for features in seen)
+    return np.asarray(np.where(apart > 0, apart / _BEYOND, apart / _SHORT if measured else 0.0) ** 2)
+
+
+def _within(costs: Floats) -> tuple[float, float]:
+    """Return the 95 % interval of the width [rad], from what each costs."""
+    alike, best = _FINE[costs < costs.min() + _ALIKE], float(_FINE[np.argmin(costs)])
+    reach = exp(1.96 * _CONTACT)
+    return min(best / reach, float(alike[0])), max(best * reach, float(alike[-1]))
+
+
+def _mean_of(statistics: Callable[[Observed], Floats], seen: Features, copies: Sequence[Observed]) -> Floats:
+    """Return the mean of the statistics of a run's simulations, their angles known as well as the run's."""
+    known = [as_well_known(without_tones(copy, seen.places), seen.observed) for copy in copies]
+    return np.asarray(np.mean([statistics(copy) for copy in known], axis=0))
+
+
+def _smoothed(each: Floats) -> Floats:
+    """Return statistics at fine steps of the gap, shape (fine, ...), from those at ``_GAPS``, shape (gaps, ...).
+
+    Two simulations with one gap differ by chance more than those of neighbouring gaps should, so each statistic is
+    taken as a parabola over the gap's logarithm.
+    """
+    bent = np.polynomial.polynomial.polyfit(np.log(_GAPS), each.reshape(_GAPS.size, -1), 2)
+    at_each = np.polynomial.polynomial.polyval(np.log(_FINE), bent).T
+    return np.asarray(at_each.reshape(_FINE.size, *each.shape[1:]))

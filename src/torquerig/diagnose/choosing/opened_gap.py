@@ -1,0 +1,35 @@
+"""Where flanks may part, and the candidate that opens the gap of the last gear before the sensor."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from torquerig import mechanisms
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.flights import CLEARLY, flights_counted
+from torquerig.scenario.kinematics import gears_to_sensor
+
+ARCMIN = pi / 180 / 60
+_UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
+
+
+def flanks_fly(case: Case) -> bool:
+    """Whether the recordings show more flights than a rig without a gap."""
+    return sum(flights_counted(features.untoned) for features in case.seen) >= CLEARLY
+
+
+def flanks_may_part(seen: Features) -> bool:
+    """Whether the torque of the run passes through zero, or near it, or rests there."""
+    torque = seen.untoned.torque
+    low = float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
+    return low or flights_counted(seen.untoned) >= CLEARLY
+
+
+def opened(case: Case, gap: float, *, within: tuple[float, float] | None = None) -> Candidate:
+    """Return the gap [rad] as a candidate; ``within`` is its 95 % interval where that is known."""
+    gear = gears_to_sensor(case.nominal)[-1]
+    part = mechanisms.Backlash(name="backlash", gear=gear.name, gap=gap)
+    return Candidate(mechanism="backlash", parts=(part,), knobs=(), within={} if within is None else {"gap": within})

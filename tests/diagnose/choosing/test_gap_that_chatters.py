@@ -1,0 +1,62 @@
+"""Flanks that chatter and never cross: their spectrum tells that there is a gap, and not how wide it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.gap_trial import FittedGap, _of_like  # the choice itself, without simulations
+from torquerig.diagnose.choosing.opened_gap import ARCMIN, opened
+from torquerig.diagnose.diagnose import diagnose
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.mechanisms import Backlash
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+Record = Callable[..., Recording]
+GAP = 12 / 60 * pi / 180  # [rad]
+
+
+def test_a_gap_is_named_by_the_spectrum_of_its_chatter(known_rig: Scenario, record: Record) -> None:
+    rig = known_rig.rig + Backlash(name="hidden", gear="gearbox", gap=GAP)
+    runs = [
+        record(rig, seed, rpm=rpm, occupancy=occupancy, rate=25_000.0)
+        for seed, (rpm, occupancy) in enumerate([(1000, 5), (700, 5), (1000, 0)], start=1)
+    ]
+    told = diagnose(known_rig, runs).diagnosis
+    assert [found.mechanism for found in told.findings] == ["backlash"]
+    assert told.verdict == "missing_physics"
+    gap = told.findings[0].parameters["gap_arcmin"]
+    assert gap.low < 12 < gap.high
+    assert gap.high > 3 * gap.low, "no flank crosses, so no width can be told"
+    assert told.fit.after < 0.7 * told.fit.before
+
+
+@pytest.mark.parametrize(
+    ("costs", "gap", "within"),
+    [
+        ([100.0, 99.0, 98.0, 97.5], (1.5 * 45) ** 0.5, (1.5, 45.0)),
+        ([200.0, 100.0, 99.0, 150.0], (5 * 15) ** 0.5, (5.0, 15.0)),
+        ([200.0, 100.0, 130.0, 150.0], 5.0, None),
+    ],
+    ids=["any", "two", "one"],
+)
+def test_the_middle_of_the_widths_that_fit_as_well(
+    costs: list[float], gap: float, within: tuple[float, float] | None, known_rig: Scenario
+) -> None:
+    case = Case(nominal=known_rig.rig, runs=(), seen=(), model=_costing(0.0, known_rig), left=())
+    tried = zip((1.5, 5.0, 15.0, 45.0), costs, strict=True)
+    best = _of_like(case, [FittedGap(opened(case, each * ARCMIN), _costing(cost, known_rig)) for each, cost in tried])
+    assert best.gap / ARCMIN == pytest.approx(gap)
+    told = best.candidate.within.get("gap")
+    assert (told is None) == (within is None)
+    if told is not None and within is not None:
+        assert [each / ARCMIN for each in told] == pytest.approx(within)
+
+
+def _costing(cost: float, scenario: Scenario) -> Calibrated:
+    return Calibrated(scenario.rig, (), np.zeros(0), np.zeros((0, 0)), (), cost, ())
