@@ -32,7 +32,7 @@ _NONE_STANDS_OUT = "from the set-point alone: no comb of lines stands out"
 
 
 def motor_angle_from_torque(
-    recording: Recording, lines: Sequence[KinematicLine], *, also: Sequence[float] = ()
+    recording: Recording, lines: Sequence[KinematicLine], *, also: Sequence[float] = (), strays: float = np.inf
 ) -> MotorAngle:
     """Return the motor's angle for which the comb of ``lines`` stands out most in the torque.
 
@@ -47,6 +47,9 @@ def motor_angle_from_torque(
         The lines to look for.
     also : sequence of float
         Further orders of the motor to look for [1/rev].
+    strays : float
+        By what share the mean speed of a steady run may leave its set-point; a course that leaves it by more has gone
+        after a strong line that nobody knows [1].
 
     Raises
     ------
@@ -77,13 +80,15 @@ def motor_angle_from_torque(
             return MotorAngle(nominal, _NONE_STANDS_OUT, comb.sd)
         told = f"from the set-point profile times {comb.factor:.5f}, by the comb of lines"
         return MotorAngle(nominal * comb.factor, told, comb.sd)
-    return _steady_angle(torque, nominal, orders, comb, recording.sample_rate)
+    found = _steady_angles(torque, nominal, orders, comb, recording.sample_rate)
+    near = [each for each in found if abs((each[0][-1] - each[0][0]) / (nominal[-1] - nominal[0]) - 1) < strays]
+    return _best_of(near, torque, nominal, orders, comb)
 
 
-def _steady_angle(
+def _steady_angles(
     torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64], comb: _Comb, rate: float
-) -> MotorAngle:
-    """Return the better of two: one factor and a slow wander, or a course that leaves the factor by per cents."""
+) -> list[tuple[NDArray[np.float64], str, float]]:
+    """Return one factor and a slow wander, and a course that leaves the factor by per cents; what is told of each."""
     found = []
     if comb.stands_out:
         scaled = nominal * comb.factor
@@ -100,6 +105,17 @@ def _steady_angle(
             angle = angle + strayed
             angle = angle + angle_within_a_turn(torque, angle, orders, comb.floor)
         found.append((angle, "from the course of the comb of lines around the set-point", ends))
+    return found
+
+
+def _best_of(
+    found: Sequence[tuple[NDArray[np.float64], str, float]],
+    torque: NDArray[np.float64],
+    nominal: NDArray[np.float64],
+    orders: NDArray[np.float64],
+    comb: _Comb,
+) -> MotorAngle:
+    """Return the angle along which the lines stand out most, the set-point's where they stand out in none."""
     heights = [_coherence(torque, angle, orders, comb.floor) for angle, _, _ in found]
     if not found or max(heights) < _COHERENT:
         return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))

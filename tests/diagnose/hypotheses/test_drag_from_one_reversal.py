@@ -21,6 +21,7 @@ def test_the_blocks_of_a_run_that_turns_back_show_many_speeds(
     turning = SimpleNamespace(speed=np.zeros((0, 3)), turning=SimpleNamespace(speed=np.array(course)))
     seen = [steady] if course is None else [steady, turning]
     case = SimpleNamespace(
-        nominal=wear_rig.rig, seen=seen, model=SimpleNamespace(rig=wear_rig.rig), misfit_of=lambda rig: 0.0
-    )
+        nominal=wear_rig.rig, seen=seen, model=SimpleNamespace(rig=wear_rig.rig), misfit_of=lambda rig: 0.0,
+        nominal_with_accepted=lambda: wear_rig.rig,
+    )  # fmt: skip
     assert len(list(quadratic_drag.propose(cast("Case", case)))) == proposed

@@ -32,7 +32,7 @@ def told_again(case: Case, trial: Trial) -> Trial | None:
         found = fitted_gap(bare, bare.nominal_with_accepted())
     except SimulationError:
         return None
-    if found.model.cost >= trial.model.cost:
+    if found is None or found.model.cost >= trial.model.cost:
         return None
     gain = case.model.cost - found.model.cost - PER_KNOB * len(trial.candidate.knobs) - trial.candidate.price
     return replace(trial, model=simulated_model(found.candidate, found.model), gain=gain, gap=found.candidate)

@@ -76,7 +76,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
         try:
-            fitted.append(_gap(case))
+            fitted += _gap(case)
         except SimulationError:
             gap_failed = True
     fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
@@ -96,12 +96,14 @@ def _finalists(screened: Sequence[Trial]) -> list[Trial]:
     return finalists
 
 
-def _gap(case: Case) -> Trial:
-    """Return the trial of the fitted gap."""
+def _gap(case: Case) -> list[Trial]:
+    """Return the trial of the fitted gap, or none where the recordings need none."""
     found = fitted_gap(case, case.nominal_with_accepted())
+    if found is None:
+        return []
     beside = (found.closed, found.opened)
     gain = case.model.cost - found.model.cost + found.closed - found.opened - PER_KNOB
-    return Trial(found.candidate, simulated_model(found.candidate, found.model), gain, beside)
+    return [Trial(found.candidate, simulated_model(found.candidate, found.model), gain, beside)]
 
 
 def extended(case: Case, best: Trial) -> Case:

@@ -9,11 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.simulated import simulated
 from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.looking.flights import coarse_code
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.sample_faults import moments_lost
 from torquerig.diagnose.looking.short_spectra import short_spectra
@@ -61,7 +63,7 @@ class _Passing:
 
 def _largest(run: Observed) -> _Passing | None:
     """Return the time of a steady run whose spectrum stands out most, where it does beyond the thresholds."""
-    spectra = short_spectra(run.torque, run.rate, without=moments_lost(run.recording)) if run.steady else None
+    spectra = short_spectra(_rounded_evenly(run), run.rate, without=moments_lost(run.recording)) if run.steady else None
     if spectra is None:
         return None
     rows = [(spectra.joint(spectra.log), _ALL), *((band, _ONE_BAND) for band in spectra.log)]
@@ -73,6 +75,13 @@ def _largest(run: Observed) -> _Passing | None:
     start, second = int(middle) - size // 2, run.rate / spectra.hop
     log_power = float(rows[row][0][start : start + size].mean())
     return _Passing(run, start / second, size / second, log_power, clear, every.size)
+
+
+def _rounded_evenly(run: Observed) -> NDArray[np.float64]:
+    """Return the torque, coarse codes spread over their steps by chance: one that rests has no spectrum at all."""
+    step = coarse_code(run)
+    spread = np.random.default_rng(_SEED).uniform(-0.5, 0.5, run.torque.size) if step else 0.0
+    return np.asarray(run.torque + step * spread)
 
 
 def _alone(found: _Passing, completed: Rig) -> bool:

@@ -76,11 +76,8 @@ def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAng
     told = speed_far_off(recording.torque(), recording.sample_rate, set_point=stated, orders=[*known, *also])
     if told is not None and abs(told / stated - 1) > _NEAR:
         recording = replace(recording, run=replace(run, speed=told))
-    asked = recording.run.speed or 0.0
-    angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also)
-    # a course may leave the set-point by per cents after a strong line that nobody knows
-    near = abs(abs(angle.mean_speed(recording.sample_rate)) / abs(asked) - 1) < _STRAYED if asked else True
-    return angle if angle.speed_sd < _FOLLOWED and near else None
+    angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also, strays=_STRAYED)
+    return angle if angle.speed_sd < _FOLLOWED else None
 
 
 def _simulated(recording: Recording, rig: Rig, factor: float) -> ShaftAngle:
