@@ -14,7 +14,10 @@ from torquerig.diagnose.looking.places import order
 from torquerig.scenario.reading import Scenario
 
 
-@pytest.mark.parametrize(("line", "expected"), [(56.0, {280: 6.0, 140: 0.0}), (16.8, {84: 0.0, 42: 0.0})])
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [(56.0, {280: 12.0, 140: 0.0}), (36.0, {180: 6.0, 90: 0.0}), (16.8, {84: 0.0, 42: 0.0})],
+)
 def test_many_teeth_cost(
     line: float, expected: dict[int, float], wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -6,7 +6,9 @@ from math import exp, log
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.convincing import share_of
+from torquerig.diagnose.choosing.explained import gained_at_its_places
 from torquerig.diagnose.choosing.revising import Accepted
+from torquerig.diagnose.choosing.search import Trial
 
 LEAST = 0.5  # a name that is likelier wrong than right is none
 # of a logistic curve over `terms`; made by `python -m proof.confidence_fit` on blind trials of the seeds 21 to 23
@@ -31,19 +33,39 @@ def confidence(*, gain: float, share: float, rival: float) -> float:
 
 
 def confidence_of(final: Case, accepted: Accepted) -> float:
-    """Return the probability that the name of an effect is right, beside the rivals that the final case lacks."""
-    rival = max(rivals_of(final, accepted).values(), default=0.0)
-    return confidence(gain=accepted.trial.gain, share=share_of(accepted.before, accepted.trial), rival=rival)
+    """Return the probability that the name of an effect is right, beside the rivals that the final case lacks.
+
+    What they explain elsewhere is no rivalry: another effect may be there as well.
+    """
+    before, named = accepted.before.model.misfits, accepted.trial
+    rival = max(
+        (
+            min(trial.gain, gained_at_its_places(before, named.model.misfits, trial.model.misfits) + _beside(trial))
+            for trial in _others(final, accepted)
+        ),
+        default=0.0,
+    )
+    return confidence(gain=named.gain, share=share_of(accepted.before, named), rival=rival)
 
 
 def rivals_of(final: Case, accepted: Accepted) -> dict[str, float]:
     """Return the best gain of every other mechanism that was tried when the effect was taken, best first."""
     others: dict[str, float] = {}
-    for trial in accepted.tried.fitted:
-        name = trial.candidate.mechanism
-        if name != accepted.trial.candidate.mechanism and not final.has(name):
-            others.setdefault(name, trial.gain)
+    for trial in _others(final, accepted):
+        others.setdefault(trial.candidate.mechanism, trial.gain)
     return others
+
+
+def _others(final: Case, accepted: Accepted) -> list[Trial]:
+    own = accepted.trial.candidate.mechanism
+    names = ((trial, trial.candidate.mechanism) for trial in accepted.tried.fitted)
+    return [trial for trial, name in names if name != own and not final.has(name)]
+
+
+def _beside(trial: Trial) -> float:
+    """Return what a trial gains of what no feature holds."""
+    before, after = trial.beside
+    return before - after
 
 
 def terms(*, gain: float, share: float, rival: float) -> tuple[float, float, float, float]:

@@ -31,6 +31,14 @@ def explained_share(
     return 1 - (float(np.maximum(new[place] - 1, 0).sum()) + beside[1]) / excess if excess > 0 else 0.0
 
 
+def gained_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], with_other: Sequence[Misfit]) -> float:
+    """Return by how much the robust squares fall with another effect at the features that an effect changes."""
+    old, new, other = (
+        np.concatenate([robust_squares(misfit.all()) for misfit in each]) for each in (before, with_it, with_other)
+    )
+    return float((old - other)[old - new > _CHANGED].sum())
+
+
 def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], final: Sequence[Misfit]) -> float:
     """Return the mean robust square that the final model leaves at the features that the effect changed, 1 by chance.
 

@@ -13,7 +13,8 @@ from torquerig.rig.parts import BeltStage, Gear
 from torquerig.scenario.kinematics import gears_to_sensor
 
 _FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
-_COMMON, _UNCOMMON_PRICE = 150, 6.0  # few small gears have more teeth: odds of one in twenty, twice their logarithm
+# few small gears have more teeth: odds of one in twenty, and of one in four hundred, twice their logarithms
+_UNCOMMON = {150: 6.0, 200: 12.0}
 _STRONGEST = 5  # lines that are tried as a mesh
 _HARMONICS = 4
 _SMALL = 1e-6  # [rad]
@@ -61,7 +62,7 @@ def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = Fal
     knobs = [Knob(part.name, "transmission_error", 1.0, key=harmonic - 1) for harmonic in seen]
     knobs += [Knob(part.name, "planet_modulation", 1.0)] if planets else []
     part = replace(part, transmission_error=tuple(sizes))
-    price = _UNCOMMON_PRICE if teeth > _COMMON else 0.0
+    price = max((price for most, price in _UNCOMMON.items() if teeth > most), default=0.0)
     first = left_line(case, teeth / turns)
     return Candidate(mechanism="gear_mesh", parts=(part,), knobs=tuple(knobs), place=first, price=price)
 
