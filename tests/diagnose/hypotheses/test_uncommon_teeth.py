@@ -7,10 +7,11 @@ from typing import Any, cast
 
 import pytest
 
-from torquerig.diagnose.case import Case
-from torquerig.diagnose.hypotheses import gear_mesh
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.hypotheses import gear_mesh, is_possible
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import order
+from torquerig.mechanisms import GearMesh
 from torquerig.scenario.reading import Scenario
 
 
@@ -26,3 +27,12 @@ def test_many_teeth_cost(
     case = SimpleNamespace(left=(peak,), nominal=wear_rig.rig, runs=(), model=SimpleNamespace(rig=wear_rig.rig))
     found: list[Any] = list(gear_mesh.propose(cast("Case", case)))
     assert {round(each.parts[0].order_output): each.price for each in found} == expected
+
+
+@pytest.mark.parametrize(("sizes", "possible"), [((5e-8, 2e-5), False), ((2e-5, 1e-5), True), ((4e-6, 2e-5), True)])
+def test_teeth_that_do_not_show_themselves_are_twice_as_many(
+    sizes: tuple[float, ...], possible: bool, wear_rig: Scenario
+) -> None:
+    part = GearMesh(name="gear_mesh", gear="gearbox", order_output=140.0, transmission_error=sizes)
+    candidate = Candidate(mechanism="gear_mesh", parts=(part,), knobs=())
+    assert is_possible(candidate, candidate.added_to(wear_rig.rig)) is possible

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +17,11 @@ from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, speed_of
 from torquerig.diagnose.looking.refilled import refilled
 from torquerig.diagnose.looking.sample_faults import bridged, moments_lost
+from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.side_by_side import of_each
+from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
+from torquerig.signals.recording import Recording
 from torquerig.simulate.simulate import simulate
 
 Floats = NDArray[np.float64]
@@ -26,7 +30,10 @@ _WORKERS = 2
 
 
 def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
-    """Return what the rig records in the run of ``observed``, cut into the same stretches, dropouts bridged."""
+    """Return what the rig records in the run of ``observed``, cut into the same stretches.
+
+    It is mended as a recording is: dropouts bridged, hits that reached the converter's limit rebuilt.
+    """
     recording = simulate(
         rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
     )
@@ -34,12 +41,17 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
     return replace(
         observed,
         recording=recording,
-        torque=bridged(recording).torque(),
+        torque=_mended(recording, rig).torque(),
         angle=angle,
         speed=speed_of(angle, observed.rate),
         origin="simulated",
         angle_measured=True,
     )
+
+
+def _mended(recording: Recording, rig: Rig) -> Recording:
+    full_range = next((sensor.converter_range for sensor in rig.parts_of(TorqueSensor)), inf)
+    return rebuilt(bridged(recording), full_range=full_range)
 
 
 def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:

@@ -9,6 +9,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.looking.places import SAME_ORDER, order
+from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Gear
 from torquerig.scenario.kinematics import gears_to_sensor
 
@@ -19,6 +20,7 @@ _STRONGEST = 5  # lines that are tried as a mesh
 _HARMONICS = 4
 _SMALL = 1e-6  # [rad]
 _OF_THE_FIRST = 0.1  # a harmonic that shows in bands or by its side lines alone starts there
+_FIRST = 0.1  # of the largest: an error of teeth is largest once per tooth, and half the teeth would do without
 _STRONG = 100.0  # power over the floor of a line whose harmonics may be smeared until none stands out as a line
 
 
@@ -77,3 +79,9 @@ def _shows(case: Case, order_output: int, planets: int | None, turns: float) -> 
     return bool(left_line(case, order_output / turns)) or (
         planets is not None and _beside(case, order_output, planets, turns)
     )
+
+
+def possible(part: Part) -> bool:
+    """Whether fitted sizes could be those of teeth, and not of twice as many."""
+    sizes = part.transmission_error if isinstance(part, mechanisms.GearMesh) else ()
+    return bool(sizes) and abs(sizes[0]) > _FIRST * max(abs(size) for size in sizes)
