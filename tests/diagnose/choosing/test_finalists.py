@@ -27,3 +27,11 @@ def test_beside_a_line_small_gains_are_not_fitted() -> None:
     screened = [trial("gear_mesh", 80.0), trial("cogging", 30.0), trial("quadratic_drag", 10.0, slow=True)]
     assert [each.candidate.mechanism for each in _finalists(screened)] == ["gear_mesh", "cogging"]
     assert _finalists([trial("gear_mesh", -5.0)]) == []
+
+
+def test_slow_ones_do_not_crowd_out_a_line() -> None:
+    """A bent slow torque lets all of its rivals gain; blades, which bent it, are seen by their line alone so far."""
+    slow = [trial(f"slow {row}", 250.0 - row, slow=True) for row in range(6)]
+    lines = [trial(f"line {row}", 140.0 - row) for row in range(4)]
+    named = [each.candidate.mechanism for each in _finalists([*slow, *lines])]
+    assert named == [f"slow {row}" for row in range(5)] + ["line 0", "line 1"]

@@ -24,7 +24,7 @@ from torquerig.rig.rig import Rig
 MOST_EFFECTS = 3
 PER_KNOB = 5.0  # what a further number must gain, beside the square of its own position
 LEAST_GAIN = 40.0  # what an effect must gain to be called missing
-_FINALISTS = 5
+_FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _POLISHED = 2  # of the best, which are fitted on until nothing moves
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 3, 3
@@ -85,14 +85,20 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
 
 
 def _finalists(screened: Sequence[Trial]) -> list[Trial]:
-    """Return those worth fitting with all numbers free: the best, and of what moves the slow torque alike any."""
+    """Return those worth fitting with all numbers free: the best, and of what moves the slow torque alike any.
+
+    The latter do not crowd out the others: what loosens the slow torque gains by that alone where it is bent.
+    """
     top = screened[0].gain if screened else 0.0
     finalists: list[Trial] = []
+    others = 0
     for trial in screened:
         alike = any(trial.candidate.loosens and other.candidate.loosens for other in finalists)
         worthwhile = trial.gain > (0 if alike else _WORTHWHILE * max(top, 0.0))
-        if worthwhile and len(finalists) < _FINALISTS and not _repeated(trial, finalists):
+        room = len(finalists) < _FINALISTS or (not alike and others < _OTHERS)
+        if worthwhile and room and not _repeated(trial, finalists):
             finalists.append(trial)
+            others += not alike
     return finalists
 
 
