@@ -9,6 +9,7 @@ import numpy as np
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.fitting.profiled import profiled_cost
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body
@@ -16,7 +17,7 @@ from torquerig.rig.parts import Body
 _FREQUENCIES = np.geomspace(15.0, 900.0, 48)
 _SHARES = (0.15, 0.5)  # of the loaded part's inertia
 _DAMPING = 0.02
-_BEST = 2
+_BEST = 3
 # damping ratio: beyond the one a step swings over by less than half and no mode shows in a spectrum; below the other a
 # shaft would ring longer than steel in one piece, let alone a joint
 _RINGS, _NEVER_DIES = 0.2, 0.001
@@ -25,19 +26,18 @@ _RINGS, _NEVER_DIES = 0.2, 0.001
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield the branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part.
 
-    Below its frequency a branch is but more inertia of the part it hangs on, which may have been fitted too heavy.
+    The model's numbers give way to each: its stiffness and inertia may have stood in for one. Below its frequency a
+    branch is but more inertia of the part it hangs on, which may have been fitted too heavy.
     """
     at = loaded_part(case.nominal)
     body = None if at is None else case.nominal.part(at)
     if not isinstance(body, Body):
         return
-    ranked: list[tuple[float, Candidate]] = []
-    for share in _SHARES:
-        for frequency in _FREQUENCIES:
-            candidate = _branch(body, float(frequency), share * body.inertia)
-            ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
-    ranked.sort(key=lambda item: item[0])
-    yield from (candidate for _, candidate in ranked[:_BEST])
+    branches = [
+        _branch(body, float(frequency), share * body.inertia) for share in _SHARES for frequency in _FREQUENCIES
+    ]
+    branches.sort(key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
+    yield from branches[:_BEST]
 
 
 def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
