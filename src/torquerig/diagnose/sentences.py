@@ -31,13 +31,16 @@ _WHAT = {
 
 MECHANISMS = tuple(_WHAT)
 
+_UNTOLD = 20.0  # ratio of a gap's limits from which on its width is not told at all
+_CHATTER = "a gap in the gearbox whose width these runs do not tell: its flanks chatter and do not cross it"
+
 
 def explanation(
     mechanism: str, parameters: Mapping[str, Stated], *, share: float, rivals: Sequence[tuple[str, float]], gain: float
 ) -> str:
     """Return the sentence; ``share`` is the part of the misfit at its places that the effect explains."""
     values = {name: stated.value for name, stated in parameters.items()}
-    what = _WHAT[mechanism].format(**values)
+    what = _CHATTER if _is_untold(parameters) else _WHAT[mechanism].format(**values)
     said = f"The model lacks {what}; it explains {share:.0%} of the misfit where it acts"
     others = [(name, other) for name, other in rivals if name != mechanism and other > 0]
     if others and gain > 0:
@@ -46,3 +49,8 @@ def explanation(
     elif rivals:
         said += ", where no other mechanism of the library helps"
     return said + "."
+
+
+def _is_untold(parameters: Mapping[str, Stated]) -> bool:
+    gap = parameters.get("gap_arcmin")
+    return gap is not None and gap.high > _UNTOLD * gap.low
