@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.gap_trial import FittedGap, _of_like  # the choice itself, without simulations
+from torquerig.diagnose.choosing import gap_trial
+from torquerig.diagnose.choosing.gap_trial import (  # the choice itself, without simulations
+    FittedGap,
+    _of_like,
+    fitted_gap,
+)
 from torquerig.diagnose.choosing.opened_gap import ARCMIN, opened
 from torquerig.diagnose.diagnose import diagnose
 from torquerig.diagnose.fitting.calibration import Calibrated
@@ -34,6 +39,14 @@ def test_a_gap_is_named_by_the_spectrum_of_its_chatter(known_rig: Scenario, reco
     assert gap.low < 12 < gap.high
     assert gap.high > 3 * gap.low, "no flank crosses, so no width can be told"
     assert told.fit.after < 0.7 * told.fit.before
+
+
+def test_a_gap_that_nothing_tells_is_none(known_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Single flights in several runs ask for a gap; where flanks part in none of them, chatter explains nothing."""
+    case = Case(nominal=known_rig.rig, runs=(), seen=(), model=_costing(0.0, known_rig), left=())
+    for name, answer in (("calibrated", _costing(0.0, known_rig)), ("width", None), ("_simulated", ((), []))):
+        monkeypatch.setattr(gap_trial, name, lambda *_, answer=answer, **__: answer)
+    assert fitted_gap(case, known_rig.rig) is None
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ from torquerig.scenario.kinematics import gears_to_sensor
 _CHATTERING = (1.5, 5.0, 15.0, 45.0)  # [arcmin] over what gaps in service are
 _ALIKE = 4.0  # of the misfit: 95 % of one number
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
-_WELL = 1.5  # the same, below which chatter explains it: moments of another kind would leave more
+_LEFT = 1.5  # the same, below which chatter explains it: moments of another kind would leave more
 _SEEDS = (1,)
 
 
@@ -95,7 +95,7 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     if case.stated_gap:
         return around(case.stated_gap)
     best = _of_like(case, [around(gap * ARCMIN) for gap in _CHATTERING])
-    return best if max(_unexplained(case, best.model)) < _WELL else None
+    return best if max(_unexplained(case, best.model), default=np.inf) < _LEFT else None
 
 
 def _unexplained(case: Case, model: Calibrated) -> list[float]:
