@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE, LEAST_SHARE_WHERE_ALL_FITS, explained_share
 from torquerig.diagnose.choosing.search import LEAST_GAIN, WELL, Trial, excess, feature_count
-from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
-from torquerig.diagnose.fitting.misfit import misfit_sum, robust_squares
+from torquerig.diagnose.fitting.calibration import misfits_of
+from torquerig.diagnose.fitting.misfit import misfit_sum, missed_alone
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import Features
 
@@ -46,14 +46,9 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     missed = min(max(trial.model.cost / count, 1.0), _MOST_MISSED)
     least = max(_least_gain(case, trial) * missed, *details)
     well = count * (1.0 if trial.gap is None else WELL)
-    fits = trial.gain > _LARGE and (trial.model.cost < well or _missed(trial.model) < _AMPLY * count)
+    fits = trial.gain > _LARGE and (trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count)
     enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
-
-
-def _missed(model: Calibrated) -> float:
-    """Return what the features are missed by alone, without what the model's numbers and its chances cost."""
-    return sum(float(robust_squares(each.all()).sum()) for each in model.misfits)
 
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 
@@ -24,8 +25,7 @@ def explained_share(
     An effect that is there explains its places down to chance; one that only resembles what is there leaves a rest.
     ``beside`` are misfits before and after of what no feature holds.
     """
-    old = np.concatenate([robust_squares(misfit.all()) for misfit in before])
-    new = np.concatenate([robust_squares(misfit.all()) for misfit in after])
+    old, new = _squares(before), _squares(after)
     place = old - new > _CHANGED
     excess = float(np.maximum(old[place] - 1, 0).sum()) + beside[0]
     return 1 - (float(np.maximum(new[place] - 1, 0).sum()) + beside[1]) / excess if excess > 0 else 0.0
@@ -33,9 +33,7 @@ def explained_share(
 
 def gained_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], with_other: Sequence[Misfit]) -> float:
     """Return by how much the robust squares fall with another effect at the features that an effect changes."""
-    old, new, other = (
-        np.concatenate([robust_squares(misfit.all()) for misfit in each]) for each in (before, with_it, with_other)
-    )
+    old, new, other = map(_squares, (before, with_it, with_other))
     return float((old - other)[old - new > _CHANGED].sum())
 
 
@@ -47,9 +45,7 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
     than five features count as five, the others as right: an effect of lines changes one or two of the slow torque. One
     whose lines and bands gained nearly all owes nothing to the slow torque, and answers for none of it: 0.
     """
-    old, new, rest = (
-        np.concatenate([robust_squares(misfit.slow().all()) for misfit in each]) for each in (before, with_it, final)
-    )
+    old, new, rest = (_squares([misfit.slow() for misfit in each]) for each in (before, with_it, final))
     place = old - new > _CHANGED
     if float((old - new)[place].sum()) < _SLOW_PART * _taken_away(before, with_it):
         return 0.0
@@ -58,5 +54,9 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
 
 def _taken_away(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
     """Return by how much the robust squares of all features fell where they fell."""
-    fell = [robust_squares(one.all()) - robust_squares(other.all()) for one, other in zip(before, after, strict=True)]
-    return float(np.maximum(np.concatenate(fell), 0.0).sum())
+    return float(np.maximum(_squares(before) - _squares(after), 0.0).sum())
+
+
+def _squares(misfits: Sequence[Misfit]) -> NDArray[np.float64]:
+    """Return the robust squares of all features of all runs in one row."""
+    return np.concatenate([robust_squares(misfit.all()) for misfit in misfits])

@@ -126,6 +126,11 @@ def misfit_sum(misfits: Sequence[Misfit]) -> float:
     return float(sum(robust_squares(each.paid()).sum() for each in misfits))
 
 
+def missed_alone(misfits: Sequence[Misfit]) -> float:
+    """Return the same of the features alone, without what a model pays beside."""
+    return float(sum(robust_squares(each.all()).sum() for each in misfits))
+
+
 def _turning(seen: Turning, model: Floats, tolerance: Floats | float) -> Misfit:
     """Blocks of a run that turns back; what lines could do is taken out, neighbours are about half independent."""
     spread = np.sqrt(TURNING_FLOOR**2 + np.square(tolerance))
