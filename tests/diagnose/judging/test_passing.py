@@ -15,12 +15,19 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.judging import passing as module
 from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.mechanisms import Quantization
 from torquerig.rig.rig import Rig
 
 RATE, LENGTH = 10_000.0, 10.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE
 THERE = (TIME > 4.0) & (TIME < 4.8)
-RIG = cast("Rig", None)
+
+
+def rig_with(*parts: Quantization) -> Rig:
+    return cast("Rig", SimpleNamespace(parts_of=lambda kind: [part for part in parts if isinstance(part, kind)]))
+
+
+RIG = rig_with()
 
 
 @pytest.fixture
@@ -56,3 +63,14 @@ def test_what_a_simulation_shows_too_is_the_rigs(run: Observed, monkeypatch: pyt
     later = replace(run, torque=run.torque + np.roll(THERE, 20_000) * 0.05 * np.cos(2 * pi * 700 * TIME))
     monkeypatch.setattr(module, "simulated", lambda *_, **__: later)
     assert passing(case_of(spoilt), RIG) == ()
+
+
+@pytest.mark.parametrize(("rig", "told"), [(RIG, 1), (rig_with(Quantization(name="codes", step=0.1)), 0)])
+def test_a_coarse_code_that_rests_is_no_event(
+    rig: Rig, told: int, run: Observed, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One sample in sixty reaches the next code, and for a while none does."""
+    swing = np.where(THERE, 0.0, 0.018 * np.random.default_rng(6).standard_normal(TIME.size))
+    resting = replace(run, torque=0.1 * np.round((run.torque + swing) / 0.1))
+    monkeypatch.setattr(module, "simulated", lambda *_, **__: run)
+    assert len(passing(case_of(resting), rig)) == told

@@ -15,11 +15,11 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.simulated import simulated
 from torquerig.diagnose.judging.chance import by_chance
-from torquerig.diagnose.looking.flights import coarse_code
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.sample_faults import moments_lost
 from torquerig.diagnose.looking.short_spectra import short_spectra
 from torquerig.errors import SimulationError
+from torquerig.mechanisms import Quantization
 from torquerig.rig.rig import Rig
 
 _LENGTHS = (8, 16, 32)  # blocks
@@ -38,7 +38,9 @@ def passing(case: Case, completed: Rig) -> tuple[Mismatch, ...]:
     completed : Rig
         The finished rig, faults of the samples included.
     """
-    return tuple(found.mismatch for found in map(_largest, case.runs) if found is not None and _alone(found, completed))
+    step = max((part.step for part in completed.parts_of(Quantization)), default=0.0)
+    largest = [_largest(run, step) for run in case.runs]
+    return tuple(each.mismatch for each in largest if each is not None and _alone(each, completed, step))
 
 
 @dataclass(frozen=True)
@@ -61,9 +63,14 @@ class _Passing:
         )  # fmt: skip
 
 
-def _largest(run: Observed) -> _Passing | None:
-    """Return the time of a steady run whose spectrum stands out most, where it does beyond the thresholds."""
-    spectra = short_spectra(_rounded_evenly(run), run.rate, without=moments_lost(run.recording)) if run.steady else None
+def _largest(run: Observed, step: float) -> _Passing | None:
+    """Return the time of a steady run whose spectrum stands out most, where it does beyond the thresholds.
+
+    ``step`` is that of coarse codes [V], 0 without them.
+    """
+    if not run.steady:
+        return None
+    spectra = short_spectra(_rounded_evenly(run, step), run.rate, without=moments_lost(run.recording))
     if spectra is None:
         return None
     rows = [(spectra.joint(spectra.log), _ALL), *((band, _ONE_BAND) for band in spectra.log)]
@@ -77,17 +84,16 @@ def _largest(run: Observed) -> _Passing | None:
     return _Passing(run, start / second, size / second, log_power, clear, every.size)
 
 
-def _rounded_evenly(run: Observed) -> NDArray[np.float64]:
+def _rounded_evenly(run: Observed, step: float) -> NDArray[np.float64]:
     """Return the torque, coarse codes spread over their steps by chance: one that rests has no spectrum at all."""
-    step = coarse_code(run)
     spread = np.random.default_rng(_SEED).uniform(-0.5, 0.5, run.torque.size) if step else 0.0
-    return np.asarray(run.torque + step * spread)
+    return np.asarray(run.torque + step * run.torque_unit * spread)
 
 
-def _alone(found: _Passing, completed: Rig) -> bool:
+def _alone(found: _Passing, completed: Rig, step: float) -> bool:
     """Whether the recording shows much more of it than the finished rig, simulated."""
     try:
-        copy = _largest(simulated(completed, found.run, seed=_SEED))
+        copy = _largest(simulated(completed, found.run, seed=_SEED), step)
     except SimulationError:
         return False
     return copy is None or found.clear > _MORE * copy.clear

@@ -58,7 +58,7 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
         return []
     jump = np.zeros(torque.size)
     jump[:-rise] = np.abs(smooth[rise:] - smooth[:-rise])
-    hard = max(_HARD * noise, _CODES * coarse_code(observed))
+    hard = max(_HARD * noise, _CODES * _code(observed))
     starts = np.flatnonzero((jump[1:] > hard) & (jump[:-1] <= hard)) + 1
     left = noise / np.sqrt(max(1, _SMOOTHED * observed.rate))
     within = max(min(_QUIET * left, _QUIET_AT_MOST), _NOISY * left)
@@ -122,7 +122,7 @@ def _noise(observed: Observed) -> float:
     return middle / float(np.sqrt(2))
 
 
-def coarse_code(observed: Observed) -> float:
+def _code(observed: Observed) -> float:
     """Return the step of coarse codes [N m]: the smallest of a torque that mostly takes none; else 0."""
     steps = np.abs(np.diff(observed.torque))
     moving = steps[steps > 0]
