@@ -67,7 +67,7 @@ def _figures(ours: Summary) -> tuple[Row, ...]:
         ("median error of the identifying parameter", None if first is None else first.median, 0.05, False),
         ("its 90 % quantile", None if first is None else first.p90, 0.15, False),
         ("held-out misfit removed, median", ours.improvement, None, True),
-        ("of what the oracle removes, median", ours.of_oracle, 0.9, True),
+        (f"of what the oracle removes, median of {ours.oracles} rigs", ours.of_oracle, 0.9, True),
         ("expected calibration error", None if calibration is None else calibration.expected_error, 0.05, False),
     )
     return tuple(

@@ -64,7 +64,7 @@ def proof_page(
     chapters = [headline(ours)]
     chapters += [beside(summaries)] if len(summaries) > 1 else []
     chapters += [trials_made(proved), strata(ours), parameters(ours), improvement(ours, trials), calibration(ours)]
-    chapters += [null(_null(proved.blind), found)] if not proved.plan.alone else []
+    chapters += [null(_null(proved.blind), found)] if proved.plan.oracle_cases != 0 else []
     if proved.same_laws:
         chapters.append(laws_compared(ours, summarise(list(trials_of(proved.same_laws, OURS)))))
     if proved.riddle:
@@ -76,7 +76,7 @@ def proof_page(
     chapters += [*more, cost(costs, workers=proved.plan.workers, duration=proved.plan.duration)]
     chapters.append(failures(trials, refusals))
     pictures = {"calibration": reliability_picture(ours)}
-    if not proved.plan.alone:
+    if proved.plan.oracle_cases != 0:
         pictures["null"] = null_picture(_null(proved.blind), found)
     return ProofPage(
         title=TITLE, lead=lead(proved, ours), chapters=tuple(chapters), pictures=pictures, command=proved.plan.command

@@ -60,8 +60,8 @@ def improvement(ours: Summary, trials: Sequence[Trial]) -> Chapter:
         (
             "The oracle is told which mechanisms of the library are there, and nothing else; it fits them with the "
             "diagnosis' own code, without any threshold. Of what it removes the diagnosis removes "
-            f"{percent(ours.of_oracle)} (median over all rigs that have such a mechanism, those in which nothing was "
-            "named among them; asked: 90 % or more)."
+            f"{percent(ours.of_oracle)} (median over the {ours.oracles} rigs that it was run on, those in which "
+            "nothing was named among them; asked: 90 % or more)."
         ),
         f"Worse by more than 1 % on held-out data: {len(harmed)} of {len(gains)}.",
     ]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import chain
 from pathlib import Path
 
 from proof.prove.diagnosing import DiagnosisJob, diagnosed, is_diagnosed, job_of
@@ -65,8 +64,8 @@ def prove(plan: Plan, *, tell: Tell, stage: Stage) -> Proved:
     names = baseline_names()
     _diagnose_all(plan, [*_jobs(blind, names), *_jobs([*same, *riddles], ()), *practice], stage)
     answers = {trials.name: unseal(trials.folder) for trials in sets}
-    if not plan.alone:
-        later = list(chain.from_iterable(opened_jobs(answers[trials.name], trials.folder) for trials in blind))
+    later = [job for trials in blind for job in opened_jobs(answers[trials.name], trials.folder, plan.oracle_cases)]
+    if later:
         run_jobs(opened, later, workers=plan.workers, progress=stage("oracle and clean gains"))
 
     def judged(some: Sequence[TrialSet], baselines: Sequence[str]) -> tuple[ScoredSet, ...]:

@@ -23,8 +23,8 @@ class Plan:
         The same rigs once more with the reference's own laws.
     riddle : bool
         The twelve rigs of the 280 Hz riddle for each seed.
-    alone : bool
-        No oracle, no gains of clean rigs.
+    oracle_cases : int or None
+        How many rigs of each seed, from the first on, get an oracle or the gains of clean rigs; None: all of them.
     duration : float
         Of each run [s].
     practice, real : Path or None
@@ -37,7 +37,7 @@ class Plan:
     workers: int = 1
     same_laws: bool = False
     riddle: bool = False
-    alone: bool = False
+    oracle_cases: int | None = None
     duration: float = 12.0
     practice: Path | None = None
     real: Path | None = None
@@ -47,6 +47,7 @@ class Plan:
         """The command that makes the same again, without any folder of this machine."""
         words = ["torquerig prove", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
-        flags = {"--same-laws": self.same_laws, "--riddle": self.riddle, "--alone": self.alone}
+        words += [] if self.oracle_cases is None else [f"--oracle-cases {self.oracle_cases}"]
+        flags = {"--same-laws": self.same_laws, "--riddle": self.riddle}
         words += [word for word, on in flags.items() if on]
         return " ".join(words)

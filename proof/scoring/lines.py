@@ -62,7 +62,7 @@ def _fit_lines(summary: Summary) -> list[str]:
         lines.append(f"held-out misfit removed: median {summary.improvement:.3f}")
         lines.append(_line("held-out misfit worse by more than 1 %", summary.harmed, at_least=False))
     if summary.of_oracle is not None:
-        lines.append(f"of what the true mechanism removes: median {summary.of_oracle:.3f}")
+        lines.append(f"of what the true mechanism removes: median {summary.of_oracle:.3f} ({summary.oracles} rigs)")
     if summary.class_size is not None:
         lines.append(f"mean size of the class of a finding: {summary.class_size:.2f}")
         lines.append(

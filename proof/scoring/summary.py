@@ -36,7 +36,11 @@ class Share:
 
 @dataclass(frozen=True)
 class Summary:
-    """Every figure of a set of trials; ``groups`` holds (exact, exact or within the class) by what groups them."""
+    """Every figure of a set of trials.
+
+    ``groups`` holds (exact, exact or within the class) by what groups them; ``oracles`` counts the rigs behind
+    ``of_oracle``.
+    """
 
     outcomes: dict[str, int]
     groups: dict[str, dict[str, tuple[Share, Share]]]
@@ -48,6 +52,7 @@ class Summary:
     by_parameter: dict[str, ErrorFigures]
     improvement: float | None
     of_oracle: float | None
+    oracles: int
     harmed: Share
     class_size: float | None
     hedged_with_advice: Share
@@ -84,6 +89,7 @@ def summarise(trials: list[Trial]) -> Summary:
         by_parameter=_by_parameter(errors),
         improvement=float(np.median([gain.share for gain in gains])) if gains else None,
         of_oracle=float(np.median(oracle)) if oracle else None,
+        oracles=len(oracle),
         harmed=Share(sum(gain.harmed for gain in gains), len(gains)),
         class_size=float(np.mean([1 + len(match.finding.equivalent_to) for match in matches])) if matches else None,
         hedged_with_advice=Share(sum(finding.next_experiment is not None for finding in hedged), len(hedged)),

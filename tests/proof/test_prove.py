@@ -65,7 +65,7 @@ def test_the_seal_is_told_before_anything_is_recorded_or_diagnosed(tmp_path):
         told.append(name)
         return no_progress
 
-    prove(plan_of(tmp_path, alone=True), tell=told.append, stage=stage)
+    prove(plan_of(tmp_path, oracle_cases=0), tell=told.append, stage=stage)
     seal = (tmp_path / "seed-5" / SEAL).read_text().strip()
     assert told == [f"seed 5: answers sealed, SHA-256 {seal}", "recording", "diagnosing"]
     assert all(
@@ -164,14 +164,14 @@ def test_practice_rigs_and_the_same_laws_have_their_chapters(tmp_path):
         (rigs / name / "run1.parquet").touch()
     left = {"a": {"left_out": {}}, "b": {"left_out": {"blade_pass": {"blades": 6.0, "amplitude_Nm": 0.5}}}}
     (rigs / "answers.yaml").write_text(yaml.safe_dump(left))
-    plan = plan_of(tmp_path / "out", cases=3, alone=True, same_laws=True, practice=rigs)
+    plan = plan_of(tmp_path / "out", cases=3, oracle_cases=0, same_laws=True, practice=rigs)
     proved = prove(plan, tell=str, stage=lambda _: no_progress)
     text = write_pages(proved).markdown.read_text()
     assert "1 of 2 exactly right." in text.split("## Practice recordings")[1]
     assert "blade\\_pass | adequate | missed" in text
     assert "## With and without differing laws" in text
     assert "Beside the baselines" in text  # they cost next to nothing
-    assert "--same-laws --alone" in text
+    assert "--oracle-cases 0 --same-laws" in text
 
 
 @pytest.fixture
@@ -262,6 +262,15 @@ def test_the_oracle_stands_beside_the_diagnosis_alone(proved):
     assert named
     assert named[0].improvement.of_oracle == pytest.approx((0.5 / 1.5) / (0.6 / 1.5))
     assert all(t.improvement.of_oracle is None for t in theirs)
+
+
+def test_the_oracle_may_be_run_on_the_first_rigs_only(tmp_path):
+    trials = blind_set(7, 12, tmp_path, duration=2.0)
+    every = [job.name for job in opened_jobs(trials.answers, tmp_path)]
+    some = [job.name for job in opened_jobs(trials.answers, tmp_path, 5)]
+    assert some == [name for name in every if name <= "case-005"]
+    assert 0 < len(some) < len(every)
+    assert list(opened_jobs(trials.answers, tmp_path, 0)) == []
 
 
 def test_real_recordings_that_are_not_there_are_said_to_be_missing(tmp_path, monkeypatch):

@@ -28,15 +28,17 @@ CHECKOUT = Path(__file__).resolve().parents[3]
 @click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes.")
 @click.option("--same-laws", is_flag=True, help="The same rigs once more with the reference's own laws.")
 @click.option("--riddle", is_flag=True, help="The twelve rigs of the 280 Hz riddle as well.")
-@click.option("--alone", is_flag=True, help="No oracle, no gains of clean rigs: a third of the time.")
+@click.option("--oracle-cases", type=click.IntRange(0), default=None, metavar="N",
+              help="Oracle and gains of clean rigs for the first N rigs of each seed; all of them unless given. "
+              "0: a third of the time.")  # fmt: skip
 @click.option("--duration", type=click.FloatRange(2.0), default=12.0, show_default=True, help="Of each run, in s.")
 @click.option("--practice", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Practice rigs with their answers.yaml.")  # fmt: skip
 @click.option("--real", type=click.Path(path_type=Path), default=None, metavar="FOLDER",
               help="Real recordings, one folder per source.")  # fmt: skip
 def command(
-    *, seeds: Sequence[int], cases: int, out: Path, workers: int, same_laws: bool, riddle: bool, alone: bool,
-    duration: float, practice: Path | None, real: Path | None,
+    *, seeds: Sequence[int], cases: int, out: Path, workers: int, same_laws: bool, riddle: bool,
+    oracle_cases: int | None, duration: float, practice: Path | None, real: Path | None,
 ) -> None:  # fmt: skip
     """Make blind trials, seal their answers, diagnose them, open the answers and write what came of it.
 
@@ -55,7 +57,7 @@ def command(
 
     plan = Plan(
         seeds=tuple(dict.fromkeys(seeds)), cases=cases, out=out, workers=workers, same_laws=same_laws, riddle=riddle,
-        alone=alone, duration=duration, practice=practice, real=real,
+        oracle_cases=oracle_cases, duration=duration, practice=practice, real=real,
     )  # fmt: skip
     with ExitStack() as shown:
 
