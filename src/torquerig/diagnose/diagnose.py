@@ -88,7 +88,8 @@ def diagnose(
     start = begun(scenario, others, recordings, progress)
     whole, own_gap, faults, before, held = start.whole, start.own_gap, start.faults, start.before, start.held
     fitted = {run.name for run in before.runs}
-    sought = searched(before, [each for each in held if each.observed.name in fitted], progress)
+    used = [each for each in held if each.observed.name in fitted]
+    all_found = searched(before, used, progress)
     progress("predicting what no fit has seen")
     fitted_nominal = before.model.rig
     for candidate in faults.candidates:
@@ -102,10 +103,10 @@ def diagnose(
             completed, fitted = own_gap.reopened(completed), own_gap.reopened(fitted, width=width)
         return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed)
 
-    after, unseen, completed, fit = foretold(sought.case)
-    if (sought.findings or sought.descriptions) and fit.after > _WORSE * fit.before:
-        sought = sought.all_withdrawn(before)
-        after, unseen, completed, fit = foretold(before)
+    for sought in all_found.in_turn(before, used):
+        after, unseen, completed, fit = foretold(sought.case)
+        if fit.after <= _WORSE * fit.before:
+            break
     gap_told = own_gap is not None and after.has(MECHANISM)
     named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
     found_more = bool(named or faults.candidates or sought.descriptions)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from torquerig.diagnose.advising.next_run import next_run
@@ -12,6 +12,7 @@ from torquerig.diagnose.choosing.confidence import confidence_of, rivals_of
 from torquerig.diagnose.choosing.convincing import share_of
 from torquerig.diagnose.choosing.equivalence import equivalents
 from torquerig.diagnose.choosing.identifying import identifying
+from torquerig.diagnose.choosing.numbers_held import with_numbers_held
 from torquerig.diagnose.choosing.revising import Accepted
 from torquerig.diagnose.choosing.search import LEAST_GAIN, Trial, Tried
 from torquerig.diagnose.choosing.set_aside import set_aside
@@ -39,6 +40,8 @@ class Searched:
         Of what was modelled without a name, in words.
     first, last : Tried
         What was tried on the calibrated nominal model, and on the last one, which found nothing more.
+    accepted : tuple of Accepted
+        What the findings and descriptions tell of.
     withdrawn : tuple of str
         Mechanisms with which what no fit has seen is predicted worse than without.
     """
@@ -48,29 +51,35 @@ class Searched:
     descriptions: tuple[str, ...]
     first: Tried
     last: Tried
+    accepted: tuple[Accepted, ...] = ()
     withdrawn: tuple[str, ...] = ()
+
+    def in_turn(self, before: Case, held: Sequence[Features]) -> Iterator[Searched]:
+        """Yield what is to be believed first, and what instead where that foretells worse than the case ``before``.
+
+        The same effects beside the numbers as they stood before them, and at last none of them.
+        """
+        yield self
+        if not self.accepted:
+            return
+        held_fast = with_numbers_held(before, self.case)
+        if held_fast is not None:
+            yield _told(self, held_fast, held)
+        yield self.all_withdrawn(before)
 
     def all_withdrawn(self, before: Case) -> Searched:
         """Return the outcome of a search that found nothing in the case ``before`` that holds."""
         names = tuple(each.mechanism for each in self.findings)
-        return replace(self, case=before, findings=(), descriptions=(), last=self.first, withdrawn=names)
+        return replace(self, case=before, findings=(), descriptions=(), accepted=(), last=self.first, withdrawn=names)
 
 
 def searched(case: Case, held: Sequence[Features], progress: Progress) -> Searched:
     """Add effects as long as one is clearly missing and explains its places, then look back at each."""
     found = best_chain(case, held, progress)
-    named = [each for each in found.accepted if not each.trial.candidate.description]
-    return Searched(
-        case=found.case,
-        findings=tuple(_finding(found.case, each, held) for each in named),
-        descriptions=tuple(
-            in_words(each.trial.candidate, found.case.model.rig)
-            for each in found.accepted
-            if each.trial.candidate.description
-        ),
-        first=found.first,
-        last=found.last,
+    plain = Searched(
+        case=case, findings=(), descriptions=(), first=found.first, last=found.last, accepted=found.accepted
     )
+    return _told(plain, found.case, held)
 
 
 def faults_found(faults: SampleFindings, case: Case, *, gain: float) -> list[Finding]:
@@ -104,6 +113,18 @@ def run_for_the_rest(found: Searched) -> str | None:
             best.setdefault(trial.candidate.mechanism, trial)
     advice = next_run(found.case, list(best.values())[:_MOST_RIVALS])
     return None if advice is None else advice.sentence()
+
+
+def _told(found: Searched, final: Case, held: Sequence[Features]) -> Searched:
+    """Return the outcome with the accepted effects told by the numbers of the case ``final``."""
+    named = [each for each in found.accepted if not each.trial.candidate.description]
+    described = [each.trial.candidate for each in found.accepted if each.trial.candidate.description]
+    return replace(
+        found,
+        case=final,
+        findings=tuple(_finding(final, each, held) for each in named),
+        descriptions=tuple(in_words(candidate, final.model.rig) for candidate in described),
+    )
 
 
 def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Finding:

@@ -152,6 +152,9 @@ def test_a_rest_is_detail_only_beside_what_was_found(case: Case, monkeypatch: py
     assert detail_of(strong, after, []) is None
     flying = [replace(left[0], domain="distribution")]
     assert detail_of(strong, after, flying) is None, "flights of flanks are no detail of anything"
+    beside = replace(case, model=model(case.nominal, *[3000.0] * 38, 7.0, 7.0))
+    after = replace(case, model=model(case.nominal, *[1.0] * 38, 7.0, 7.0))
+    assert detail_of(beside, after, left) is None, "no detail stands where the effect changes nothing"
 
 
 def test_where_nothing_stands_out_a_strong_effects_details_are_no_second_effect(

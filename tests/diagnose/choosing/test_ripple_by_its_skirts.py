@@ -1,4 +1,4 @@
-"""A ripple whose line drowns: what an unsteady load makes of it beside the line is asked for at the field's orders."""
+"""A ripple or cogging whose line drowns: what an unsteady run makes of it beside the line is asked for."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 import pytest
 
+from torquerig.diagnose.hypotheses import cogging
 from torquerig.diagnose.hypotheses.commutation_ripple import propose
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import Place, order
-from torquerig.mechanisms import CommutationRipple
+from torquerig.mechanisms import Cogging, CommutationRipple
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 
@@ -35,3 +36,23 @@ def test_field_orders_without_a_line_are_asked_for(
     case = Bare(wear_rig.rig, (Seen(tuple(order(at) for at in shown)),))
     found = [candidate.parts[0] for candidate in propose(case)]  # type: ignore[arg-type]
     assert [part.order_motor for part in found if isinstance(part, CommutationRipple)] == asked
+
+
+def test_the_twelfth_order_alone_pays_for_the_sixth_that_is_not_there(wear_rig: Scenario) -> None:
+    """At one load cogging of order 84 makes the same line, and needs no excuse."""
+    case = Bare(wear_rig.rig, (Seen((order(7.0),)),))
+    prices = {candidate.place: candidate.price for candidate in propose(case)}  # type: ignore[arg-type]
+    assert prices[order(42.0)] == 0.0
+    assert 0.0 < prices[order(84.0)] < 10.0
+    (native,) = cogging.propose(case)  # type: ignore[arg-type]
+    assert native.price == 0.0
+
+
+@pytest.mark.parametrize(("shown", "asked"), [((7.0, 42.0), [84]), ((84.0,), [])])
+def test_cogging_without_a_line_is_asked_for_at_its_native_order(
+    shown: tuple[float, ...], asked: list[int], wear_rig: Scenario
+) -> None:
+    case = Bare(wear_rig.rig, (Seen(tuple(order(at) for at in shown)),))
+    found = [candidate.parts[0] for candidate in cogging.propose(case)]  # type: ignore[arg-type]
+    orders = [at for part in found if isinstance(part, Cogging) for at, size in part.amplitudes().items() if size > 0]
+    assert orders == asked

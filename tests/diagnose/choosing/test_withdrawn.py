@@ -18,6 +18,7 @@ def test_a_withdrawn_effect_is_told_among_what_was_set_aside(monkeypatch: pytest
     friction = cast(Finding, SimpleNamespace(mechanism="stribeck_friction", rivals=()))
     first, last = Tried((), ()), Tried((), ())
     found = Searched(case=after, findings=(friction,), descriptions=("noise",), first=first, last=last)
+    assert list(found.in_turn(before, ())) == [found], "nothing of its own to withdraw"
     withdrawn = found.all_withdrawn(before)
     assert withdrawn.case is before
     assert withdrawn.findings == withdrawn.descriptions == ()
@@ -31,3 +32,21 @@ def test_a_withdrawn_effect_is_told_among_what_was_set_aside(monkeypatch: pytest
     assert "withdrawn" in told["stribeck_friction"]
     assert told["cogging"] == "tried"
     assert reasons(before, found, (friction,)) == {"cogging": "tried"}
+
+
+@pytest.mark.parametrize("gains", [True, False])
+def test_before_all_is_withdrawn_the_numbers_are_held(gains: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    before, after, held_fast = (cast(Any, SimpleNamespace(name=name)) for name in ("before", "after", "held"))
+    tried, found = Tried((), ()), cast(Any, SimpleNamespace(trial=SimpleNamespace(candidate=SimpleNamespace())))
+    found.trial.candidate.description = ""
+    monkeypatch.setattr(findings, "with_numbers_held", lambda case, its: held_fast if gains else None)
+    monkeypatch.setattr(findings, "_finding", lambda final, accepted, held: SimpleNamespace(mechanism=final.name))
+    first = Searched(
+        case=after, findings=(cast(Any, SimpleNamespace(mechanism="drag")),), descriptions=(), first=tried, last=tried,
+        accepted=(found,),
+    )  # fmt: skip
+    cases = [each.case for each in first.in_turn(before, ())]
+    assert cases == ([after, held_fast, before] if gains else [after, before])
+    *_, last = first.in_turn(before, ())
+    assert last.withdrawn == ("drag",)
+    assert last.findings == last.accepted == ()

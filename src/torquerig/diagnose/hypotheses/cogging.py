@@ -8,16 +8,20 @@ from math import lcm
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.looking.places import Place
+from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.rig.parts import Motor
 
 _START = 0.001  # [N m]
+_SKIRTED = 0.005  # [N m] at which one that shows no line is started
 _MULTIPLES = 6  # of slots or poles that are looked at, and all of them up to ...
 _NATIVE = 3  # ... so many times the native order
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield cogging for each motor whose slots and poles are known, where left lines stand at its orders."""
+    """Yield cogging for each motor whose slots and poles are known, where left lines stand at its orders.
+
+    Where none does, at its native order: an unsteady speed may leave noise beside that line alone.
+    """
     for motor in case.nominal.parts_of(Motor):
         if motor.slots is None or motor.pole_pairs is None:
             continue
@@ -27,9 +31,10 @@ def propose(case: Case) -> Iterator[Candidate]:
         multiples = {at for count, last in furthest.items() for at in range(count, last + 1, count)}
         orders = dict.fromkeys((native, motor.slots, poles, *sorted(multiples)))
         seen = {at: place for at in orders if (place := left_line(case, float(at))) is not None}
-        if not seen:
-            continue
         part = mechanisms.Cogging(name="cogging", at=motor.name, slots=motor.slots, pole_pairs=motor.pole_pairs)
+        if not seen:
+            yield from _by_its_skirts(case, part, native)
+            continue
         part = part.with_amplitudes(dict.fromkeys(seen, _START))
         sizes = {at: _START * line_factor(case, case.model.rig + part, place) for at, place in seen.items()}
         held = [part.held_by(at) for at in sizes]
@@ -38,6 +43,19 @@ def propose(case: Case) -> Iterator[Candidate]:
             parts=(part.with_amplitudes(sizes),),
             knobs=tuple(Knob(part.name, field, 1.0, key=key) for field, key in held),
             place=_clearest(case, seen),
+        )
+
+
+def _by_its_skirts(case: Case, part: mechanisms.Cogging, native: int) -> Iterator[Candidate]:
+    """Yield cogging at the native order where no run has a place for its line."""
+    shown = [place.at for place in case.seen[0].places if place.domain == "order"]
+    if not any(abs(at - native) < SAME_ORDER for at in shown):
+        field, key = part.held_by(native)
+        yield Candidate(
+            mechanism="cogging",
+            parts=(part.with_amplitudes({native: _SKIRTED}),),
+            knobs=(Knob(part.name, field, 1.0, key=key),),
+            place=order(native),
         )
 
 

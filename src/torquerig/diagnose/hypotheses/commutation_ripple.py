@@ -18,20 +18,21 @@ _SKIRTED = 0.05  # [1] depth at which one that shows no line is started
 _START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 20.0
+_TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
 _DEEPEST = 0.7  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a third
 
 
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield a ripple for each of the strongest lines at a whole motor order.
 
-    Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples; other orders pay.
+    Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples; other orders pay,
+    and so does 12p where no line at 6p leads it.
     """
     motors = case.nominal.parts_of(Motor)
     if motors:
         yield from _by_its_skirts(case, motors[0])
     for peak in [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]:
         if motors and abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
-            electrical = round(peak.place.at) % (motors[0].pole_pairs or 1) == 0
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
             )
@@ -42,7 +43,7 @@ def propose(case: Case) -> Iterator[Candidate]:
                 parts=(part,),
                 knobs=(Knob(part.name, "depth", 1.0), *harmonics),
                 place=peak.place,
-                price=0.0 if electrical else _BESIDE_THE_FIELD,
+                price=_price(motors[0], peak.place.at),
             )
 
 
@@ -56,7 +57,17 @@ def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
                 name="commutation_ripple", at=motor.name, order_motor=order_motor, depth=_SKIRTED
             )
             knobs = (Knob(part.name, "depth", 1.0),)
-            yield Candidate(mechanism="commutation_ripple", parts=(part,), knobs=knobs, place=order(order_motor))
+            yield Candidate(
+                mechanism="commutation_ripple", parts=(part,), knobs=knobs, place=order(order_motor),
+                price=_price(motor, order_motor),
+            )  # fmt: skip
+
+
+def _price(motor: Motor, order_motor: float) -> float:
+    """Return what a ripple whose lowest line stands at a whole motor order must gain beside."""
+    if round(order_motor) % (motor.pole_pairs or 1):
+        return _BESIDE_THE_FIELD
+    return _TWELFTH_ALONE if round(order_motor) == _MAIN[1] * (motor.pole_pairs or 0) else 0.0
 
 
 def _with_harmonics(case: Case, part: mechanisms.CommutationRipple) -> tuple[mechanisms.CommutationRipple, list[Knob]]:

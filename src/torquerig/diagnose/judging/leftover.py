@@ -29,6 +29,7 @@ LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
 _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
 _DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
+_ELSEWHERE, _BETTER = 0.5, 2.0  # of what is left: more at places that got better by less than this is no detail
 _LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
 _BY_CHANCE = 4.0  # squares of residuals below this are no misfit
 _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
@@ -53,13 +54,25 @@ def mismatches(case: Case, beyond: Sequence[Correction] = ()) -> tuple[Mismatch,
 def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | None:
     """Return what share of the misfit before is ``left``, where that is but the detail of a strong effect; else None.
 
-    No model of a line or a load is right to better than some per cent, so the square of that stays.
+    No model of a line or a load is right to better than some per cent, so the square of that stays, and where the
+    effect is: what is left at places that it does not change is no detail of it.
     """
     if not left or any(mismatch.domain in ("distribution", "time") for mismatch in left):
+        return None
+    if _left_elsewhere(_every(before), _every(after)) > _ELSEWHERE:
         return None
     share = min(1.0, sum(mismatch.share_of_misfit for mismatch in left))  # places may tell of one thing twice
     rest = share * _excess(_every(after)) / _excess(_every(before))
     return rest if rest < _DETAIL else None
+
+
+def _left_elsewhere(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
+    """Return which share of what is left stands at features that did not get better; 0 where others are looked at."""
+    old, new = (robust_squares(np.concatenate([each.all() for each in every])) for every in (before, after))
+    if old.size != new.size:
+        return 0.0
+    left = np.maximum(new - _BY_CHANCE, 0.0)
+    return float(left[old - new <= _BETTER].sum() / max(left.sum(), 1e-12))
 
 
 def _every(case: Case) -> list[Misfit]:
