@@ -11,7 +11,7 @@ from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.looking.under_hum import flat_under_hum
-from torquerig.diagnose.untrue_samples import Untrue, repeated, without_untrue
+from torquerig.diagnose.untrue_samples import Untrue, jumping, repeated, without_untrue
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
@@ -72,6 +72,5 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     clipped = () if cut is None else cut.runs
     standing = clipped if codes is None else [recording.name for recording in recordings]
     mended, untrue = without_untrue(mended, lost_of_each, standing=standing)
-    return SampleFindings(
-        tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, (*repeated(recordings), *untrue)
-    )
+    untrue = (*repeated(recordings), *jumping(recordings), *untrue)
+    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, untrue)

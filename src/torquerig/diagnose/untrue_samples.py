@@ -1,4 +1,4 @@
-"""What is no reading of the torque, in words and as places: samples written twice, another gain, a line that sweeps."""
+"""What is no reading of the rig, in words and as places: samples written twice, jumps, another gain, a sweep."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 import numpy as np
 
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.looking.angle_jumps import angle_jumps
 from torquerig.diagnose.looking.copied import copied
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.refilled import Moments
@@ -31,6 +32,20 @@ def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
             f"exactly, for up to {1e3 * length:.3g} ms; the logger wrote them twice, so its time base cannot be trusted"
         )
         yield sentence, _place(recording, found[0].start, found[0].stop, excess=0.0)
+
+
+def jumping(recordings: Sequence[Recording]) -> Iterator[Untrue]:
+    """Yield a sentence and a place for each recording whose measured angle jumps."""
+    for recording in recordings:
+        found, rate = angle_jumps(recording), recording.sample_rate
+        if found:
+            furthest = max(abs(each.turn) for each in found) / (2 * np.pi)
+            sentence = (
+                f"{recording.name}: at {_moments([each.start / rate for each in found])} the channel "
+                f"{found[0].channel} jumps by up to {furthest:.2g} turns from one sample to the next, and no shaft "
+                "does; samples or counts were lost or written twice, so its time base cannot be trusted"
+            )
+            yield sentence, _place(recording, found[0].start, found[0].start + 1, excess=0.0)
 
 
 def without_untrue(

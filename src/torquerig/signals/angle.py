@@ -91,6 +91,14 @@ def angle_of(channel: Channel, rate: float) -> NDArray[np.float64]:
     return channel.in_si()
 
 
+def unsmoothed_angle_of(channel: Channel) -> NDArray[np.float64]:
+    """Return an angle channel in radians, shape (samples,), as it was recorded; counts are unwrapped."""
+    if channel.unit != "count" or channel.values.size < 3:
+        return channel.in_si()
+    turn = 2 * np.pi / channel.si_per_unit
+    return np.asarray(_unwrapped(channel.values, counts_per_rev=turn) * channel.si_per_unit)
+
+
 def _unwrapped(counts: NDArray[np.float64], *, counts_per_rev: float) -> NDArray[np.float64]:
     """Undo the overflow of a counter that starts again at the turn, or at 16 or 32 bit."""
     steps = np.diff(counts)
