@@ -19,6 +19,7 @@ from torquerig.signals.stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
 _MULTIPLE = 0.02  # [1/rev of the motor] so near a place stands on a multiple of the impacts
+_LOAD_ZONE = ((1.0, 0.0), (0.5, 1.0))  # of the amplitude, so many turns of the shaft beside a multiple
 _SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
 
 
@@ -64,16 +65,21 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
 
 
 def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
-    """Amplitude at each place that is a multiple of the impacts' order: all power between two multiples in one line."""
+    """Amplitude at each place that is a multiple of the impacts' order: all power between two multiples in one line.
+
+    Half of it a turn beside: impacts that swell and fade as the shaft turns through its load zone (Randall & Antoni
+    2011, 2.1), by how much is not known.
+    """
     each = stage.order * stage.turns
     revolutions = abs(seen.observed.mean_speed) / (2 * pi)
     answer = np.zeros(len(seen.places))
     for column, place in enumerate(seen.places):
         at = place.frequency(abs(seen.observed.mean_speed))
-        beside = abs(at / revolutions - round(at / revolutions / each) * each) if revolutions else np.inf
-        if beside < _MULTIPLE:
+        apart = at / revolutions - each * np.round(at / revolutions / each) if revolutions else np.inf
+        by_zone = [share for share, turns in _LOAD_ZONE if abs(abs(apart) - turns * stage.turns) < _MULTIPLE]
+        if by_zone:
             density = stage.density(np.array([at]), each * revolutions) * np.abs(twin.amplifier(np.array([at]))) ** 2
-            answer[column] = np.sqrt(2 * float(density[0]) * each * revolutions)
+            answer[column] = by_zone[0] * np.sqrt(2 * float(density[0]) * each * revolutions)
     return answer
 
 

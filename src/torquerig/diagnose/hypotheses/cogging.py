@@ -13,6 +13,7 @@ from torquerig.rig.parts import Motor
 
 _START = 0.001  # [N m]
 _SKIRTED = 0.005  # [N m] at which one that shows no line is started
+_UNEVEN = 5.0  # what lines must gain beside that only magnets or teeth unlike their neighbours make
 _MULTIPLES = 6  # of slots or poles that are looked at, and all of them up to ...
 _NATIVE = 3  # ... so many times the native order
 
@@ -38,11 +39,13 @@ def propose(case: Case) -> Iterator[Candidate]:
         part = part.with_amplitudes(dict.fromkeys(seen, _START))
         sizes = {at: _START * line_factor(case, case.model.rig + part, place) for at, place in seen.items()}
         held = [part.held_by(at) for at in sizes]
+        clearest = _clearest(case, seen)
         yield Candidate(
             mechanism="cogging",
             parts=(part.with_amplitudes(sizes),),
             knobs=tuple(Knob(part.name, field, 1.0, key=key) for field, key in held),
-            place=_clearest(case, seen),
+            place=clearest,
+            price=0.0 if round(clearest.at) % native == 0 else _UNEVEN,
         )
 
 

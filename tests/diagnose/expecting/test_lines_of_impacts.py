@@ -1,0 +1,56 @@
+"""What impacts without slip may put at a line: at multiples of their order, and a turn of the shaft beside these."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.expecting.added_signals import added_signals
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import order
+from torquerig.mechanisms import BearingDefect
+from torquerig.scenario.reading import Scenario
+
+RATE, LENGTH, RATIO, SPEED = 10_000.0, 12.0, 5.0, 100.0
+IMPACTS, RING, DAMPING, SIZE = 7.3, 900.0, 0.05, 0.3
+
+
+def struck(swing: float) -> np.ndarray:
+    """Rings by their closed form, one after the other, their strength swinging once a turn of the output shaft."""
+    time = np.arange(int(RATE * LENGTH)) / RATE
+    torque = np.zeros(time.size)
+    moments = np.arange(0.003, LENGTH, 2 * np.pi * RATIO / IMPACTS / SPEED)
+    for moment in moments.tolist():
+        since = time[(time >= moment) & (time < moment + 0.05)] - moment
+        ring = np.exp(-2 * np.pi * DAMPING * RING * since) * np.sin(2 * np.pi * RING * since)
+        size = SIZE * (1 + swing * np.cos(SPEED / RATIO * moment))
+        torque[(time >= moment) & (time < moment + 0.05)] += size * ring
+    return torque
+
+
+@pytest.mark.parametrize("turns", [-1, 0, 1])
+@pytest.mark.parametrize("multiple", [30, 37])
+def test_no_line_is_larger_than_the_impacts_may_make_it(
+    multiple: int, turns: int, wear_rig: Scenario, by_hand: Callable[..., Observed]
+) -> None:
+    place = order((multiple * IMPACTS + turns) / RATIO)
+    part = BearingDefect(
+        name="bearing", at="wear_part", order_output=IMPACTS, ring_frequency=RING, damping=DAMPING, amplitude=SIZE
+    )
+    angle = SPEED * np.arange(int(RATE * LENGTH)) / RATE
+    for swing in (0.0, 1.0):
+        run = by_hand(struck(swing), angle, rate=RATE)
+        seen = features(run, (place, order(1.0)), held=None)
+        rig = (wear_rig.rig + part).at(replace(wear_rig.rig.run, speed=SPEED))
+        allowed = np.asarray(added_signals(Twin(rig), seen).impacts)
+        size = float(np.abs(seen.amplitude[:, 0]).mean())
+        assert allowed[1] == 0.0, "no impact makes a line at the motor's own order"
+        if turns == 0 or swing == 1.0:
+            assert size == pytest.approx(allowed[0], rel=0.05)
+        else:
+            assert size < 0.05 * allowed[0]
