@@ -20,6 +20,7 @@ from torquerig.diagnose.choosing.explained import (
 )
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
 from torquerig.diagnose.choosing.search import MOST_EFFECTS, Trial, Tried, excess, trials
+from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.looking.features import Features
@@ -84,6 +85,8 @@ def _chain(
             break
         of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
         best = max(of_each.values(), key=partial(worth, case))
+        if small_beside(best, [each.trial for each in accepted]) and not stands_in_simulations(case, best):
+            break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
     if on_trial and not _together(start, case, accepted):

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import product
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.fitting.profiled import profiled_cost
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
 _STATIC = 0.4  # of the logarithm: static friction is one to three times the Coulomb one, and few blocks tell it
@@ -24,22 +24,25 @@ _RISES, _UP_TO = 0.5, 10.0
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield the friction curve that fits best among a few sizes, peaks and Stribeck speeds, and its like by direction.
 
-    It is sought beside the model as fitted, whose other frictions may stand in for it, and beside the nominal one.
+    It is sought beside the model as fitted, whose other frictions stood in for it and give way, and beside the
+    nominal one.
     """
     at = loaded_part(case.nominal)
     if at is None:
         return
-    yield from _best(case, at, case.model.rig)
-    yield from _best(case, at, case.nominal_with_accepted())
+    fitted = case.model.rig
+    yield from _best(case, at, lambda part: profiled_cost(case.model, fitted + part, case.seen))
+    nominal = case.nominal_with_accepted()
+    yield from _best(case, at, lambda part: case.misfit_of(nominal + part))
 
 
-def _best(case: Case, at: str, rig: Rig) -> Iterator[Candidate]:
+def _best(case: Case, at: str, misfit: Callable[[Part], float]) -> Iterator[Candidate]:
     ranked: list[tuple[float, mechanisms.StribeckFriction]] = []
     for coulomb, peak, speed in product(_COULOMB, _PEAKS, _SPEEDS):
         part = mechanisms.StribeckFriction(
             name="stribeck_friction", at=at, coulomb=coulomb, static=coulomb * peak, stribeck_speed=speed
         )
-        ranked.append((case.misfit_of(rig + part), part))
+        ranked.append((misfit(part), part))
     part = min(ranked, key=lambda item: item[0])[1]
     yield Candidate(mechanism="stribeck_friction", parts=(part,), knobs=_knobs(part), loosens=SLOW_TORQUE)
     if any(features.turning is not None for features in case.seen):

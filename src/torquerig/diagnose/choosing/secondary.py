@@ -1,0 +1,37 @@
+"""Small effects beside a large one: what no twin has of the large one may look like them.
+
+Dry friction bends the angle, and strong cogging turns the shaft until it shifts its own phase: both make lines of their
+own, near a mode large ones, that only a simulation shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.judging.by_simulation import left_by_simulation
+from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnose.looking.places import SAME_ORDER, Place
+
+_SMALL = 0.03  # of what an effect took that was found earlier
+
+
+def small_beside(trial: Trial, earlier: Sequence[Trial]) -> bool:
+    """Whether an effect takes so little beside an earlier one of the shafts that it may be a part of that."""
+    of_shafts = [one for one in earlier if (at := one.candidate.place) is None or at.domain == "order"]
+    return any(trial.gain < _SMALL * one.gain for one in of_shafts)
+
+
+def stands_in_simulations(case: Case, trial: Trial) -> bool:
+    """Whether something of what the trial explains is still missing where the case's rig is simulated."""
+    place, ratio = trial.candidate.place, abs(case.nominal.run.gear_ratio or 1.0)
+    left = mismatches(case)
+    its = left if place is None else [each for each in left if _at(each, place, ratio)]
+    return bool(left_by_simulation(case, its))
+
+
+def _at(mismatch: Mismatch, place: Place, ratio: float) -> bool:
+    turns = ratio if mismatch.axis == "output_shaft" else 1.0
+    return mismatch.domain == place.domain and abs(mismatch.at / turns - place.at) < SAME_ORDER
