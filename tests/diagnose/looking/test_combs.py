@@ -42,3 +42,18 @@ def test_lines_that_crowd_at_two_places_are_no_comb() -> None:
     """All lines but a few within a hundredth of one order: no slope can be fitted through them."""
     crowd = [peak(at) for at in (12.0, 12.03, 12.03, 12.06, 12.061, 12.09, 12.12, 40.0, 40.03, 40.05)]
     assert len(without_comb(crowd)) > 0
+
+
+def test_a_line_that_towers_over_the_comb_that_meets_it_stays() -> None:
+    """Multiple 31 of order 6.774 of the output shaft stands at motor order 42, where six steps ripple."""
+    comb = [peak(k * 6.774 / 5) for k in range(20, 40) if k != 31]
+    ripple = Peak(order(42.0), 900.0, ("run1",), 2)
+    assert without_comb([*comb, ripple]) == (ripple,)
+    own = Peak(order(31 * 6.774 / 5), 200.0, ("run1",), 2)
+    assert without_comb([*comb, own]) == (), "lines of combs scatter"
+
+
+def test_the_side_lines_of_a_strong_line_do_not_take_it_along() -> None:
+    sides = [peak(at) for at in (35.0, 36.0, 39.0, 40.0, 41.0, 43.0, 44.0, 45.0, 46.0)]
+    carrier = Peak(order(42.0), 5000.0, ("run1",), 2)
+    assert carrier in without_comb([*sides, carrier])

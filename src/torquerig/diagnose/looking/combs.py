@@ -12,6 +12,10 @@ from torquerig.diagnose.looking.peaks import Peak
 _FEWEST = 6  # lines in a row that make a comb
 _HIGH = 8  # multiple from which on teeth and blades have none
 _MOST = 0.6  # of all lines that must belong to it
+_BESIDE, _WITNESSES = 3, 2  # multiples to both sides, and how many of them must be there
+_HIGHER = (
+    4.0  # times as much power over the floor as the highest of them: the lines of combs scatter by a factor of two
+)
 _NEAR = 0.08  # of the spacing by which a line may miss its multiple
 
 
@@ -19,7 +23,8 @@ def without_comb(peaks: Sequence[Peak]) -> tuple[Peak, ...]:
     """Return the peaks that are no multiples of one order; all of them where fewer than six in a row are high ones.
 
     The lines of impacts crowd where their mode rings, at high multiples of their order; as lines of their own they
-    would leave nothing of the ringing in the spectrum between.
+    would leave nothing of the ringing in the spectrum between. One that stands high above its neighbours is another's,
+    which the comb happens to meet, or whose side lines the comb is made of: it stays.
     """
     orders = np.array(sorted(peak.place.at for peak in peaks if peak.place.domain == "order"))
     if orders.size < _FEWEST:
@@ -27,11 +32,20 @@ def without_comb(peaks: Sequence[Peak]) -> tuple[Peak, ...]:
     spacing = _spacing(orders)
     if spacing is None:
         return tuple(peaks)
-    return tuple(
+    comb = [
         peak
         for peak in peaks
-        if peak.place.domain != "order" or not _is_multiple(np.array([peak.place.at]), spacing, lowest=1)[0]
-    )
+        if peak.place.domain == "order" and _is_multiple(np.array([peak.place.at]), spacing, lowest=1)[0]
+    ]
+    its = [peak for peak in comb if not _towers(peak, comb, spacing)]
+    return tuple(peak for peak in peaks if peak not in its)
+
+
+def _towers(peak: Peak, comb: Sequence[Peak], spacing: float) -> bool:
+    """Whether a line of a comb stands high above those next to it, which a mode that rings would raise as well."""
+    apart = [(abs(round((other.place.at - peak.place.at) / spacing)), other.excess) for other in comb]
+    beside = [excess for steps, excess in apart if 0 < steps <= _BESIDE]
+    return len(beside) >= _WITNESSES and peak.excess > _HIGHER * max(beside)
 
 
 def _spacing(orders: NDArray[np.float64]) -> float | None:
