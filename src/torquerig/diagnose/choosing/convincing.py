@@ -14,6 +14,7 @@ from torquerig.diagnose.looking.features import Features
 
 _WHOLLY, _ALL = 6, 0.97  # power of the share by which gains are compared, and the share that counts as all
 _LARGE = 60.0  # gain above which a smaller share is enough, if the model then fits as a whole
+_VERY_LARGE, _HALF = 180.0, 0.45  # gain that no chance brings: of what else moved with it, that much may stray
 _AMPLY = 0.6  # per feature, without prices: as rigs are fitted whose model lacks nothing (0.2 to 0.6 of blind ones)
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
@@ -47,8 +48,13 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     least = max(_least_gain(case, trial) * missed, *details)
     well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and (trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count)
-    enough = LEAST_SHARE_WHERE_ALL_FITS if fits else LEAST_SHARE
+    enough = _enough(trial) if fits else LEAST_SHARE
     return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
+
+
+def _enough(trial: Trial) -> float:
+    """Return which share of its places an effect must explain with which the model fits as a whole."""
+    return _HALF if trial.gain > _VERY_LARGE else LEAST_SHARE_WHERE_ALL_FITS
 
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.peaks import SHIFTED
 from torquerig.signals.recording import Recording
 from torquerig.signals.stages.drift import Drift
 from torquerig.signals.stages.ringing import Ringing
@@ -19,6 +20,7 @@ from torquerig.signals.stages.tone import Tone, folded
 
 Floats = NDArray[np.float64]
 _MULTIPLE = 0.02  # [1/rev of the motor] so near a place stands on a multiple of the impacts
+_ORDER_TOLD = 0.01  # [1/rev] the order of impacts is told to so much
 _LOAD_ZONE = ((1.0, 0.0), (0.5, 1.0))  # of the amplitude, so many turns of the shaft beside a multiple
 _SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
 
@@ -73,10 +75,18 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
     each = stage.order * stage.turns
     revolutions = abs(seen.observed.mean_speed) / (2 * pi)
     answer = np.zeros(len(seen.places))
-    for column, place in enumerate(seen.places):
+    for column, place in enumerate(seen.places if revolutions else ()):
         at = place.frequency(abs(seen.observed.mean_speed))
-        apart = at / revolutions - each * np.round(at / revolutions / each) if revolutions else np.inf
-        by_zone = [share for share, turns in _LOAD_ZONE if abs(abs(apart) - turns * stage.turns) < _MULTIPLE]
+        multiple = np.round(at / revolutions / each)
+        apart = abs(at / revolutions - each * multiple)
+        strays = seen.observed.smearing * SHIFTED * at / revolutions + _ORDER_TOLD * stage.turns * multiple
+        # where the angle was followed, a whole order beside a multiple may be taken for the peak's place
+        reaches = (max(_MULTIPLE, strays if seen.observed.smearing else 0.0), _MULTIPLE)
+        by_zone = [
+            share
+            for (share, turns), reach in zip(_LOAD_ZONE, reaches, strict=True)
+            if abs(apart - turns * stage.turns) < reach
+        ]
         if by_zone:
             density = stage.density(np.array([at]), each * revolutions) * np.abs(twin.amplifier(np.array([at]))) ** 2
             answer[column] = by_zone[0] * np.sqrt(2 * float(density[0]) * each * revolutions)
