@@ -18,7 +18,7 @@ NONE = Tried((), ())
 
 def trial(name: str, gain: float) -> Any:
     return SimpleNamespace(
-        candidate=SimpleNamespace(mechanism=name, description=""), gain=gain, gap=None, beside=(0.0, 0.0)
+        candidate=SimpleNamespace(mechanism=name, description="", place=None), gain=gain, gap=None, beside=(0.0, 0.0)
     )
 
 

@@ -1,0 +1,67 @@
+"""Small effects beside a large one: simulations of the large one are asked, at the place of the small one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing import secondary
+from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.looking.places import Place, frequency, order
+
+RATIO = 5.0
+
+
+def trial(gain: float, place: Place | None = None) -> Trial:
+    return cast(Trial, SimpleNamespace(gain=gain, candidate=SimpleNamespace(place=place)))
+
+
+def mismatch(domain: str, axis: str, at: float) -> Mismatch:
+    return Mismatch(domain=domain, axis=axis, at=at, width=0.02, recordings=("run",), excess_dB=20.0,  # type: ignore[arg-type]
+                    share_of_misfit=0.5, p_value=1e-9)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("earlier", "small"), [((10_000.0, None), True), ((1000.0, None), False), ((10_000.0, order(84.0)), True),
+                           ((10_000.0, frequency(50.0)), False)],
+)  # fmt: skip
+def test_small_is_told_beside_what_moves_the_shafts(earlier: tuple[float, Place | None], small: bool) -> None:
+    """A hum of the cable, however large, makes no lines of the shaft."""
+    assert small_beside(trial(100.0), [trial(*earlier)]) is small
+    assert not small_beside(trial(100.0), [])
+
+
+@pytest.mark.parametrize(
+    ("place", "asked"),
+    [(order(11.0), [11.0]), (order(8.4), [42.0]), (frequency(50.0), [50.0]), (None, [11.0, 42.0, 50.0])],
+)
+@pytest.mark.parametrize("there", [True, False])
+def test_simulations_are_asked_at_its_own_place(
+    place: Place | None, asked: list[float], there: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    every = [
+        mismatch("order", "motor_shaft", 11.0),
+        mismatch("order", "output_shaft", 42.0),
+        mismatch("frequency", "Hz", 50.0),
+    ]
+    case = cast(Case, SimpleNamespace(nominal=SimpleNamespace(run=SimpleNamespace(gear_ratio=RATIO))))
+    shown: list[float] = []
+
+    def by_simulation(its: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, ...]:
+        assert its is case
+        shown.extend(each.at for each in left)
+        return tuple(left) if there else ()
+
+    def left(_: Any) -> list[Mismatch]:
+        return every
+
+    monkeypatch.setattr(secondary, "mismatches", left)
+    monkeypatch.setattr(secondary, "left_by_simulation", by_simulation)
+    assert stands_in_simulations(case, trial(100.0, place)) is there
+    assert shown == asked
