@@ -6,5 +6,6 @@ equivalence  rivals that cannot be told apart         revising     each looked b
 identifying  the numbers that identify an effect      confidence   how sure a finding is
 chain        one after the other, and once more begun elsewhere
 set_aside    what was not fitted, and why          around_gap   a gap told again beside a further effect
+secondary    what is small beside a large effect  numbers_held  before all is withdrawn
 opened_gap   where flanks may part                 gap_width    how wide the gap is
 """
