@@ -19,7 +19,7 @@ from proof.prove.jobs import run_jobs
 from proof.rig_program.draw import Case, answer_of, record_case
 from proof.thresholds import FEWEST, as_table, thresholds
 from proof.trials import draw_trials
-from torquerig.diagnose.choosing.explained import LEAST_SHARE
+from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.null_table import content_key
 
 RECORDINGS, GAINS, TABLE = "recordings", "gains", "null_table.yaml"

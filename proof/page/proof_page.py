@@ -25,7 +25,7 @@ from proof.prove.trial_set import riddle_set
 from proof.scoring.summary import Summary, summarise
 from proof.scoring.trial import Trial
 from proof.thresholds import Threshold, as_table, thresholds
-from torquerig.diagnose.choosing.explained import LEAST_SHARE
+from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.null_table import content_key, null_table
 from torquerig.report.matrix_chapters import Chapter
 from torquerig.report.proof_page import ProofPage, write_proof

@@ -14,6 +14,7 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
+from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
@@ -31,6 +32,8 @@ _BY_TWIN = (
 )
 
 _WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
+_PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
+_LEAVES_A_REST = f"fitted, and withdrawn: it explains less than {LEAST_SHARE:.0%} of what no fit has seen at its places, and more is left"
 _DETAIL = "what is left is {:.2%} of what was missing, and taken for the detail of what was found"
 
 
@@ -103,18 +106,22 @@ def diagnose(
             completed, fitted = own_gap.reopened(completed), own_gap.reopened(fitted, width=width)
         return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed)
 
+    why = ""
     for sought in all_found.in_turn(before, used):
+        if sought.accepted and why == _LEAVES_A_REST:
+            continue  # numbers that stand still explain no more of it
         after, unseen, completed, fit = foretold(sought.case)
-        if fit.after <= _WORSE * fit.before:
+        came_and_went = passing(after, completed)
+        left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
+        detail = detail_of(before, after, left)
+        left = left if detail is None else ()
+        if not sought.accepted or not (refused := _refused(fit, left)):
             break
+        why = refused
     gap_told = own_gap is not None and after.has(MECHANISM)
     named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
     found_more = bool(named or faults.candidates or sought.descriptions)
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
-    came_and_went = passing(after, completed)
-    left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
-    detail = detail_of(before, after, left)
-    left = left if detail is None else ()
     if not (left or found or sought.descriptions) and fit.after > LARGEST:
         left = (misfit_as_a_whole(after),)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
@@ -135,10 +142,17 @@ def diagnose(
             *([] if detail is None else [_DETAIL.format(detail)]),
             *start.remarks,
         ),
-        set_aside=reasons(before, sought, found),
+        set_aside=reasons(before, sought, found, why=why),
         next_experiment=run_for_the_rest(sought) if verdict == "unexplained" else None,
     )
     return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=unseen, left=left)
+
+
+def _refused(fit: HeldOut, left: Sequence[Mismatch]) -> str:
+    """Return why what was found is not to be believed; nothing where it is."""
+    if fit.after > _WORSE * fit.before:
+        return _PREDICTS_WORSE
+    return _LEAVES_A_REST if left and fit.explained < LEAST_SHARE else ""
 
 
 def _verdict(

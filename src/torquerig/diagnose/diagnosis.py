@@ -61,6 +61,7 @@ class HeldOut:
     """Misfit on data that no fit has seen: of the nominal model, the calibrated one, and the completed one.
 
     ``by_twin`` where one of them cannot be simulated, so that linear twins were judged, values not being compared.
+    ``explained`` is the part of what the calibrated one misses that the completed one explains, at its places [1].
     """
 
     nominal: float
@@ -68,6 +69,7 @@ class HeldOut:
     after: float
     improvement: tuple[float, float, float]  # value, low, high
     by_twin: bool = False
+    explained: float = 1.0
 
 
 @dataclass(frozen=True, kw_only=True)

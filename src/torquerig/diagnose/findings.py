@@ -24,7 +24,6 @@ from torquerig.diagnose.sentences import explanation
 
 _MOST_RIVALS = 3
 _SEEN_IN_SAMPLES = 0.98  # confidence
-_WITHDRAWN = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,7 +42,7 @@ class Searched:
     accepted : tuple of Accepted
         What the findings and descriptions tell of.
     withdrawn : tuple of str
-        Mechanisms with which what no fit has seen is predicted worse than without.
+        Mechanisms that were found, and do not hold on what no fit has seen.
     """
 
     case: Case
@@ -55,7 +54,7 @@ class Searched:
     withdrawn: tuple[str, ...] = ()
 
     def in_turn(self, before: Case, held: Sequence[Features]) -> Iterator[Searched]:
-        """Yield what is to be believed first, and what instead where that foretells worse than the case ``before``.
+        """Yield what is to be believed first, and what instead where that does not hold on what no fit has seen.
 
         The same effects beside the numbers as they stood before them, and at last none of them.
         """
@@ -97,12 +96,15 @@ def faults_found(faults: SampleFindings, case: Case, *, gain: float) -> list[Fin
     return answer
 
 
-def reasons(case: Case, found: Searched, findings: Sequence[Finding]) -> Mapping[str, str]:
-    """Return why each mechanism that is neither found nor a rival of what is was set aside; ``case`` is the first."""
+def reasons(case: Case, found: Searched, findings: Sequence[Finding], *, why: str) -> Mapping[str, str]:
+    """Return why each mechanism that is neither found nor a rival of what is was set aside.
+
+    ``case`` is the first, and ``why`` the reason for what was withdrawn.
+    """
     rivals = [name for each in findings for name, _ in each.rivals]
     known = [each.mechanism for each in findings]
     aside = set_aside(case, found.first, known=[*known, *rivals])
-    return {**aside, **{name: _WITHDRAWN for name in found.withdrawn if name not in known}}
+    return {**aside, **{name: why for name in found.withdrawn if name not in known}}
 
 
 def run_for_the_rest(found: Searched) -> str | None:

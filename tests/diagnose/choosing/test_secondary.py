@@ -14,12 +14,15 @@ from torquerig.diagnose.choosing.search import Trial
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.places import Place, frequency, order
+from torquerig.mechanisms import QuadraticDrag, SensorBandwidth
 
 RATIO = 5.0
+DRAG = QuadraticDrag(name="quadratic_drag", coefficient=1e-3)
+CUTOFF = SensorBandwidth(name="sensor_bandwidth", sensor="torque_sensor", cutoff=200.0)
 
 
-def trial(gain: float, place: Place | None = None) -> Trial:
-    return cast(Trial, SimpleNamespace(gain=gain, candidate=SimpleNamespace(place=place)))
+def trial(gain: float, place: Place | None = None, part: Any = DRAG) -> Trial:
+    return cast(Trial, SimpleNamespace(gain=gain, candidate=SimpleNamespace(place=place, parts=(part,))))
 
 
 def mismatch(domain: str, axis: str, at: float) -> Mismatch:
@@ -35,6 +38,10 @@ def test_small_is_told_beside_what_moves_the_shafts(earlier: tuple[float, Place 
     """A hum of the cable, however large, makes no lines of the shaft."""
     assert small_beside(trial(100.0), [trial(*earlier)]) is small
     assert not small_beside(trial(100.0), [])
+
+
+def test_what_the_sensor_lets_pass_is_no_part_of_what_moves_the_shafts() -> None:
+    assert not small_beside(trial(100.0, part=CUTOFF), [trial(10_000.0)])
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,6 @@ from torquerig.diagnose.choosing.confidence import confidence_of
 from torquerig.diagnose.choosing.convincing import convincing, promising, worth
 from torquerig.diagnose.choosing.explained import (
     LARGEST_REST,
-    LEAST_SHARE,
     LEAST_SHARE_WHERE_ALL_FITS,
     explained_share,
     left_at_its_places,
@@ -23,6 +22,7 @@ from torquerig.diagnose.choosing.search import MOST_EFFECTS, Trial, Tried, exces
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
+from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.looking.features import Features
 
 Progress = Callable[[str], None]

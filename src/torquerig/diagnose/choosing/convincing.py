@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.explained import LEAST_SHARE, LEAST_SHARE_WHERE_ALL_FITS, explained_share
+from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, explained_share
 from torquerig.diagnose.choosing.search import LEAST_GAIN, WELL, Trial, excess, feature_count
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum, missed_alone
 from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.looking.features import Features
 
 _WHOLLY, _ALL = 6, 0.97  # power of the share by which gains are compared, and the share that counts as all

@@ -8,12 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
+from torquerig.diagnose.judging.share_explained import CHANGED, share_explained
 
 LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
-_CHANGED = 2.0  # a feature belongs to the effect's place when its robust square falls by more than this
 _FEW = 5
 _SLOW_PART = 0.05  # of all that an effect takes away, below which the slow torque is not what it was taken for
-LEAST_SHARE = 0.8
 LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out
 
 
@@ -25,16 +24,13 @@ def explained_share(
     An effect that is there explains its places down to chance; one that only resembles what is there leaves a rest.
     ``beside`` are misfits before and after of what no feature holds.
     """
-    old, new = _squares(before), _squares(after)
-    place = old - new > _CHANGED
-    excess = float(np.maximum(old[place] - 1, 0).sum()) + beside[0]
-    return 1 - (float(np.maximum(new[place] - 1, 0).sum()) + beside[1]) / excess if excess > 0 else 0.0
+    return share_explained(_squares(before), _squares(after), beside=beside)
 
 
 def gained_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], with_other: Sequence[Misfit]) -> float:
     """Return by how much the robust squares fall with another effect at the features that an effect changes."""
     old, new, other = map(_squares, (before, with_it, with_other))
-    return float((old - other)[old - new > _CHANGED].sum())
+    return float((old - other)[old - new > CHANGED].sum())
 
 
 def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], final: Sequence[Misfit]) -> float:
@@ -46,7 +42,7 @@ def left_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], fina
     whose lines and bands gained nearly all owes nothing to the slow torque, and answers for none of it: 0.
     """
     old, new, rest = (_squares([misfit.slow() for misfit in each]) for each in (before, with_it, final))
-    place = old - new > _CHANGED
+    place = old - new > CHANGED
     if float((old - new)[place].sum()) < _SLOW_PART * _taken_away(before, with_it):
         return 0.0
     return float(rest[place].sum()) / max(int(place.sum()), _FEW)

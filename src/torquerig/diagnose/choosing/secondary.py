@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from torquerig.diagnose.case import Case
+from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.search import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
@@ -19,9 +19,17 @@ _SMALL = 0.03  # of what an effect took that was found earlier
 
 
 def small_beside(trial: Trial, earlier: Sequence[Trial]) -> bool:
-    """Whether an effect takes so little beside an earlier one of the shafts that it may be a part of that."""
+    """Whether an effect takes so little beside an earlier one of the shafts that it may be a part of that.
+
+    One of the sensor without a place of its own (what it lets pass, where its zero is) may not: shafts make lines.
+    """
     of_shafts = [one for one in earlier if (at := one.candidate.place) is None or at.domain == "order"]
-    return any(trial.gain < _SMALL * one.gain for one in of_shafts)
+    small = any(trial.gain < _SMALL * one.gain for one in of_shafts)
+    return small and not _of_the_sensor(trial.candidate)
+
+
+def _of_the_sensor(candidate: Candidate) -> bool:
+    return candidate.place is None and all(part.group == "sensor" for part in candidate.parts)
 
 
 def stands_in_simulations(case: Case, trial: Trial) -> bool:

@@ -60,7 +60,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
             impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
-            rung = stage.density(seen.band, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
+            rung = stage.density_between(*seen.band_edges, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
             power, ringing = power + rung, ringing + rung
             struck = np.hypot(struck, _struck(stage, twin, seen))
     return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing)

@@ -14,6 +14,7 @@ from torquerig.diagnose.expecting.expectation import Expectation, expected
 from torquerig.diagnose.expecting.phased import as_in_runs, phases_tell
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.misfit import Misfit, called_chance, misfit, robust_squares
+from torquerig.diagnose.judging.share_explained import share_explained
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flight_statistics import chance_of_blows
 from torquerig.diagnose.looking.flights import blows
@@ -109,7 +110,7 @@ def held_out(nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *,
     value = 1 - float(three.mean()) / max(float(two.mean()), 1e-12)
     return HeldOut(
         nominal=float(one.mean()), before=float(two.mean()), after=float(three.mean()),
-        improvement=(value, float(low), float(high)), by_twin=by_twin,
+        improvement=(value, float(low), float(high)), by_twin=by_twin, explained=share_explained(two, three),
     )  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED, may_be_fixed, rather_fixed
-from torquerig.diagnose.looking.peaks import SHIFTED, Peak, peaks
+from torquerig.diagnose.looking.peaks import SHIFTED, TOP_ORDER, Peak, peaks
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
 from torquerig.rig.rig import Rig
@@ -90,11 +90,12 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
 def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:
     """Return the whole output order that a peak stands on, else its own place.
 
-    At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency.
+    At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency, or it stands
+    where no order can be seen.
     """
     at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
     if peak.place.domain == "frequency":
-        if peak.speeds > 1:
+        if peak.speeds > 1 or any(peak.place.at > TOP_ORDER * run.rate / 2 for run in shown):
             return peak.place
         at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
     whole, strays = round(at * ratio) / ratio, min((run.smearing for run in shown), default=0.0)

@@ -25,7 +25,7 @@ _MOST = 40
 SHIFTED = 0.25  # of the width over which an unmeasured angle smears a line: how far off its peak may stand
 _LOWEST = 3.0  # [Hz] slower than this the load's own drift rules
 # of half the sample rate: an alias may stand anywhere below it; an order so high is made by the resampling
-_TOP_FREQUENCY, _TOP_ORDER = 0.995, 0.92
+_TOP_FREQUENCY, TOP_ORDER = 0.995, 0.92
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
     turned = np.abs(np.fft.rfft(resampled * window)) ** 2
     return _Spectrum(
         run,
-        _over_floor(turned, below=_TOP_ORDER),
+        _over_floor(turned, below=TOP_ORDER),
         2 * pi / abs(float(angle[-1] - angle[0])) * (rest.size - 1) / rest.size,
         _over_floor(direct, below=_TOP_FREQUENCY),
         run.rate / rest.size,

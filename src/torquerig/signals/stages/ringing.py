@@ -97,8 +97,29 @@ class Ringing:
         wider than the rate of the impacts; slip smears the comb and leaves the average.
         """
         own, w = 2 * np.pi * self.frequency, 2 * np.pi * frequencies
-        ring = self.amplitude * own / ((1j * w + self.damping * own) ** 2 + own**2)
-        return np.asarray(2 * impacts * (1 + 0.5 * self.load_zone**2) * np.abs(ring) ** 2)
+        ring = own / ((1j * w + self.damping * own) ** 2 + own**2)
+        return np.asarray(self._struck_power(impacts) * np.abs(ring) ** 2)
+
+    def density_between(
+        self, low: NDArray[np.float64], high: NDArray[np.float64], impacts: float
+    ) -> NDArray[np.float64]:
+        """Return the mean of ``density`` between frequencies ``low`` and ``high`` [Hz], of which it is the integral.
+
+        With the pole ``p = w0 (1 + i zeta)``, ``|R|^2 = A^2 w0 Im(1 / (w^2 - p^2)) / (2 zeta)``, whose integral over w
+        is ``Im(log((w - p) / (w + p)) / 2 p)``.
+        """
+        own = 2 * np.pi * self.frequency
+        pole = own * (1 + 1j * self.damping)
+
+        def up_to(frequency: NDArray[np.float64]) -> NDArray[np.float64]:
+            w = 2 * np.pi * frequency
+            return np.asarray(((np.log(w - pole) - np.log(w + pole)) / (2 * pole)).imag)
+
+        across = (up_to(high) - up_to(low)) / (2 * np.pi * (high - low))
+        return np.asarray(self._struck_power(impacts) * across / (2 * self.damping))
+
+    def _struck_power(self, impacts: float) -> float:
+        return 2 * impacts * (1 + 0.5 * self.load_zone**2) * self.amplitude**2
 
     def _impacts(self, recording: Recording) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
         """Return of each impact the first sample after it, the time since it [samples], and its strength [N m]."""
