@@ -33,7 +33,10 @@ _BY_TWIN = (
 
 _WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
 _PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
-_LEAVES_A_REST = f"fitted, and withdrawn: it explains less than {LEAST_SHARE:.0%} of what no fit has seen at its places, and more is left"
+_LEAVES_A_REST = (
+    f"fitted, and withdrawn: of what no fit has seen it explains less than {LEAST_SHARE:.0%} at its places, "
+    "and more is left"
+)
 _DETAIL = "what is left is {:.2%} of what was missing, and taken for the detail of what was found"
 
 

@@ -104,7 +104,7 @@ def test_flanks_fly_where_there_is_a_gap_and_nowhere_else(wear_rig: Scenario, tu
 
 def test_a_step_of_coarse_codes_is_no_blow(by_hand: ByHand, monkeypatch: pytest.MonkeyPatch) -> None:
     """A torque near zero stays at one code, and then takes the next, whatever noise its rare steps are taken for."""
-    monkeypatch.setattr(looking, "_noise", lambda _: 5e-3)
+    monkeypatch.setattr(looking, "noise_of", lambda _: 5e-3)
     time = np.arange(int(6 * RATE)) / RATE
     slow = 0.06 + 0.05 * np.sin(2 * pi * 3 * time) + 2e-4 * np.random.default_rng(2).standard_normal(time.size)
     assert blows(by_hand(slow, 40.0 * time, rate=RATE)) == []

@@ -10,7 +10,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
 from torquerig.diagnose.choosing.confidence import confidence_of
-from torquerig.diagnose.choosing.convincing import convincing, promising, worth
+from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, worth
 from torquerig.diagnose.choosing.explained import (
     LARGEST_REST,
     LEAST_SHARE_WHERE_ALL_FITS,
@@ -64,7 +64,7 @@ def _chain(
     start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None, begin: Trial | None = None
 ) -> Chain:
     """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``."""
-    case, accepted, on_trial, tried = start, list[Accepted](), False, first
+    case, accepted, on_trial, alone, tried = start, list[Accepted](), False, True, first
     if begin is not None and first is not None:
         accepted = [Accepted(before=start, trial=begin, tried=first)]
         case, on_trial = with_all(start, accepted), not convincing(start, begin, earlier=[], held=held)
@@ -80,6 +80,8 @@ def _chain(
         ]
         if not (good or accepted):  # where one does not suffice, two may
             good = [trial for trial in tried.fitted if promising(case, trial)]
+            alone = bool(good)
+            good = good or [trial for trial in tried.fitted if hopeful(case, trial)]
             on_trial = bool(good)
         if not good or len(accepted) == MOST_EFFECTS:
             break
@@ -89,7 +91,7 @@ def _chain(
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
-    if on_trial and not _together(start, case, accepted):
+    if on_trial and not (_together(start, case, accepted) and (alone or len(accepted) > 1)):
         case, accepted = start, []
     begun = accepted[0].trial if accepted else None
     if len(accepted) > 1:

@@ -80,6 +80,16 @@ def promising(case: Case, trial: Trial) -> bool:
     return much and not trial.candidate.description and share_of(case, trial) > _PROMISING_SHARE
 
 
+def hopeful(case: Case, trial: Trial) -> bool:
+    """Whether the trial explains its places, and would be named but for what the model misses elsewhere.
+
+    A second effect beside it may take that away; alone it is worth nothing.
+    """
+    if trial.candidate.description or trial.gain <= _least_gain(case, trial):
+        return False
+    return share_of(case, trial) > LEAST_SHARE
+
+
 def worth(case: Case, trial: Trial) -> float:
     """Return the gain, less for what leaves a rest at its places: a stand-in may gain more than what is there."""
     return trial.gain * min(max(share_of(case, trial), 0.0) / _ALL, 1.0) ** _WHOLLY

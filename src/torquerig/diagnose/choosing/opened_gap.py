@@ -10,6 +10,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import CLEARLY, flights_counted
+from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
 from torquerig.scenario.kinematics import gears_to_sensor
 
 ARCMIN = pi / 180 / 60
@@ -18,7 +19,7 @@ _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 
 def flanks_fly(case: Case) -> bool:
     """Whether the recordings show more flights than a rig without a gap."""
-    return sum(flights_counted(features.untoned) for features in case.seen) >= CLEARLY
+    return sum(flights_beyond_lines(features) for features in case.seen) >= CLEARLY
 
 
 def flanks_may_part(seen: Features) -> bool:

@@ -18,6 +18,7 @@ from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.flights import CLEARLY, flights_counted
+from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
 from torquerig.errors import SimulationError
@@ -46,7 +47,7 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
 
 def _flies_more(case: Case, copies: Sequence[Sequence[Observed]]) -> bool:
     """Whether recordings show clearly more flights than simulations, whose lines pass near zero at the same moments."""
-    shown = sum(flights_counted(features.untoned) for features in case.seen)
+    shown = sum(flights_beyond_lines(features) for features in case.seen)
     made = sum(
         flights_counted(without_tones(each[0], features.places))
         for features, each in zip(case.seen, copies, strict=True)

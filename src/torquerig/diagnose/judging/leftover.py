@@ -21,7 +21,8 @@ from torquerig.diagnose.judging.one_load import load_contradictions
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN, flights_counted
+from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN
+from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
 from torquerig.diagnose.looking.places import SAME_ORDER
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
@@ -193,7 +194,7 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
 
 def _flights(case: Case) -> Iterator[Mismatch]:
     """Flights of flanks, which no model without a gap has."""
-    shown = {features.observed.name: flights_counted(features.untoned) for features in case.seen}
+    shown = {features.observed.name: flights_beyond_lines(features) for features in case.seen}
     number = sum(shown.values())
     if number < CLEARLY or case.model.corrections:
         return

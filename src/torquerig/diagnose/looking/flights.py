@@ -52,7 +52,7 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
     held : bool or None
         In which stretches: those that fits may see (False), may not see (True), or all (None).
     """
-    torque, noise, smooth = observed.torque, _noise(observed), _smooth(observed)
+    torque, noise, smooth = observed.torque, noise_of(observed), _smooth(observed)
     rise, quiet = (round(span * observed.rate) for span in (_BLOW, SHORTEST))
     if noise == 0 or torque.size <= rise:
         return []
@@ -113,7 +113,7 @@ def _parted(smooth: Floats, blow: int, rate: float) -> int:
     return int(left[-1]) + 1 if left.size else 0
 
 
-def _noise(observed: Observed) -> float:
+def noise_of(observed: Observed) -> float:
     """Return the noise of the samples; where most are equal to the one before (coarse codes), by a trimmed mean."""
     steps = np.abs(np.diff(observed.torque))
     middle = float(np.median(steps)) / 0.6745
