@@ -54,6 +54,7 @@ def world(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[str, ...], float]:
     monkeypatch.setattr(chain, "mismatches", lambda case: () if case.model.cost < 100 else ("somewhere",))
     monkeypatch.setattr(chain, "detail_of", lambda first, case, left: None)
     monkeypatch.setattr(chain, "promising", lambda case, each: each.gain > 300)
+    monkeypatch.setattr(chain, "hopeful", lambda case, each: False)
     # blades alone leave the hum, which is too much; a mesh bends until it looks right
     monkeypatch.setattr(chain, "convincing", lambda case, each, **_: each.candidate.mechanism != "blades")
     monkeypatch.setattr(chain, "worth", lambda case, each: each.gain)
@@ -118,3 +119,18 @@ def test_two_that_leave_nothing_standing_out_may_explain_less(
     monkeypatch.setattr(chain, "mismatches", lambda case: left)
     before, after = 3.9, float(np.sqrt(1 + (1 - share) * (3.9**2 - 1)))
     assert chain._together(of(before), of(after), ()) is right
+
+
+@pytest.mark.parametrize("second", [True, False])
+def test_two_that_hide_each_other_are_found_together_or_not_at_all(
+    second: bool, world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Blades explain their places and convince nobody while the hum is there; alone they stay unconvincing."""
+    world.clear()
+    world.update({(): 1000.0, ("blades",): 950.0})
+    if second:
+        world["blades", "hum"] = 10.0
+    monkeypatch.setattr(chain, "hopeful", lambda case, each: each.candidate.mechanism == "blades")
+    monkeypatch.setattr(chain, "_together", lambda start, case, accepted: True)
+    found = findings.searched(case_of((), world[()]), (), lambda _: None).findings
+    assert found == (("blades", "hum") if second else ())

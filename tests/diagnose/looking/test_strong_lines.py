@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose import opening
-from torquerig.diagnose.looking.lines_left import Strong, strong_lines
+from torquerig.diagnose.looking.lines_left import Strong, lines_left, strong_lines
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.mechanisms import BladePass, MainsInterference
@@ -88,3 +88,16 @@ def test_at_one_speed_an_order_counts_where_the_wander_tells_it(
         return float(np.abs(np.mean(apart * np.hanning(apart.size) * np.exp(-1j * 1.8 * true.values))))
 
     assert swing(strong.orders) < 0.3 * swing(())
+
+
+@pytest.mark.parametrize(("tone", "domain"), [(2440.0, "frequency"), (1000.0, "order")])
+def test_a_tone_that_no_order_could_be_seen_at_stays_one(
+    tone: float, domain: str, by_hand: Callable[..., Observed], wear_rig: Scenario
+) -> None:
+    """At one speed that nobody measured any tone is near a whole order; near half the sample rate none is seen."""
+    time = np.arange(60_000) / RATE
+    noise = 0.02 * np.random.default_rng(1).standard_normal(time.size)
+    run = by_hand(1.0 + 0.2 * np.cos(2 * pi * tone * time) + noise, 100.0 * time, measured=False)
+    (peak,) = lines_left([run], (), rig=wear_rig.rig)
+    assert peak.place.domain == domain
+    assert peak.place.frequency(100.0) == pytest.approx(tone, rel=0.02)

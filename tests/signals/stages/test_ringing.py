@@ -83,6 +83,16 @@ def test_energy_is_that_of_independent_ringings():
     assert np.sum(values**2) / RATE == pytest.approx(50 * 3.572 * one, rel=0.01)
 
 
+def test_the_density_of_a_band_is_the_mean_of_its_density():
+    """A band that a narrow mode stands in at its edge holds far more than the density at its middle says."""
+    ring = Ringing(order=3.0, frequency=1000.0, damping=0.01, amplitude=0.3, load_zone=0.4)
+    low, high = np.array([10.0, 910.0, 1000.0, 1090.0]), np.array([910.0, 995.0, 1090.0, 9000.0])
+    fine = [np.linspace(*edges, 2_000_001) for edges in zip(low, high, strict=True)]
+    means = [ring.density(each, 30.0).mean() for each in fine]
+    assert ring.density_between(low, high, 30.0) == pytest.approx(means, rel=1e-4)
+    assert means[2] > 5 * ring.density(np.array([1045.0]), 30.0)[0]
+
+
 def test_slip_smears_the_high_harmonics_and_keeps_the_low_ones():
     exact, slipping = (
         np.abs(np.fft.rfft(np.abs(rung(steady(5.0, 40.0), slip=slip, damping=0.1)))) for slip in (0.0, 0.02)

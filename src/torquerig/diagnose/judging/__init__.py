@@ -6,5 +6,5 @@ held_out       how well it predicts what no fit has seen
 narrow_humps   noise at one order or one frequency    fixed_after_all  orders that turned out to be tones
 passing        what comes and goes within a run
 band_excess    what two runs are compared by
-chance         how probable a residual is
+chance         how probable a residual is             share_explained  how much goes where an effect changes something
 """
