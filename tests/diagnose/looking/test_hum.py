@@ -13,10 +13,15 @@ def line(at: float, excess: float = 100.0) -> Peak:
     return Peak(frequency(at), excess, ("run.parquet",), 2)
 
 
-def test_the_clearest_line_tells_the_frequency() -> None:
+def test_the_line_that_tells_best_tells_the_frequency() -> None:
     found = harmonics_of(50.0, [line(49.9, 20.0), line(149.85, 900.0)])
     assert set(found) == {1, 3}
     assert fundamental(found) == pytest.approx(49.95)
+
+
+def test_a_high_harmonic_divides_its_error() -> None:
+    found = harmonics_of(50.0, [line(49.99, 150.0), line(249.935, 90.0)])
+    assert fundamental(found) == pytest.approx(49.987)
 
 
 def test_what_is_off_the_grid_or_turns_is_no_hum() -> None:

@@ -11,15 +11,25 @@ from torquerig.diagnose.hypotheses.fixed_lines import fixed_lines
 from torquerig.diagnose.looking.hum import ALWAYS, GRIDS, fundamental, harmonics_of
 
 _START = 2e-3  # [V]
+_OFF = 0.03  # [Hz] by which two harmonics may differ in the grid's frequency
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield a hum for each grid of which a fixed line is a multiple."""
+    """Yield a hum for each grid of which a fixed line is a multiple.
+
+    Beside one that sounds all along its further harmonics are its own, however hidden among other lines.
+    """
     lines = fixed_lines(case)
     for grid in GRIDS:
         found = harmonics_of(grid, lines)
         if not found:
             continue
+        at = fundamental(found)
+        further = harmonics_of(grid, case.left)
+        found = {
+            **{n: peak for n, peak in further.items() if abs(peak.place.at / n - at) < _OFF},
+            **found,
+        }
         listed = sorted({*found, *ALWAYS})
         part = mechanisms.MainsInterference(
             name="mains_interference",

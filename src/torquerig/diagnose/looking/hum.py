@@ -25,9 +25,12 @@ def harmonics_of(grid: float, peaks: Iterable[Peak]) -> dict[int, Peak]:
 
 
 def fundamental(found: dict[int, Peak]) -> float:
-    """Return the grid's frequency [Hz] by the clearest of its lines."""
-    clearest = max(found, key=lambda harmonic: found[harmonic].excess)
-    return found[clearest].place.at / clearest
+    """Return the grid's frequency [Hz] by the line that tells it best.
+
+    A line is told to within 1 / root of its excess, and divides that by its number.
+    """
+    best = max(found, key=lambda harmonic: found[harmonic].excess * harmonic**2)
+    return found[best].place.at / best
 
 
 def hum_places(peaks: Iterable[Peak]) -> list[Place]:
