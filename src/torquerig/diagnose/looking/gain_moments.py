@@ -1,6 +1,7 @@
 """Moments in which all of a signal is larger or smaller by one factor: no load and no line does that, a gain does.
 
-The noise of the sensor above the load's band tells the factor to a per cent, and the step of the mean the sample.
+The noise of the sensor above the load's band tells the factor to a per cent, and the step of the mean the sample. Such
+moments may take nearly half of a run, so what is normal is told by the half of the time that is most alike.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from math import exp
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.looking.short_spectra import OVERLAP, ShortSpectra, short_spectra
+from torquerig.diagnose.looking.short_spectra import OVERLAP, ShortSpectra, closest_half, short_spectra
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -90,9 +91,9 @@ def _at_end(values: Floats) -> float:
 def _apart(spectra: ShortSpectra) -> Iterator[tuple[int, int]]:
     """Yield first block and one past the last of each time in which the bands as a whole stand elsewhere."""
     series = spectra.joint(spectra.log)
-    clear = np.array([spectra.over_spread(series, core) for core in _CORES])
+    clear = np.array([spectra.over_spread(series, core, normal=closest_half) for core in _CORES])
     clear = np.take_along_axis(clear, np.abs(clear).argmax(axis=0)[None], axis=0)[0]
-    near = spectra.over_spread(series, _EDGE)
+    near = spectra.over_spread(series, _EDGE, normal=closest_half)
     for sign in (1.0, -1.0):
         apart = sign * near > _STILL_APART
         edges = np.flatnonzero(np.diff(np.concatenate([[False], apart, [False]]).astype(int)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -23,6 +23,27 @@ _NOTHING = 1e-9  # of the median power, below which a block holds nothing
 _FINEST = 0.02  # of the logarithm: steadier than this is nothing that was measured
 OVERLAP = 1.5  # blocks that tell as much as one alone
 _GAUSS = 1.4826  # standard deviation of a normal variate over its median deviation
+
+Normal = Callable[[Floats], tuple[float, float]]
+
+
+def by_median(values: Floats) -> tuple[float, float]:
+    """Return the median of the values, and the standard deviation by the median of the deviations from it."""
+    middle = float(np.median(values))
+    return middle, _GAUSS * float(np.median(np.abs(values - middle)))
+
+
+def closest_half(values: Floats) -> tuple[float, float]:
+    """Return the middle of the half of the values that lies closest together, and the standard deviation it tells.
+
+    As robust as the median, and not pulled by a second state that takes nearly half of the time (the shortest half:
+    Rousseeuw & Leroy 1988, Statistica Neerlandica 42). Half of a normal variate lies within 0.6745 spreads of its mean.
+    """
+    ordered = np.sort(values)
+    half = ordered.size // 2 + 1
+    across = ordered[half - 1 :] - ordered[: ordered.size - half + 1]
+    at = int(np.argmin(across))
+    return float(0.5 * (ordered[at] + ordered[at + half - 1])), float(across[at]) * _GAUSS / 2
 
 
 @dataclass(frozen=True)
@@ -56,19 +77,19 @@ class ShortSpectra:
         weight = 1 / self.spread**2
         return np.asarray(np.tensordot(weight, values, 1) / weight.sum())
 
-    def over_spread(self, series: Floats, length: int) -> Floats:
+    def over_spread(self, series: Floats, length: int, *, normal: Normal = by_median) -> Floats:
         """Return the means of ``length`` blocks in units of their spread, at the middle one, shape (blocks,).
 
-        The spread is by the median of the deviations of the means that counted blocks alone make, and not less than
-        that of as many independent blocks.
+        What is ``normal`` is told of the means that counted blocks alone make; the spread is not less than that of as
+        many independent blocks.
         """
-        counted = series[self.counted]
-        middle, window = float(np.median(counted)), np.full(length, 1 / length)
+        middle, one = normal(series[self.counted])
+        window = np.full(length, 1 / length)
         means = np.convolve(series - middle, window, "valid")
         whole = np.convolve(self.counted, window, "valid") > 1 - 0.5 / length
-        spread = max(_GAUSS * float(np.median(np.abs(counted - middle))), _FINEST) / np.sqrt(length / OVERLAP)
+        spread = max(one, _FINEST) / np.sqrt(length / OVERLAP)
         if whole.any():
-            spread = max(spread, _GAUSS * float(np.median(np.abs(means[whole] - np.median(means[whole])))))
+            spread = max(spread, normal(means[whole])[1])
         answer = np.zeros(series.size)
         answer[length // 2 : length // 2 + means.size] = means / spread
         return answer
