@@ -1,0 +1,31 @@
+"""What was found is withdrawn where it foretells worse, or leaves a rest at its own places and much elsewhere."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+import pytest
+
+from torquerig.diagnose.diagnose import _refused
+from torquerig.diagnose.diagnosis import HeldOut, Mismatch
+
+SOMEWHERE = (cast(Mismatch, object()),)
+
+
+def fit(before: float, after: float, explained: float) -> HeldOut:
+    return HeldOut(nominal=9.0, before=before, after=after, improvement=(0.0, 0.0, 0.0), explained=explained)
+
+
+@pytest.mark.parametrize(
+    ("held", "left", "why"),
+    [
+        (fit(5.0, 5.1, 0.9), SOMEWHERE, "predicted worse"),
+        (fit(5.0, 4.0, 0.6), SOMEWHERE, "less than 80% at its places"),
+        (fit(5.0, 4.0, 0.6), (), ""),  # nothing stands out: the rest is chance
+        (fit(5.0, 4.0, 0.85), SOMEWHERE, ""),  # right where it acts, and something else beside it
+        (fit(22.0, 6.5, 0.79), SOMEWHERE, ""),  # most of all that was missing
+    ],
+)
+def test_a_rest_at_its_own_places_tells_a_stand_in(held: HeldOut, left: Any, why: str) -> None:
+    assert why in _refused(held, left)
+    assert bool(_refused(held, left)) is bool(why)
