@@ -82,11 +82,16 @@ def test_flights_that_lines_make_in_a_simulation_too_are_none(
 ) -> None:
     """Where lines beat, the torque rests near zero and swings off, at the same moments in a simulation."""
 
-    def counted(run: Observed, **_: object) -> int:
-        return made if run.origin == "simulated" else 6
+    def in_simulation(run: Observed, **_: object) -> int:
+        assert run.origin == "simulated"
+        return made
 
+    def in_recording(_: object) -> int:
+        return 6
+
+    monkeypatch.setattr(by_simulation, "flights_counted", in_simulation)
     for module in (by_simulation, leftover):
-        monkeypatch.setattr(module, "flights_counted", counted)
+        monkeypatch.setattr(module, "flights_beyond_lines", in_recording)
     case = case_of(wear_rig.rig + STRONG, recording)
     (flights,) = (mismatch for mismatch in mismatches(case) if mismatch.domain == "distribution")
     assert (flights in left_by_simulation(case, [flights])) is stays
