@@ -64,7 +64,7 @@ def _chain(
     start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None, begin: Trial | None = None
 ) -> Chain:
     """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``."""
-    case, accepted, on_trial, alone, tried = start, list[Accepted](), False, True, first
+    case, accepted, on_trial, fewest, tried = start, list[Accepted](), False, 1, first
     if begin is not None and first is not None:
         accepted = [Accepted(before=start, trial=begin, tried=first)]
         case, on_trial = with_all(start, accepted), not convincing(start, begin, earlier=[], held=held)
@@ -80,7 +80,7 @@ def _chain(
         ]
         if not (good or accepted):  # where one does not suffice, two may
             good = [trial for trial in tried.fitted if promising(case, trial)]
-            alone = bool(good)
+            fewest = 1 if good else 2
             good = good or [trial for trial in tried.fitted if hopeful(case, trial)]
             on_trial = bool(good)
         if not good or len(accepted) == MOST_EFFECTS:
@@ -91,7 +91,7 @@ def _chain(
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
-    if on_trial and not (_together(start, case, accepted) and (alone or len(accepted) > 1)):
+    if on_trial and (len(accepted) < fewest or not _together(start, case, accepted)):
         case, accepted = start, []
     begun = accepted[0].trial if accepted else None
     if len(accepted) > 1:

@@ -20,13 +20,13 @@ def flights_beyond_lines(seen: Features) -> int:
 
     The lines are those of the whole run by least squares, in noise as the run has it. Real blows ring far above them.
     """
-    shown = blows(seen.untoned)
+    shown, counted = blows(seen.untoned), flights_counted(seen.untoned)
     if not shown or not seen.observed.steady:
-        return flights_counted(seen.untoned)
+        return counted
     of_lines = np.array(blows(_lines_alone(seen)))
     near = _SAME * seen.observed.rate
     real = [at for at in shown if not (np.abs(of_lines - at) < near).any()]
-    return round(flights_counted(seen.untoned) * len(real) / len(shown))
+    return round(counted * len(real) / len(shown))
 
 
 def _lines_alone(seen: Features) -> Observed:

@@ -105,8 +105,8 @@ class Ringing:
     ) -> NDArray[np.float64]:
         """Return the mean of ``density`` between frequencies ``low`` and ``high`` [Hz], of which it is the integral.
 
-        With the pole ``p = w0 (1 + i zeta)``, ``|R|^2 = A^2 w0 Im(1 / (w^2 - p^2)) / (2 zeta)``, whose integral over w
-        is ``Im(log((w - p) / (w + p)) / 2 p)``.
+        With the pole ``p = w0 (1 + i zeta)``, ``|R|^2 = A^2 Im(1 / (w^2 - p^2)) / (2 zeta)``, whose integral over w is
+        ``Im(log((w - p) / (w + p)) / 2 p)``.
         """
         own = 2 * np.pi * self.frequency
         pole = own * (1 + 1j * self.damping)
