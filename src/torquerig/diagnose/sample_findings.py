@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from torquerig import mechanisms
@@ -21,13 +21,14 @@ from torquerig.signals.recording import Recording
 class SampleFindings:
     """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
 
-    ``lost`` are the moments without signal of each recording, first sample and one past the last; ``untrue`` tells
-    what recordings hold that is no reading of the torque, each in a sentence and as a place.
+    ``clipped`` tells in which share of its samples a run stands at a limit, ``lost`` the moments without signal of each
+    recording, first sample and one past the last; ``untrue`` what recordings hold that is no reading of the torque,
+    each in a sentence and as a place.
     """
 
     candidates: tuple[Candidate, ...]
     recordings: tuple[Recording, ...]
-    clipped: tuple[str, ...]
+    clipped: Mapping[str, float]
     unnamed: tuple[str, ...]
     lost: tuple[Moments, ...]
     untrue: tuple[Untrue, ...] = ()
@@ -67,10 +68,11 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
         add("clipping", "Clipping", limit=flat.limit)
     elif under_hum is not None:
         add("clipping", "Clipping", limit=under_hum.limit, where="amplifier")
-    mended = tuple(rebuilt(recording, full_range=full) for recording in mended)
+    limit = full if flat is None else min(flat.limit, full)
+    mended = tuple(rebuilt(recording, limit=limit) for recording in mended)
     cut = flat or under_hum
-    clipped = () if cut is None else cut.runs
-    standing = clipped if codes is None else [recording.name for recording in recordings]
+    clipped = {} if cut is None else cut.shares
+    standing = list(clipped) if codes is None else [recording.name for recording in recordings]
     mended, untrue = without_untrue(mended, lost_of_each, standing=standing)
     untrue = (*repeated(recordings), *jumping(recordings), *untrue)
     return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, untrue)

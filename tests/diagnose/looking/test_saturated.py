@@ -27,7 +27,7 @@ def volts_of(recording: Recording) -> np.ndarray:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_the_top_of_a_hit_is_put_back(sign: float) -> None:
-    mended = volts_of(rebuilt(recorded(np.clip(sign * HIT, -FULL, FULL)), full_range=FULL))
+    mended = volts_of(rebuilt(recorded(np.clip(sign * HIT, -FULL, FULL)), limit=FULL))
     cut = np.abs(HIT) > FULL
     assert np.array_equal(mended[~cut][:6000], (sign * HIT)[~cut][:6000])
     # the cubic knows two slopes; of 1.5 V that were cut off it brings back all but a tenth
@@ -40,14 +40,14 @@ def test_a_corner_no_longer_rings_through_the_bands() -> None:
         return float(density[np.fft.rfftfreq(volts.size - 2, 1 / RATE) > 300.0].sum())
 
     cut = np.clip(HIT, -FULL, FULL)
-    assert above_300_hz(volts_of(rebuilt(recorded(cut), full_range=FULL))) < 0.5 * above_300_hz(cut)
+    assert above_300_hz(volts_of(rebuilt(recorded(cut), limit=FULL))) < 0.5 * above_300_hz(cut)
 
 
 def test_what_stands_at_the_limit_for_long_is_left_as_it_is() -> None:
     stuck = np.clip(3.0 * HIT, -FULL, FULL)
-    assert np.array_equal(volts_of(rebuilt(recorded(stuck), full_range=FULL)), stuck)
+    assert np.array_equal(volts_of(rebuilt(recorded(stuck), limit=FULL)), stuck)
 
 
 def test_a_recording_below_the_limit_is_the_same_object() -> None:
     whole = recorded(0.5 * HIT)
-    assert rebuilt(whole, full_range=FULL) is whole
+    assert rebuilt(whole, limit=FULL) is whole

@@ -19,9 +19,11 @@ from torquerig.diagnose.looking.refilled import refilled
 from torquerig.diagnose.looking.sample_faults import bridged, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.side_by_side import of_each
+from torquerig.rig.part import PlacedStage
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
+from torquerig.signals.stages.clip import Clip
 from torquerig.simulate.simulate import simulate
 
 Floats = NDArray[np.float64]
@@ -32,7 +34,7 @@ _WORKERS = 2
 def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
     """Return what the rig records in the run of ``observed``, cut into the same stretches.
 
-    It is mended as a recording is: dropouts bridged, hits that reached the converter's limit rebuilt.
+    It is mended as a recording is: dropouts bridged, hits that reached a limit rebuilt.
     """
     recording = simulate(
         rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
@@ -50,8 +52,10 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
 
 
 def _mended(recording: Recording, rig: Rig) -> Recording:
-    full_range = next((sensor.converter_range for sensor in rig.parts_of(TorqueSensor)), inf)
-    return rebuilt(bridged(recording), full_range=full_range)
+    ranges = [sensor.converter_range for sensor in rig.parts_of(TorqueSensor)]
+    placed = [each for part in rig.parts for each in part.stages(rig) if each.position == PlacedStage.INPUT]
+    limits = [each.stage.limit for each in placed if isinstance(each.stage, Clip)]
+    return rebuilt(bridged(recording), limit=min((*ranges, *limits), default=inf))
 
 
 def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:

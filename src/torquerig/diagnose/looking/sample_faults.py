@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,11 +40,10 @@ class Codes:
 
 @dataclass(frozen=True)
 class FlatTops:
-    """Values that never pass ``limit`` [V] and stop at it in ``share`` of the samples of the worst run."""
+    """Values that never pass ``limit`` [V], and in which share of the samples each run that reaches it stops there."""
 
     limit: float
-    share: float
-    runs: tuple[str, ...]
+    shares: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -106,7 +105,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
     if not found or max(level for level, _ in found.values()) > 0.999 * full_range:
         return None
     limit = float(np.median([level for level, _ in found.values()]))
-    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
+    return FlatTops(limit, {name: share for name, (_, share) in found.items()})
 
 
 def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:

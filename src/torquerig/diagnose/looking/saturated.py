@@ -1,4 +1,4 @@
-"""Moments in which the converter stood at its limit: a single hit of a heavy load may reach it, and that is no fault.
+"""Moments at the converter's or an amplifier's limit: a single hit of a heavy load may reach it.
 
 A flat top of a few milliseconds rings through all bands of a quiet spectrum, where a filter had left nothing.
 """
@@ -10,24 +10,24 @@ from scipy.interpolate import CubicHermiteSpline
 
 from torquerig.signals.recording import Recording
 
-_AT_LIMIT = 0.9995  # of the converter's range
+_AT_LIMIT = 0.9995  # of it
 _SLOPE = 5e-4  # [s] each side, over which the slope into and out of the moment is taken
-_MOST = 0.01  # share of the samples beyond which nothing can be rebuilt
+MOST = 0.02  # share of the samples beyond which nothing can be rebuilt
 
 
-def rebuilt(recording: Recording, *, full_range: float) -> Recording:
-    """Return the recording with cubics over the moments at the converter's limit, by value and slope at their ends.
+def rebuilt(recording: Recording, *, limit: float) -> Recording:
+    """Return the recording with cubics over the moments at a limit, by value and slope at their ends.
 
     Parameters
     ----------
     recording : Recording
-    full_range : float
-        Of the converter, either way [V].
+    limit : float
+        Either way [V].
     """
     name = recording.torque_name()
     volts = recording.channels[name].values
-    stuck = np.abs(volts) >= _AT_LIMIT * full_range
-    if not stuck.any() or stuck.mean() > _MOST:
+    stuck = np.abs(volts) >= _AT_LIMIT * limit
+    if not stuck.any() or stuck.mean() > MOST:
         return recording
     reach = max(2, round(_SLOPE * recording.sample_rate))
     stuck |= np.convolve(stuck, np.ones(2 * reach + 1), "same") > reach  # what returns for a moment is one with it
