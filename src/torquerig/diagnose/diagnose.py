@@ -14,8 +14,8 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
-from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
+from torquerig.diagnose.judging.withdrawn import LEAVES_A_REST, why_withdrawn
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.own_gap import MECHANISM
@@ -31,18 +31,6 @@ _BY_TWIN = (
     "twins, and the distribution of values is not compared"
 )
 
-_WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
-_CLEAR, _NEARLY_ALL = (
-    0.3,
-    0.8,
-)  # of the held-out misfit beyond chance: clearly there, and hardly less with what was found
-_LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
-_PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
-_PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
-_LEAVES_A_REST = (
-    f"fitted, and withdrawn: of what no fit has seen it explains less than {LEAST_SHARE:.0%} at its places, "
-    "and more is left"
-)
 _DETAIL = "what is left is {:.2%} of what was missing, and taken for the detail of what was found"
 
 
@@ -117,14 +105,14 @@ def diagnose(
 
     why = ""
     for sought in all_found.in_turn(before, used):
-        if sought.accepted and why == _LEAVES_A_REST:
+        if sought.accepted and why == LEAVES_A_REST:
             continue  # numbers that stand still explain no more of it
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
         left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
         detail = detail_of(before, after, left)
         left = left if detail is None else ()
-        if not sought.accepted or not (refused := _refused(fit, left)):
+        if not sought.accepted or not (refused := why_withdrawn(fit, left)):
             break
         why = refused
     gap_told = own_gap is not None and after.has(MECHANISM)
@@ -155,16 +143,6 @@ def diagnose(
         next_experiment=run_for_the_rest(sought) if verdict == "unexplained" else None,
     )
     return Outcome(diagnosis=diagnosis, before=before, after=after, completed=completed, held=unseen, left=left)
-
-
-def _refused(fit: HeldOut, left: Sequence[Mismatch]) -> str:
-    """Return why what was found is not to be believed; nothing where it is."""
-    if fit.after > _WORSE * fit.before:
-        return _PREDICTS_WORSE
-    missing, rest = fit.before - 1, fit.after - 1
-    if missing > _CLEAR and rest > _NEARLY_ALL * missing:
-        return _PREDICTS_NO_BETTER
-    return _LEAVES_A_REST if left and rest > _LARGE_REST * missing and fit.explained < LEAST_SHARE else ""
 
 
 def _verdict(

@@ -7,4 +7,5 @@ narrow_humps   noise at one order or one frequency    fixed_after_all  orders th
 passing        what comes and goes within a run
 band_excess    what two runs are compared by
 chance         how probable a residual is             share_explained  how much goes where an effect changes something
+withdrawn      why what was found is not believed
 """

@@ -92,10 +92,11 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
     judged = [_judged(place, spectra) for place in candidates]
     judged.sort(key=lambda peak: (-peak.speeds, -round(peak.excess, 1), peak.place.domain == "frequency"))
     accepted: list[Peak] = []
+    tones = [place for place in known if place.domain == "frequency"]
     for peak in judged:
         if len(accepted) >= _MOST or _skirt(peak, known, accepted, spectra):
             continue
-        if not any(_same(peak, other, spectra) for other in accepted):
+        if not any(_same(peak, place, spectra) for place in (*tones, *(other.place for other in accepted))):
             accepted.append(peak)
     return tuple(sorted(accepted, key=lambda peak: -peak.excess))
 
@@ -179,14 +180,17 @@ def _skirt(peak: Peak, known: Sequence[Place], accepted: Sequence[Peak], spectra
     return bool(peak.runs)
 
 
-def _same(peak: Peak, other: Peak, spectra: Sequence[_Spectrum]) -> bool:
-    """Whether both stand at one frequency in every run that shows ``peak``: a line has a width of some bins."""
+def _same(peak: Peak, other: Place, spectra: Sequence[_Spectrum]) -> bool:
+    """Whether both stand at one frequency in every run that shows ``peak``: a line has a width of some bins.
+
+    A known tone that wanders leaves that much of itself beside where it was taken out.
+    """
     near = []
     for spectrum in spectra:
         if spectrum.observed.name not in peak.runs:
             continue
         speed = spectrum.observed.mean_speed
-        apart = abs(peak.place.frequency(speed) - other.place.frequency(speed))
-        smeared = SHIFTED * spectrum.observed.smearing * other.place.frequency(speed)
+        apart = abs(peak.place.frequency(speed) - other.frequency(speed))
+        smeared = SHIFTED * spectrum.observed.smearing * other.frequency(speed)
         near.append(apart < max(3.0 * spectrum.frequency_step, smeared))
     return bool(near) and all(near)

@@ -1,0 +1,36 @@
+"""Is what was found to be believed? Not where what no fit has seen is predicted no better with it, or a rest stays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig.diagnose.diagnosis import HeldOut, Mismatch
+from torquerig.diagnose.judging.share_explained import LEAST_SHARE
+
+_WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
+_CLEAR, _NEARLY_ALL = 0.3, 0.8  # of that misfit beyond chance: clearly there, and hardly less with what was found
+_LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
+_PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
+_PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
+LEAVES_A_REST = (
+    f"fitted, and withdrawn: of what no fit has seen it explains less than {LEAST_SHARE:.0%} at its places, "
+    "and more is left"
+)
+
+
+def why_withdrawn(fit: HeldOut, left: Sequence[Mismatch]) -> str:
+    """Return why what was found is not to be believed; nothing where it is.
+
+    Parameters
+    ----------
+    fit : HeldOut
+        Before and with it.
+    left : sequence of Mismatch
+        Where the completed model is still significantly wrong.
+    """
+    if fit.after > _WORSE * fit.before:
+        return _PREDICTS_WORSE
+    missing, rest = fit.before - 1, fit.after - 1
+    if missing > _CLEAR and rest > _NEARLY_ALL * missing:
+        return _PREDICTS_NO_BETTER
+    return LEAVES_A_REST if left and rest > _LARGE_REST * missing and fit.explained < LEAST_SHARE else ""
