@@ -171,3 +171,18 @@ def test_where_nothing_stands_out_a_strong_effects_details_are_no_second_effect(
         monkeypatch.setattr(judging, "mismatches", lambda _, places=places: places)
         judged.append(judging.convincing(case, second, earlier=[strong], held=()))
     assert judged == [False, True]
+
+
+@pytest.mark.parametrize(("held_gain", "share", "named"), [(30.0, 1.0, True), (5.0, 1.0, False), (30.0, 0.85, False)])
+def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
+    held_gain: float, share: float, named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Thirty is less than any single look may be trusted with; two looks that agree are another matter."""
+    before = model(wear_rig.rig, *[1.0] * 40, 5.6)
+    effect = trial(wear_rig.rig, "blade_pass", *[1.0] * 41, before=before)
+    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+    monkeypatch.setattr(judging, "share_of", lambda *_: share)
+    monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
+    of_before = iter([True, False])
+    monkeypatch.setattr(judging, "misfit_sum", lambda _: 100.0 if next(of_before, False) else 100.0 - held_gain)
+    assert judging.convincing(case, effect, earlier=(), held=()) is named

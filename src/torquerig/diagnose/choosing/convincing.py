@@ -22,6 +22,8 @@ _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
+# a first effect that explains so much of its places, and gains half as much again on what no fit has seen, needs less
+_WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -46,7 +48,10 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     count = feature_count(trial.model)
     missed = min(max(trial.model.cost / count, 1.0), _MOST_MISSED)
-    least = max(_least_gain(case, trial) * missed, *details)
+    least = _least_gain(case, trial) * missed
+    if not earlier and _borne_out(case, trial, held):
+        least *= _LESS
+    least = max(least, *details)
     well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and (trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count)
     enough = _enough(trial) if fits else LEAST_SHARE
@@ -101,6 +106,15 @@ def share_of(case: Case, trial: Trial) -> float:
     if trial.candidate.slow:
         before, after = tuple(each.slow() for each in before), tuple(each.slow() for each in after)
     return explained_share(before, after, beside=trial.beside)
+
+
+def _borne_out(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
+    """Whether an effect of the twin explains its places, and what no fit has seen is the better for it."""
+    beyond = trial.model.corrections or case.model.corrections or trial.candidate.description
+    if beyond or trial.gain <= 0 or share_of(case, trial) <= _WHOLE:
+        return False
+    gained = misfit_sum(misfits_of(case.model.rig, held)) - misfit_sum(misfits_of(trial.model.rig, held))
+    return gained > _AGAIN * trial.gain
 
 
 def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:

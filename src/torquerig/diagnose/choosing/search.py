@@ -72,7 +72,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     screened = sorted((trial for each in of_sources for trial in each), key=lambda trial: -trial.gain)
     fitted = sorted(of_each(partial(_joint, case), _finalists(screened)), key=lambda trial: -trial.gain)
     promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
-    fitted[:_POLISHED] = of_each(partial(_polished, case), promising)
+    fitted[: len(promising)] = of_each(partial(_polished, case), promising)
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
         try:

@@ -6,8 +6,8 @@ from typing import Any, cast
 
 import pytest
 
-from torquerig.diagnose.diagnose import _refused
 from torquerig.diagnose.diagnosis import HeldOut, Mismatch
+from torquerig.diagnose.judging.withdrawn import why_withdrawn
 
 SOMEWHERE = (cast(Mismatch, object()),)
 
@@ -29,5 +29,5 @@ def fit(before: float, after: float, explained: float) -> HeldOut:
     ],
 )
 def test_a_rest_at_its_own_places_tells_a_stand_in(held: HeldOut, left: Any, why: str) -> None:
-    assert why in _refused(held, left)
-    assert bool(_refused(held, left)) is bool(why)
+    assert why in why_withdrawn(held, left)
+    assert bool(why_withdrawn(held, left)) is bool(why)
