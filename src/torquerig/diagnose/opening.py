@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.knobs import nuisance_knobs
@@ -16,7 +14,6 @@ from torquerig.diagnose.looking.hum import hum_places
 from torquerig.diagnose.looking.lines_left import Strong, known_places, lines_left, strong_lines
 from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.refilled import refilled
-from torquerig.diagnose.looking.saturated import MOST
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.diagnose.looking.without_tones import less_tones
 from torquerig.diagnose.sample_findings import SampleFindings
@@ -44,17 +41,17 @@ def opened(
     scenario: Scenario, runs: tuple[Observed, ...], nominal: Rig, faults: SampleFindings
 ) -> tuple[Case, tuple[Features, ...]]:
     """Return the case with the nominal model calibrated, and the held-out features."""
-    whole = _unclipped(runs, faults)
+    runs = tuple(replace(run, rebuilt=run.name in faults.rebuilt) for run in runs)
+    whole = _for_fits(runs, faults)
     known = known_places(whole, nominal)
     left = without_comb(lines_left(whole, known, rig=nominal))
     unknown = [peak.place for peak in left]
     places = [*known, *unknown, *hum_places(left)]
     runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
-    fitted = _unclipped(runs, faults)
+    fitted = _for_fits(runs, faults)
     looks = [(run, False) for run in fitted] + [(run, True) for run in runs]
     found = of_each(lambda look: features(look[0], places, held=look[1], unknown=unknown), looks)
     found = [replace(each, observed=run) for each, (run, _) in zip(found, looks, strict=True)]  # one run, not copies
-    found = [_trusted(each, faults) for each in found]
     seen, held = tuple(found[: len(fitted)]), tuple(found[len(fitted) :])
     occupancies = [run.run.occupancy_percent or 0.0 for run in fitted]
     knobs = nuisance_knobs(nominal, scenario.uncertainties, occupancies=occupancies)
@@ -81,18 +78,12 @@ def _less(recording: Recording, tones: Sequence[float]) -> Recording:
     return recording.with_values(name, values) if tones else recording
 
 
-def _unclipped(runs: tuple[Observed, ...], faults: SampleFindings) -> tuple[Observed, ...]:
+def _for_fits(runs: tuple[Observed, ...], faults: SampleFindings) -> tuple[Observed, ...]:
     """Return the runs that fits may use: those that are not clipped, all where all are.
 
-    Where they leave no two steady runs, those that are seldom clipped serve as well.
+    Where they leave no two steady runs, those whose moments at the limit were rebuilt serve as well.
     """
     whole = tuple(run for run in runs if run.name not in faults.clipped)
     if sum(run.steady for run in whole) < _STEADY:
-        whole = tuple(run for run in runs if faults.clipped.get(run.name, 0.0) <= MOST)
+        whole = tuple(run for run in runs if run.rebuilt or run.name not in faults.clipped)
     return whole or runs
-
-
-def _trusted(found: Features, faults: SampleFindings) -> Features:
-    """Return the features without the spectrum where moments at a limit were rebuilt: their ends ring through it."""
-    rebuilt = 0.0 < faults.clipped.get(found.observed.name, 0.0) <= MOST
-    return replace(found, power=np.full(found.power.size, np.nan)) if rebuilt else found

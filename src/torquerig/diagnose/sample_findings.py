@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig import mechanisms
@@ -21,14 +21,15 @@ from torquerig.signals.recording import Recording
 class SampleFindings:
     """What the samples show, the recordings mended as far as they can be, and which are spoilt beyond that.
 
-    ``clipped`` tells in which share of its samples a run stands at a limit, ``lost`` the moments without signal of each
-    recording, first sample and one past the last; ``untrue`` what recordings hold that is no reading of the torque,
-    each in a sentence and as a place.
+    ``clipped`` are the runs that stand at a limit, ``rebuilt`` those of them that do so seldom enough to be put right;
+    ``lost`` are the moments without signal of each recording, first sample and one past the last; ``untrue`` tells
+    what recordings hold that is no reading of the torque, each in a sentence and as a place.
     """
 
     candidates: tuple[Candidate, ...]
     recordings: tuple[Recording, ...]
-    clipped: Mapping[str, float]
+    clipped: tuple[str, ...]
+    rebuilt: tuple[str, ...]
     unnamed: tuple[str, ...]
     lost: tuple[Moments, ...]
     untrue: tuple[Untrue, ...] = ()
@@ -69,10 +70,12 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     elif under_hum is not None:
         add("clipping", "Clipping", limit=under_hum.limit, where="amplifier")
     limit = full if flat is None else min(flat.limit, full)
-    mended = tuple(rebuilt(recording, limit=limit) for recording in mended)
     cut = flat or under_hum
-    clipped = {} if cut is None else cut.shares
-    standing = list(clipped) if codes is None else [recording.name for recording in recordings]
-    mended, untrue = without_untrue(mended, lost_of_each, standing=standing)
+    clipped = () if cut is None else cut.runs
+    standing = clipped if codes is None else [recording.name for recording in recordings]
+    filled = tuple(rebuilt(recording, limit=limit) for recording in mended)
+    changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
+    put_right = tuple(name for name in clipped if name in changed)
+    mended, untrue = without_untrue(filled, lost_of_each, standing=standing)
     untrue = (*repeated(recordings), *jumping(recordings), *untrue)
-    return SampleFindings(tuple(candidates), mended, clipped, tuple(unnamed), lost_of_each, untrue)
+    return SampleFindings(tuple(candidates), mended, clipped, put_right, tuple(unnamed), lost_of_each, untrue)

@@ -31,7 +31,7 @@ def with_volts(recording: Recording, volts: np.ndarray) -> Recording:
 def test_a_clean_run_shows_no_fault(seed: int, wear_rig: Scenario, record: Callable[..., Recording]) -> None:
     made = [record(wear_rig.rig, seed, duration=3.0), record(wear_rig.rig, seed + 20, duration=3.0, occupancy=15.0)]
     found = sample_findings(made, wear_rig.rig)
-    assert (found.candidates, found.clipped, found.unnamed) == ((), {}, ())
+    assert (found.candidates, found.clipped, found.unnamed) == ((), (), ())
     assert found.recordings == tuple(made)
 
 
@@ -56,7 +56,8 @@ def test_flat_tops_are_found_with_their_limit(sign: float, clean: Recording) -> 
     found = flat_tops([flat], full_range=FULL, code=CODE)
     assert found is not None
     assert found.limit == pytest.approx(limit, abs=CODE)
-    assert found.shares == {clean.name: pytest.approx(0.005, rel=0.1)}
+    assert found.share == pytest.approx(0.005, rel=0.1)
+    assert found.runs == (clean.name,)
 
 
 @pytest.mark.parametrize(("share", "seldom"), [(0.005, True), (0.1, False)])
@@ -68,7 +69,8 @@ def test_a_run_that_is_seldom_cut_off_is_put_right(
     cut = with_volts(clean, np.clip(volts, -limit, limit))
     found = sample_findings([cut], wear_rig.rig)
     assert [each.mechanism for each in found.candidates] == ["clipping"]
-    assert found.clipped == {cut.name: pytest.approx(share, rel=0.1)}
+    assert found.clipped == (cut.name,)
+    assert found.rebuilt == ((cut.name,) if seldom else ())
     mended = found.recordings[0].channels["torque_V"].values
     lost = np.abs(volts) > limit
     left = float(np.abs(mended - volts)[lost].sum() / np.abs(cut.channels["torque_V"].values - volts)[lost].sum())

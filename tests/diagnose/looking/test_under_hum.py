@@ -35,7 +35,7 @@ def test_a_limit_before_the_hum_is_found(frequency: float) -> None:
     found = flat_under_hum([given])
     assert found is not None
     assert found.limit == pytest.approx(LIMIT, abs=1e-3)
-    assert tuple(found.shares) == ("run",)
+    assert found.runs == ("run",)
 
 
 @pytest.mark.parametrize(

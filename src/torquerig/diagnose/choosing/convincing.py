@@ -22,7 +22,7 @@ _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
-# a first effect that explains so much of its places, and gains half as much again on what no fit has seen, needs less
+# a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less
 _WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
@@ -48,14 +48,16 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     count = feature_count(trial.model)
     missed = min(max(trial.model.cost / count, 1.0), _MOST_MISSED)
-    least = _least_gain(case, trial) * missed
-    if not earlier and _borne_out(case, trial, held):
-        least *= _LESS
-    least = max(least, *details)
+    least, share = _least_gain(case, trial) * missed, share_of(case, trial)
     well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and (trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count)
     enough = _enough(trial) if fits else LEAST_SHARE
-    return trial.gain > least and share_of(case, trial) > enough and _foretells(case, trial, held)
+    if trial.gain <= max(_LESS * least, *details) or share <= enough:
+        return False
+    unseen = _gained_unseen(case, trial, held)
+    sure = unseen is not None and share > _WHOLE and unseen > _AGAIN * trial.gain
+    borne_out = sure and not earlier and not trial.candidate.description
+    return (trial.gain > least or borne_out) and (unseen is None or unseen >= 0)
 
 
 def _enough(trial: Trial) -> float:
@@ -108,17 +110,8 @@ def share_of(case: Case, trial: Trial) -> float:
     return explained_share(before, after, beside=trial.beside)
 
 
-def _borne_out(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
-    """Whether an effect of the twin explains its places, and what no fit has seen is the better for it."""
-    beyond = trial.model.corrections or case.model.corrections or trial.candidate.description
-    if beyond or trial.gain <= 0 or share_of(case, trial) <= _WHOLE:
-        return False
-    gained = misfit_sum(misfits_of(case.model.rig, held)) - misfit_sum(misfits_of(trial.model.rig, held))
-    return gained > _AGAIN * trial.gain
-
-
-def _foretells(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
-    """Whether what no fit has seen is foretold no worse with the effect; beyond the twin only simulations can tell."""
+def _gained_unseen(case: Case, trial: Trial, held: Sequence[Features]) -> float | None:
+    """Return by how much less of what no fit has seen is missed; None beyond the twin: only simulations can tell."""
     if trial.model.corrections or case.model.corrections:
-        return True
-    return misfit_sum(misfits_of(trial.model.rig, held)) <= misfit_sum(misfits_of(case.model.rig, held))
+        return None
+    return misfit_sum(misfits_of(case.model.rig, held)) - misfit_sum(misfits_of(trial.model.rig, held))

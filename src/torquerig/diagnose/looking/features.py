@@ -51,8 +51,8 @@ class Features:
     band : ndarray, shape (bands,)
         Middle of each band [Hz].
     power : ndarray, shape (bands,)
-        Mean one-sided density [(N m)^2/Hz] of what the lines leave, NaN where they leave nothing; empty where the
-        speed moves.
+        Mean one-sided density [(N m)^2/Hz] of what the lines leave, NaN where they leave nothing and in all bands of a
+        run with rebuilt moments; empty where the speed moves.
     count : ndarray, shape (bands,)
         Independent values behind each ``power``.
     width : ndarray, shape (bands,)
@@ -162,13 +162,14 @@ def features(
     speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
     duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
     floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
+    power = np.full_like(floor.power, np.nan) if observed.rebuilt else floor.power
     return Features(
         observed=observed, held=held, stretches=tuple(stretches), parts=tuple(parts), places=tuple(places),
         amplitude=np.array([look.amplitude for look in looks]), widening=np.array([look.widening for look in looks]),
         reach=np.array([look.reach for look in looks]), beneath=np.array([look.beneath for look in looks]),
         level=np.array(levels), unknown=tuple(unknown),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
-        band=floor.middle, power=floor.power, count=floor.count, width=floor.width,
+        band=floor.middle, power=power, count=floor.count, width=floor.width,
     )  # fmt: skip
 
 

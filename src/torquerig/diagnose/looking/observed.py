@@ -51,6 +51,8 @@ class Observed:
         Whether a channel of the recording gave it.
     stretches : tuple of Stretch
         In their order, without gaps.
+    rebuilt : bool
+        Whether moments at a limit were filled in, whose ends ring through the spectrum, which is then not looked at.
     """
 
     recording: Recording
@@ -60,6 +62,7 @@ class Observed:
     origin: str
     angle_measured: bool
     stretches: tuple[Stretch, ...]
+    rebuilt: bool = False
 
     @property
     def name(self) -> str:

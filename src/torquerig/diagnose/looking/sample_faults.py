@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,10 +40,11 @@ class Codes:
 
 @dataclass(frozen=True)
 class FlatTops:
-    """Values that never pass ``limit`` [V], and in which share of the samples each run that reaches it stops there."""
+    """Values that never pass ``limit`` [V] and stop at it in ``share`` of the samples of the worst run."""
 
     limit: float
-    shares: Mapping[str, float]
+    share: float
+    runs: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -105,7 +106,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
     if not found or max(level for level, _ in found.values()) > 0.999 * full_range:
         return None
     limit = float(np.median([level for level, _ in found.values()]))
-    return FlatTops(limit, {name: share for name, (_, share) in found.items()})
+    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
 
 
 def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:

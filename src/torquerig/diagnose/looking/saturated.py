@@ -12,11 +12,13 @@ from torquerig.signals.recording import Recording
 
 _AT_LIMIT = 0.9995  # of it
 _SLOPE = 5e-4  # [s] each side, over which the slope into and out of the moment is taken
-MOST = 0.02  # share of the samples beyond which nothing can be rebuilt
+_MOST = 0.02  # share of the samples beyond which nothing can be rebuilt
 
 
 def rebuilt(recording: Recording, *, limit: float) -> Recording:
     """Return the recording with cubics over the moments at a limit, by value and slope at their ends.
+
+    It is the same object where there are none, or so many that nothing can be rebuilt.
 
     Parameters
     ----------
@@ -27,7 +29,7 @@ def rebuilt(recording: Recording, *, limit: float) -> Recording:
     name = recording.torque_name()
     volts = recording.channels[name].values
     stuck = np.abs(volts) >= _AT_LIMIT * limit
-    if not stuck.any() or stuck.mean() > MOST:
+    if not stuck.any() or stuck.mean() > _MOST:
         return recording
     reach = max(2, round(_SLOPE * recording.sample_rate))
     stuck |= np.convolve(stuck, np.ones(2 * reach + 1), "same") > reach  # what returns for a moment is one with it

@@ -46,7 +46,7 @@ def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
     if not found:
         return None
     limit = float(np.median([level for level, _ in found.values()]))
-    return FlatTops(limit, {name: share for name, (_, share) in found.items()})
+    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
 
 
 def _grid_line(volts: Floats, rate: float) -> float | None:
