@@ -14,7 +14,7 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
-from torquerig.diagnose.judging.whole_fit import LARGEST, misfit_as_a_whole
+from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.judging.withdrawn import LEAVES_A_REST, why_withdrawn
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
@@ -119,8 +119,8 @@ def diagnose(
     named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
     found_more = bool(named or faults.candidates or sought.descriptions)
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
-    if not (left or found or sought.descriptions) and fit.after > LARGEST:
-        left = (misfit_as_a_whole(after),)
+    if not (left or found or sought.descriptions):
+        left = misfit_as_a_whole(after, held_out=fit.after)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,

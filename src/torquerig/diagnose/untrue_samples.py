@@ -1,4 +1,4 @@
-"""What is no reading of the rig, in words and as places: samples written twice, jumps, another gain, a sweep."""
+"""What no rig does, in words and as places: samples written twice, jumps, another gain, a step of the mean, a sweep."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.angle_jumps import angle_jumps
 from torquerig.diagnose.looking.copied import copied
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
+from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, without_steps
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
@@ -18,6 +19,9 @@ from torquerig.signals.recording import Recording
 Untrue = tuple[str, Mismatch]
 
 _TOLD = 4  # moments of a recording that are told
+_TAKEN_OUT = "the rest was judged with the steps taken out"
+_LEFT_IN = "there are too many of them to put the rest right"
+_FEW_STEPS = 3  # of a recording: a mean that steps to and fro is not put right by taking out those that are seen
 
 
 def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
@@ -49,9 +53,9 @@ def jumping(recordings: Sequence[Recording]) -> Iterator[Untrue]:
 
 
 def without_untrue(
-    recordings: Sequence[Recording], lost: Sequence[Moments], *, standing: Collection[str]
-) -> tuple[tuple[Recording, ...], tuple[Untrue, ...]]:
-    """Return the recordings at one gain and without sweeping lines, and what was taken out of them.
+    recordings: Sequence[Recording], lost: Sequence[Moments], *, standing: Collection[str], resolution: float = 0.0
+) -> tuple[tuple[Recording, ...], tuple[Moments, ...], tuple[Untrue, ...]]:
+    """Return the recordings at one gain, without steps and sweeping lines, what of them is lost, and what was told.
 
     Parameters
     ----------
@@ -61,6 +65,8 @@ def without_untrue(
         Those moments.
     standing : collection of str
         Recordings with flat tops or coarse codes: where their signal stands still, that is no gain.
+    resolution : float
+        Of coarse codes [V], 0 without them.
     """
     answer, told = list(recordings), list[Untrue]()
     for index, (recording, moments) in enumerate(zip(recordings, lost, strict=True)):
@@ -68,6 +74,14 @@ def without_untrue(
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
+    moments_of_each, stepping = list(lost), mean_steps(answer, resolution=resolution)
+    few = max(map(len, stepping), default=0) <= _FEW_STEPS
+    for index, steps in enumerate(stepping):
+        if steps:
+            told.append(_stepping(answer[index], steps, taken_out=few))
+        if steps and few:
+            moments_of_each[index] = [*lost[index], *edges(answer[index], steps)]
+            answer[index] = without_steps(answer[index], steps)
     volts = [(each.channels[each.torque_name()].values, each.sample_rate) for each in answer]
     steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
     sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
@@ -77,7 +91,7 @@ def without_untrue(
         if sweep is not None:
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
-    return tuple(answer), tuple(told)
+    return tuple(answer), tuple(moments_of_each), tuple(told)
 
 
 def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
@@ -89,6 +103,19 @@ def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
         "library does that: the rest was judged with these moments scaled back"
     )
     return sentence, _place(recording, moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)))
+
+
+def _stepping(recording: Recording, steps: Sequence[MeanStep], *, taken_out: bool) -> Untrue:
+    rate, unit = recording.sample_rate, recording.channels[recording.torque_name()].si_per_unit
+    largest = max(steps, key=lambda each: abs(each.height))
+    sentence = (
+        f"{recording.name}: at {_moments([each.sample / rate for each in steps])} the mean torque steps by up to "
+        f"{abs(largest.height) * unit:.3g} N m within some milliseconds and stays there; a load that changes or a zero "
+        f"that jumps does that, no mechanism of the library: {_TAKEN_OUT if taken_out else _LEFT_IN}"
+    )
+    start = steps[0].sample
+    stop = steps[1].sample if len(steps) > 1 else recording.samples
+    return sentence, _place(recording, start, stop, excess=20 * float(np.log10(largest.clear)))
 
 
 def _sweeping(recording: Recording, sweep: Sweep) -> Untrue:

@@ -26,8 +26,21 @@ def test_the_worst_kind_of_the_worst_run_is_told(by_hand: Callable[..., Observed
     good = Misfit(np.full(size, 1.0), none, np.full(16, 0.8))
     bad = Misfit(np.full(size, 2.0), none, np.full(16, 3.0))
     model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (good, bad), 0.0)
-    told = misfit_as_a_whole(Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=()))
+    case = Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=())
+    (told,) = misfit_as_a_whole(case, held_out=3.0)
     assert (told.recordings, told.domain, told.axis) == (("two",), "speed", "rpm")
     assert abs(told.at - 100 * 30 / pi) < 1.0
     assert told.p_value < 1e-9
     assert 6.0 < told.excess_dB < 10.0
+    assert misfit_as_a_whole(case, held_out=1.5) == ()
+
+
+def test_bad_luck_in_what_no_fit_has_seen_is_no_place(by_hand: Callable[..., Observed], wear_rig: Scenario) -> None:
+    time = np.arange(int(6 * RATE)) / RATE
+    noise = np.random.default_rng(1).standard_normal(time.size)
+    seen = (features(by_hand(noise, 100 * time, rate=RATE, name="one"), []),)
+    none = np.zeros(0)
+    good = Misfit(np.full(seen[0].band.size, 1.0), none, np.full(16, 0.8))
+    model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (good,), 0.0)
+    case = Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=())
+    assert misfit_as_a_whole(case, held_out=9.0) == ()

@@ -24,6 +24,8 @@ _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that not
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 # a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less
 _WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
+# one that gains so much, and as much on what no fit has seen, may leave more at its places: clean rigs reach 55
+_MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -51,13 +53,15 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     least, share = _least_gain(case, trial) * missed, share_of(case, trial)
     well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.gain > _LARGE and (trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count)
-    enough = _enough(trial) if fits else LEAST_SHARE
-    if trial.gain <= max(_LESS * least, *details) or share <= enough:
+    if trial.gain <= max(_LESS * least, *details):
         return False
-    unseen = _gained_unseen(case, trial, held)
-    sure = unseen is not None and share > _WHOLE and unseen > _AGAIN * trial.gain
-    borne_out = sure and not earlier and not trial.candidate.description
-    return (trial.gain > least or borne_out) and (unseen is None or unseen >= 0)
+    unseen, first = _gained_unseen(case, trial, held), not (earlier or trial.candidate.description)
+    again = unseen / trial.gain if first and unseen is not None else 0.0
+    enough = _enough(trial) if fits else LEAST_SHARE
+    if trial.gain > _MUCH and again > _AS_WELL:
+        enough = min(enough, _MORE_THAN_HALF)
+    borne_out = share > _WHOLE and again > _AGAIN
+    return share > enough and (trial.gain > least or borne_out) and (unseen is None or unseen >= 0)
 
 
 def _enough(trial: Trial) -> float:

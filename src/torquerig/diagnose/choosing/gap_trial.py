@@ -66,7 +66,7 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     """Return the gap whose simulations come nearest to the recordings, and the model fitted around it.
 
     None where neither flights nor stays near zero tell one, and chatter leaves a run unexplained where flanks may part,
-    or another effect is in the model: what that one leaves may look like chatter.
+    or another effect is in the model, or coarse codes are: what those leave may look like chatter.
 
     The numbers of the model are first fitted to what a gap leaves alone: loaded runs, and the slow torque of all. The
     width is then told, and all features are fitted once more, corrected for what the gap changes. A gap that the
@@ -76,7 +76,7 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
     rigs = [with_phases_of(model.rig, features.observed) for features in case.seen]
     told = width(case, rigs)
-    if told is None and not case.stated_gap and case.accepted:
+    if told is None and not case.stated_gap and (case.accepted or case.nominal.parts_of(mechanisms.Quantization)):
         return None
     closed = _simulated(case, rigs, 0.0)[0]
 

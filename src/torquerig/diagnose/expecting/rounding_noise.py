@@ -11,7 +11,7 @@ Floats = NDArray[np.float64]
 
 _POINTS = 2048  # of the correlation, 80 ms at 25 kHz: codes forget sooner
 _HARMONICS = 4
-_FEW_CODES = 8.0  # a signal that spans so many codes rounds as theory says
+_FEW_CODES = 3.0  # a signal whose spread is so many codes rounds as theory says
 _OF_A_CODE = 0.05  # amplitude of the largest lines that rounding makes of four lines of up to a code, undithered
 
 
