@@ -74,7 +74,7 @@ def without_untrue(
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
-    moments_of_each, stepping = list(lost), mean_steps(answer, resolution=resolution)
+    moments_of_each, stepping = list(lost), mean_steps(answer, lost, resolution=resolution)
     few = max(map(len, stepping), default=0) <= _FEW_STEPS
     for index, steps in enumerate(stepping):
         if steps:

@@ -11,11 +11,14 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.expecting.correction import Correction
+from torquerig.diagnose.expecting.expectation import Expectation, expected
 from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.judging import band_excess
 from torquerig.diagnose.judging.narrow_humps import _smeared_lines, narrow_humps
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import order
+from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 
 RATE, LENGTH, ORDER = 5000.0, 12.0, 60.4
@@ -95,3 +98,15 @@ def test_what_a_followed_angle_smears_of_a_line_is_none(
     told = _smeared_lines(replace(run, power=power))
     assert told[at] == smeared
     assert not told[3], "far from the line"
+
+
+def test_where_the_model_doubts_itself_nothing_stands_out(
+    wear_rig: Scenario, seen: Callable[..., Features], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def doubting(rig: Rig, features: Features) -> Expectation:
+        return replace(expected(rig, features), power_tolerance=1.0)
+
+    runs = seen(100.0, seed=1, order=ORDER), seen(70.0, seed=2, order=ORDER)
+    assert found(wear_rig, *runs)
+    monkeypatch.setattr(band_excess, "expected", doubting)
+    assert not found(wear_rig, *runs)

@@ -34,7 +34,9 @@ def run(
 
 def found(monkeypatch: pytest.MonkeyPatch, *runs: Any, corrections: tuple[int, ...] = ()) -> list[tuple[str, float]]:
     def model(_: object, features: Any) -> Any:
-        return SimpleNamespace(power=np.ones(BAND.size), load_share=np.full(BAND.size, features.share))
+        return SimpleNamespace(
+            power=np.ones(BAND.size), load_share=np.full(BAND.size, features.share), power_tolerance=0.0
+        )
 
     monkeypatch.setattr(band_excess, "expected", model)
     monkeypatch.setattr(one_load, "moments_lost", lambda lost: lost)

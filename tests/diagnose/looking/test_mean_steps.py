@@ -49,6 +49,10 @@ def test_a_clean_run_has_none(clean: Recording) -> None:
     assert mean_steps([clean]) == ((),)
 
 
+def test_the_ends_of_moments_without_signal_are_none(clean: Recording) -> None:
+    assert mean_steps([stepped(clean, 1.5)], [[(START - 100, STOP + 100)]]) == ((),)
+
+
 def test_what_takes_its_time_is_no_step(clean: Recording) -> None:
     assert mean_steps([stepped(clean, 1.5, rise=0.5)]) == ((),)
 

@@ -29,12 +29,15 @@ class BandExcess:
         Part of the expected density that the load makes [1].
     variance : ndarray, shape (bands,)
         Of ``log``, by the number of independent values alone.
+    doubt : ndarray, shape (bands,)
+        By how much the model says that ``log`` may be off [1].
     """
 
     features: Features
     log: Floats
     load_share: Floats
     variance: Floats
+    doubt: Floats
 
 
 def band_excesses(case: Case, beyond: Sequence[Correction] = ()) -> list[BandExcess]:
@@ -48,5 +51,6 @@ def band_excesses(case: Case, beyond: Sequence[Correction] = ()) -> list[BandExc
             share = np.broadcast_to(model.load_share, features.band.shape)
             with np.errstate(divide="ignore"):  # a band that holds nothing is not compared
                 excess = np.log(features.power / model.power)
-            answer.append(BandExcess(features, excess, share, 1 / features.count))
+            doubt = np.broadcast_to(model.power_tolerance, features.band.shape)
+            answer.append(BandExcess(features, excess, share, 1 / features.count, doubt))
     return answer

@@ -73,7 +73,7 @@ def narrow_humps(case: Case, total: float, beyond: Sequence[Correction] = ()) ->
 
 def _heights(run: BandExcess) -> _Heights:
     shown = np.flatnonzero(np.isfinite(run.log))
-    excess, variance = run.log[shown], run.variance[shown] + BAND_TOLERANCE**2
+    excess, variance = run.log[shown], run.variance[shown] + run.doubt[shown] ** 2 + BAND_TOLERANCE**2
     height, spreads = np.zeros(run.log.size), np.zeros(run.log.size)
     if shown.size > 2:
         above = excess[1:-1] - np.maximum(excess[:-2], excess[2:])

@@ -22,8 +22,8 @@ _BLOCK = 0.01  # [s] over which the signal is averaged
 _SHORT, _LONG = 5, 25  # blocks on either side whose means are compared
 _OF_THE_LONG = 0.6  # of a step must stand within the short time, or it is no step but a slope
 # spreads in one run, or less there and in another: of 554 clean runs five reach 3.5 and none 4
-_CLEAR, _LESS, _AGAIN = 6.0, 4.2, 3.5
-_FURTHER = 3.5  # spreads of the others, where one is clear
+_CLEAR, _LESS, _AGAIN = 6.0, 4.4, 4.0
+_FURTHER = 4.0  # spreads of the others, where one is clear
 _MOST = 40  # steps of a run
 _STARTING = 0.125  # of a run whose speed moves, at either end, where it may stand
 _SMALLEST = 0.01  # of the range of the block means: a spread is not taken for less
@@ -40,18 +40,21 @@ class MeanStep:
 
 
 def mean_steps(
-    recordings: Sequence[Recording], *, resolution: float = 0.0
-) -> tuple[tuple[MeanStep, ...], ...]:  # fmt: skip
+    recordings: Sequence[Recording], lost: Sequence[Moments] = (), *, resolution: float = 0.0
+) -> tuple[tuple[MeanStep, ...], ...]:
     """Return the steps of each recording, in their order; none in all where none is clear.
 
     Parameters
     ----------
     recordings : sequence of Recording
         Moments without signal bridged. Those that turn back or follow a measured motion are not looked at.
+    lost : sequence of Moments
+        Those moments of each recording, whose ends are no steps of the torque.
     resolution : float
         Of coarse codes [V], 0 without them: a signal that rests on one may step by one.
     """
-    found = [_steps(recording, resolution) for recording in recordings]
+    moments = lost or [()] * len(recordings)
+    found = [_steps(recording, own, resolution) for recording, own in zip(recordings, moments, strict=True)]
     largest = sorted((max((each.clear for each in steps), default=0.0) for steps in found), reverse=True)
     again = len(largest) > 1 and largest[0] > _LESS and largest[1] > _AGAIN
     clear = again or (len(largest) > 0 and largest[0] > _CLEAR)
@@ -73,20 +76,20 @@ def edges(recording: Recording, steps: Sequence[MeanStep]) -> Moments:
     return [(max(each.sample - reach, 0), min(each.sample + reach, recording.samples)) for each in steps]
 
 
-def _steps(recording: Recording, resolution: float) -> list[MeanStep]:
+def _steps(recording: Recording, lost: Moments, resolution: float) -> list[MeanStep]:
     """Return all steps of a run, the clearest first, each found with the clearer ones taken out."""
     if recording.run.profile not in _LOOKED_AT:
         return []
     found: list[MeanStep] = []
     while len(found) < _MOST:
-        step = _clearest(without_steps(recording, found), resolution)
+        step = _clearest(without_steps(recording, found), lost, resolution)
         if step is None or step.clear < _FURTHER:
             break
         found.append(step)
     return found
 
 
-def _clearest(recording: Recording, resolution: float) -> MeanStep | None:
+def _clearest(recording: Recording, lost: Moments, resolution: float) -> MeanStep | None:
     volts = recording.channels[recording.torque_name()].values
     size = max(1, round(_BLOCK * recording.sample_rate))
     count = volts.size // size
@@ -100,6 +103,8 @@ def _clearest(recording: Recording, resolution: float) -> MeanStep | None:
     clear[near * far < _OF_THE_LONG * far**2] = 0.0
     if recording.run.profile != "steady":
         clear[(at < _STARTING * count) | (at > (1 - _STARTING) * count)] = 0.0
+    for start, stop in lost:
+        clear[(at > start / size - _SHORT - 1) & (at < stop / size + _SHORT + 1)] = 0.0
     best = int(np.argmax(clear))
     return MeanStep(_sample(volts, int(at[best]) * size + size // 2, size), float(far[best]), float(clear[best]))
 
