@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import pi
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -46,7 +47,13 @@ def test_what_the_sensor_lets_pass_is_no_part_of_what_moves_the_shafts() -> None
 
 @pytest.mark.parametrize(
     ("place", "asked"),
-    [(order(11.0), [11.0]), (order(8.4), [42.0]), (frequency(50.0), [50.0]), (None, [11.0, 42.0, 50.0])],
+    [
+        (order(11.0), [11.0]),
+        (order(8.4), [42.0]),
+        (order(3.0), [50.0]),  # the band around it, at the speed of the run that shows it
+        (frequency(50.0), [50.0]),
+        (None, [11.0, 42.0, 50.0]),
+    ],
 )
 @pytest.mark.parametrize("there", [True, False])
 def test_simulations_are_asked_at_its_own_place(
@@ -57,7 +64,8 @@ def test_simulations_are_asked_at_its_own_place(
         mismatch("order", "output_shaft", 42.0),
         mismatch("frequency", "Hz", 50.0),
     ]
-    case = cast(Case, SimpleNamespace(nominal=SimpleNamespace(run=SimpleNamespace(gear_ratio=RATIO))))
+    runs = (SimpleNamespace(name="run", mean_speed=2 * pi * 50.003 / 3), SimpleNamespace(name="other", mean_speed=1.0))
+    case = cast(Case, SimpleNamespace(nominal=SimpleNamespace(run=SimpleNamespace(gear_ratio=RATIO)), runs=runs))
     shown: list[float] = []
 
     def by_simulation(its: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, ...]:

@@ -33,13 +33,24 @@ def _of_the_sensor(candidate: Candidate) -> bool:
 
 
 def stands_in_simulations(case: Case, trial: Trial) -> bool:
-    """Whether something of what the trial explains is still missing where the case's rig is simulated."""
+    """Whether something of what the trial explains is still missing where the case's rig is simulated.
+
+    Of an order that is its line, and the band around it in the runs where noise beside it stands out.
+    """
     place, ratio = trial.candidate.place, abs(case.nominal.run.gear_ratio or 1.0)
     left = mismatches(case)
-    its = left if place is None else [each for each in left if _at(each, place, ratio)]
+    its = left if place is None else [each for each in left if _at(each, place, ratio) or _around(each, place, case)]
     return bool(left_by_simulation(case, its))
 
 
 def _at(mismatch: Mismatch, place: Place, ratio: float) -> bool:
     turns = ratio if mismatch.axis == "output_shaft" else 1.0
     return mismatch.domain == place.domain and abs(mismatch.at / turns - place.at) < SAME_ORDER
+
+
+def _around(mismatch: Mismatch, place: Place, case: Case) -> bool:
+    """Whether a band that stands out in some runs holds the order there."""
+    shown = [run for run in case.runs if run.name in mismatch.recordings]
+    apart = [abs(place.frequency(abs(run.mean_speed)) - mismatch.at) for run in shown]
+    band = mismatch.domain == "frequency" and place.domain == "order"
+    return band and any(each < 0.5 * mismatch.width for each in apart)

@@ -19,7 +19,7 @@ _START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 20.0
 _TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
-_DEEPEST = 0.7  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a third
+_DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a factor of two
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -48,8 +48,9 @@ def propose(case: Case) -> Iterator[Candidate]:
 
 
 def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
-    """Yield a ripple of each main field order that shows no line: an unsteady load leaves noise beside it alone."""
-    shown = [place.at for place in case.seen[0].places if place.domain == "order"]
+    """Yield a ripple of each main field order whose line is none or small: an unsteady load leaves noise beside it."""
+    modelled = [place for place in case.seen[0].places if place not in case.seen[0].unknown]
+    shown = [place.at for place in (*modelled, *(peak.place for peak in case.left)) if place.domain == "order"]
     for multiple in _MAIN:
         order_motor = float(multiple * (motor.pole_pairs or 0))
         if order_motor and not any(abs(each - order_motor) < SAME_ORDER for each in shown):
