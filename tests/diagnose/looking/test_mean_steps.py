@@ -16,9 +16,14 @@ from torquerig.signals.recording import Recording
 RATE, START, STOP = 10_000.0, 31_000, 49_000  # [Hz], samples
 
 
-@pytest.fixture(scope="module", params=["steady", "ramp"])
-def clean(request: pytest.FixtureRequest, wear_rig: Scenario, record: Callable[..., Recording]) -> Recording:
-    return record(wear_rig.rig, 3, duration=8.0, rate=RATE, profile=request.param)
+@pytest.fixture(scope="module")
+def clean(wear_rig: Scenario, record: Callable[..., Recording]) -> Recording:
+    return record(wear_rig.rig, 3, duration=8.0, rate=RATE)
+
+
+@pytest.fixture(scope="module")
+def ramp(wear_rig: Scenario, record: Callable[..., Recording]) -> Recording:
+    return record(wear_rig.rig, 3, duration=8.0, rate=RATE, profile="ramp")
 
 
 def volts_of(recording: Recording) -> np.ndarray:
@@ -45,8 +50,15 @@ def test_a_step_up_and_down_is_found_and_taken_out(height: float, clean: Recordi
     assert outside.mean() > 0.98
 
 
-def test_a_clean_run_has_none(clean: Recording) -> None:
-    assert mean_steps([clean]) == ((),)
+def test_clean_runs_have_none(clean: Recording, ramp: Recording) -> None:
+    assert mean_steps([clean, ramp]) == ((), ())
+
+
+def test_a_ramp_tells_nothing_alone(clean: Recording, ramp: Recording) -> None:
+    assert mean_steps([stepped(ramp, 1.5)]) == ((),)
+    assert mean_steps([clean, stepped(ramp, 1.5)]) == ((), ())
+    _, along = mean_steps([stepped(clean, 1.5), stepped(ramp, 1.5)])
+    assert [each.sample for each in along] == pytest.approx([START, STOP], abs=0.01 * RATE)
 
 
 def test_the_ends_of_moments_without_signal_are_none(clean: Recording) -> None:

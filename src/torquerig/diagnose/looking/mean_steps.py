@@ -22,7 +22,7 @@ _BLOCK = 0.01  # [s] over which the signal is averaged
 _SHORT, _LONG = 5, 25  # blocks on either side whose means are compared
 _OF_THE_LONG = 0.6  # of a step must stand within the short time, or it is no step but a slope
 # spreads in one run, or less there and in another: of 554 clean runs five reach 3.5 and none 4
-_CLEAR, _LESS, _AGAIN = 6.0, 4.4, 4.0
+_CLEAR, _LESS, _AGAIN = 6.0, 4.2, 4.0
 _FURTHER = 4.0  # spreads of the others, where one is clear
 _MOST = 40  # steps of a run
 _STARTING = 0.125  # of a run whose speed moves, at either end, where it may stand
@@ -42,7 +42,9 @@ class MeanStep:
 def mean_steps(
     recordings: Sequence[Recording], lost: Sequence[Moments] = (), *, resolution: float = 0.0
 ) -> tuple[tuple[MeanStep, ...], ...]:
-    """Return the steps of each recording, in their order; none in all where none is clear.
+    """Return the steps of each recording, in their order; none in all where none of a steady one is clear.
+
+    A shaft that starts under a torque which turns with it sticks and slips, so a ramp alone tells nothing.
 
     Parameters
     ----------
@@ -55,8 +57,9 @@ def mean_steps(
     """
     moments = lost or [()] * len(recordings)
     found = [_steps(recording, own, resolution) for recording, own in zip(recordings, moments, strict=True)]
-    largest = sorted((max((each.clear for each in steps), default=0.0) for steps in found), reverse=True)
-    again = len(largest) > 1 and largest[0] > _LESS and largest[1] > _AGAIN
+    steady = [own for each, own in zip(recordings, found, strict=True) if each.run.profile == "steady"]
+    largest = sorted((max((each.clear for each in steps), default=0.0) for steps in steady), reverse=True)
+    again = len(largest) > 1 and largest[0] > _LESS and largest[1] >= _AGAIN
     clear = again or (len(largest) > 0 and largest[0] > _CLEAR)
     return tuple(tuple(sorted(steps, key=lambda each: each.sample)) if clear else () for steps in found)
 
