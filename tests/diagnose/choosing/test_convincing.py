@@ -186,3 +186,20 @@ def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
     of_before = iter([True, False])
     monkeypatch.setattr(judging, "misfit_sum", lambda _: 100.0 if next(of_before, False) else 100.0 - held_gain)
     assert judging.convincing(case, effect, earlier=(), held=()) is named
+
+
+@pytest.mark.parametrize(
+    ("held_gain", "share", "named"), [(140.0, 0.58, True), (100.0, 0.58, False), (140.0, 0.5, False)]
+)
+def test_a_large_gain_may_leave_more_where_all_of_it_comes_again(
+    held_gain: float, share: float, named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = model(wear_rig.rig, *[1.5] * 40, 12.0)
+    effect = trial(wear_rig.rig, "blade_pass", *[1.5] * 41, before=before)
+    assert 100.0 < effect.gain < 150.0
+    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+    monkeypatch.setattr(judging, "share_of", lambda *_: share)
+    monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
+    of_before = iter([True, False])
+    monkeypatch.setattr(judging, "misfit_sum", lambda _: 200.0 if next(of_before, False) else 200.0 - held_gain)
+    assert judging.convincing(case, effect, earlier=(), held=()) is named

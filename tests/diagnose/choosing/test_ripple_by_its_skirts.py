@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 import pytest
 
 from torquerig.diagnose.hypotheses import cogging
-from torquerig.diagnose.hypotheses.commutation_ripple import propose
+from torquerig.diagnose.hypotheses.commutation_ripple import _by_its_skirts, propose
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import Place, order
 from torquerig.mechanisms import Cogging, CommutationRipple
+from torquerig.rig.parts import Motor
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 
@@ -18,6 +19,7 @@ from torquerig.scenario.reading import Scenario
 @dataclass(frozen=True)
 class Seen:
     places: tuple[Place, ...]
+    unknown: tuple[Place, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,17 @@ def test_field_orders_without_a_line_are_asked_for(
     case = Bare(wear_rig.rig, (Seen(tuple(order(at) for at in shown)),))
     found = [candidate.parts[0] for candidate in propose(case)]  # type: ignore[arg-type]
     assert [part.order_motor for part in found if isinstance(part, CommutationRipple)] == asked
+
+
+def test_an_order_is_asked_for_again_when_its_line_is_left_no_more(wear_rig: Scenario) -> None:
+    """A small line that a strong effect beside it took along leaves the noise around it unexplained."""
+    places = (order(7.0), order(42.0))
+    found = {}
+    for left in ((Peak(order(42.0), 90.0, ("run.parquet",), 2),), ()):
+        case = Bare(wear_rig.rig, (Seen(places, unknown=(order(42.0),)),), left)
+        by_skirts = _by_its_skirts(case, wear_rig.rig.parts_of(Motor)[0])  # type: ignore[arg-type]
+        found[left] = [candidate.place for candidate in by_skirts]
+    assert list(found.values()) == [[order(84.0)], [order(42.0), order(84.0)]]
 
 
 def test_the_twelfth_order_alone_pays_for_the_sixth_that_is_not_there(wear_rig: Scenario) -> None:
