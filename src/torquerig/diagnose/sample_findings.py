@@ -23,7 +23,8 @@ class SampleFindings:
 
     ``clipped`` are the runs that stand at a limit, ``rebuilt`` those of them that do so seldom enough to be put right;
     ``lost`` are the moments without signal of each recording, and those of steps on their way, first sample and one
-    past the last; ``untrue`` tells what recordings hold that no rig of the library does, in a sentence and as a place.
+    past the last; ``untrue`` tells what recordings hold that no rig of the library does, in a sentence and as a
+    place; ``stepping`` is whether their mean torque steps.
     """
 
     candidates: tuple[Candidate, ...]
@@ -33,6 +34,7 @@ class SampleFindings:
     unnamed: tuple[str, ...]
     lost: tuple[Moments, ...]
     untrue: tuple[Untrue, ...] = ()
+    stepping: bool = False
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -62,7 +64,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
-    lost_of_each: tuple[Moments, ...] = tuple(map(moments_lost, recordings))
+    lost_of_each = tuple(map(moments_lost, recordings))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     under_hum = None if flat is not None or codes is not None else flat_under_hum(mended)
     if flat is not None:
@@ -77,6 +79,8 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
     put_right = tuple(name for name in clipped if name in changed)
     resolution = 0.5 * codes.step if codes else 0.0
-    mended, lost_of_each, untrue = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
-    untrue = (*repeated(recordings), *jumping(recordings), *untrue)
-    return SampleFindings(tuple(candidates), mended, clipped, put_right, tuple(unnamed), lost_of_each, untrue)
+    true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
+    return SampleFindings(
+        tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost,
+        (*repeated(recordings), *jumping(recordings), *true.told), true.stepping,
+    )  # fmt: skip

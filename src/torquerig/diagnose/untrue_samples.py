@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,6 +23,19 @@ _TOLD = 4  # moments of a recording that are told
 _TAKEN_OUT = "the rest was judged with the steps taken out"
 _LEFT_IN = "there are too many of them to put the rest right"
 _FEW_STEPS = 3  # of a recording: a mean that steps to and fro is not put right by taking out those that are seen
+
+
+@dataclass(frozen=True)
+class Mended:
+    """Recordings without what no rig does, the lost moments of each, and what was told of them.
+
+    ``stepping`` is whether the mean torque of one steps.
+    """
+
+    recordings: tuple[Recording, ...]
+    lost: tuple[Moments, ...]
+    told: tuple[Untrue, ...]
+    stepping: bool
 
 
 def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
@@ -54,7 +68,7 @@ def jumping(recordings: Sequence[Recording]) -> Iterator[Untrue]:
 
 def without_untrue(
     recordings: Sequence[Recording], lost: Sequence[Moments], *, standing: Collection[str], resolution: float = 0.0
-) -> tuple[tuple[Recording, ...], tuple[Moments, ...], tuple[Untrue, ...]]:
+) -> Mended:
     """Return the recordings at one gain, without steps and sweeping lines, what of them is lost, and what was told.
 
     Parameters
@@ -91,7 +105,7 @@ def without_untrue(
         if sweep is not None:
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
-    return tuple(answer), tuple(moments_of_each), tuple(told)
+    return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(stepping))
 
 
 def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:

@@ -53,6 +53,8 @@ class Observed:
         In their order, without gaps.
     rebuilt : bool
         Whether moments at a limit were filled in, whose ends ring through the spectrum, which is then not looked at.
+    stepping : bool
+        Whether the mean torque of this run or of another steps, of which some may not have been seen and stay in it.
     """
 
     recording: Recording
@@ -63,6 +65,7 @@ class Observed:
     angle_measured: bool
     stretches: tuple[Stretch, ...]
     rebuilt: bool = False
+    stepping: bool = False
 
     @property
     def name(self) -> str:
