@@ -80,7 +80,7 @@ def without_untrue(
     standing : collection of str
         Recordings with flat tops or coarse codes: where their signal stands still, that is no gain.
     resolution : float
-        Of coarse codes [V], 0 without them.
+        Half a coarse code [V], 0 without them.
     """
     answer, told = list(recordings), list[Untrue]()
     for index, (recording, moments) in enumerate(zip(recordings, lost, strict=True)):
@@ -88,9 +88,9 @@ def without_untrue(
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
-    moments_of_each, stepping = list(lost), mean_steps(answer, lost, resolution=resolution)
-    few = max(map(len, stepping), default=0) <= _FEW_STEPS
-    for index, steps in enumerate(stepping):
+    moments_of_each, steps_of_each = list(lost), mean_steps(answer, lost, resolution=resolution)
+    few = max(map(len, steps_of_each), default=0) <= _FEW_STEPS
+    for index, steps in enumerate(steps_of_each):
         if steps:
             told.append(_stepping(answer[index], steps, taken_out=few))
         if steps and few:
@@ -105,7 +105,7 @@ def without_untrue(
         if sweep is not None:
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
-    return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(stepping))
+    return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(steps_of_each))
 
 
 def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -173,33 +174,38 @@ def test_where_nothing_stands_out_a_strong_effects_details_are_no_second_effect(
     assert judged == [False, True]
 
 
+@pytest.fixture
+def judged_again(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Callable[..., bool]:
+    """Whether a first effect is convincing that explains a share of its places, and gains again on what is held out."""
+
+    def judged(before: Calibrated, effect: Trial, *, share: float, held_gain: float) -> bool:
+        case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+        monkeypatch.setattr(judging, "share_of", lambda *_: share)
+        monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
+        of_before = iter([True, False])
+        monkeypatch.setattr(judging, "misfit_sum", lambda _: 200.0 if next(of_before, False) else 200.0 - held_gain)
+        return judging.convincing(case, effect, earlier=(), held=())
+
+    return judged
+
+
 @pytest.mark.parametrize(("held_gain", "share", "named"), [(30.0, 1.0, True), (5.0, 1.0, False), (30.0, 0.85, False)])
 def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
-    held_gain: float, share: float, named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+    held_gain: float, share: float, named: bool, wear_rig: Scenario, judged_again: Callable[..., bool]
 ) -> None:
     """Thirty is less than any single look may be trusted with; two looks that agree are another matter."""
     before = model(wear_rig.rig, *[1.0] * 40, 5.6)
     effect = trial(wear_rig.rig, "blade_pass", *[1.0] * 41, before=before)
-    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
-    monkeypatch.setattr(judging, "share_of", lambda *_: share)
-    monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
-    of_before = iter([True, False])
-    monkeypatch.setattr(judging, "misfit_sum", lambda _: 100.0 if next(of_before, False) else 100.0 - held_gain)
-    assert judging.convincing(case, effect, earlier=(), held=()) is named
+    assert judged_again(before, effect, share=share, held_gain=held_gain) is named
 
 
 @pytest.mark.parametrize(
     ("held_gain", "share", "named"), [(140.0, 0.58, True), (100.0, 0.58, False), (140.0, 0.5, False)]
 )
 def test_a_large_gain_may_leave_more_where_all_of_it_comes_again(
-    held_gain: float, share: float, named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+    held_gain: float, share: float, named: bool, wear_rig: Scenario, judged_again: Callable[..., bool]
 ) -> None:
     before = model(wear_rig.rig, *[1.5] * 40, 12.0)
     effect = trial(wear_rig.rig, "blade_pass", *[1.5] * 41, before=before)
     assert 100.0 < effect.gain < 150.0
-    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
-    monkeypatch.setattr(judging, "share_of", lambda *_: share)
-    monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
-    of_before = iter([True, False])
-    monkeypatch.setattr(judging, "misfit_sum", lambda _: 200.0 if next(of_before, False) else 200.0 - held_gain)
-    assert judging.convincing(case, effect, earlier=(), held=()) is named
+    assert judged_again(before, effect, share=share, held_gain=held_gain) is named

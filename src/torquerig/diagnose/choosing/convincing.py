@@ -48,25 +48,31 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
-    count = feature_count(trial.model)
-    missed = min(max(trial.model.cost / count, 1.0), _MOST_MISSED)
-    least, share = _least_gain(case, trial) * missed, share_of(case, trial)
-    well = count * (1.0 if trial.gap is None else WELL)
-    fits = trial.gain > _LARGE and (trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count)
+    missed = min(max(trial.model.cost / feature_count(trial.model), 1.0), _MOST_MISSED)
+    least = _least_gain(case, trial) * missed
     if trial.gain <= max(_LESS * least, *details):
         return False
-    unseen, first = _gained_unseen(case, trial, held), not (earlier or trial.candidate.description)
-    again = unseen / trial.gain if first and unseen is not None else 0.0
-    enough = _enough(trial) if fits else LEAST_SHARE
-    if trial.gain > _MUCH and again > _AS_WELL:
-        enough = min(enough, _MORE_THAN_HALF)
-    borne_out = share > _WHOLE and again > _AGAIN
-    return share > enough and (trial.gain > least or borne_out) and (unseen is None or unseen >= 0)
+    again = _gained_again(case, trial, held)
+    if again is not None and again < 0:
+        return False
+    alone = not (earlier or trial.candidate.description)
+    trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
+    borne_out = share > _WHOLE and trusted > _AGAIN
+    return share > _enough(trial, trusted) and (trial.gain > least or borne_out)
 
 
-def _enough(trial: Trial) -> float:
-    """Return which share of its places an effect must explain with which the model fits as a whole."""
-    return _HALF if trial.gain > _VERY_LARGE else LEAST_SHARE_WHERE_ALL_FITS
+def _enough(trial: Trial, again: float) -> float:
+    """Return which share of its places an effect must explain: less where the model then fits as a whole.
+
+    Less, too, where it gains much and ``again`` on what no fit has seen, as a share of that gain.
+    """
+    count = feature_count(trial.model)
+    well = count * (1.0 if trial.gap is None else WELL)
+    fits = trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count
+    enough = LEAST_SHARE
+    if fits and trial.gain > _LARGE:
+        enough = _HALF if trial.gain > _VERY_LARGE else LEAST_SHARE_WHERE_ALL_FITS
+    return min(enough, _MORE_THAN_HALF) if trial.gain > _MUCH and again > _AS_WELL else enough
 
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:
@@ -114,8 +120,8 @@ def share_of(case: Case, trial: Trial) -> float:
     return explained_share(before, after, beside=trial.beside)
 
 
-def _gained_unseen(case: Case, trial: Trial, held: Sequence[Features]) -> float | None:
-    """Return by how much less of what no fit has seen is missed; None beyond the twin: only simulations can tell."""
+def _gained_again(case: Case, trial: Trial, held: Sequence[Features]) -> float | None:
+    """Return what is gained on what no fit has seen, over the gain; None beyond the twin: only simulations can tell."""
     if trial.model.corrections or case.model.corrections:
         return None
-    return misfit_sum(misfits_of(case.model.rig, held)) - misfit_sum(misfits_of(trial.model.rig, held))
+    return (misfit_sum(misfits_of(case.model.rig, held)) - misfit_sum(misfits_of(trial.model.rig, held))) / trial.gain

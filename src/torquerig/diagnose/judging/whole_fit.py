@@ -13,7 +13,7 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 from torquerig.diagnose.looking.features import Features
 
-LARGEST = 2.2  # held-out misfit; of 39 blind rigs with nothing hidden the largest was 1.8
+_LARGEST = 2.2  # held-out misfit; of 39 blind rigs with nothing hidden the largest was 1.8
 _BY_CHANCE = (
     0.01  # of a place: 8 of 10 such rigs with something hidden stand below 4e-4, two clean ones at 0.08 and 0.15
 )
@@ -33,7 +33,7 @@ def misfit_as_a_whole(case: Case, *, held_out: float) -> tuple[Mismatch, ...]:
         Misfit of what no fit has seen [1].
     """
     worst = max(_kinds(case), key=lambda mismatch: mismatch.excess_dB)
-    return (worst,) if held_out > LARGEST and worst.p_value < _BY_CHANCE else ()
+    return (worst,) if held_out > _LARGEST and worst.p_value < _BY_CHANCE else ()
 
 
 def _kinds(case: Case) -> Iterator[Mismatch]:

@@ -21,9 +21,9 @@ _LOOKED_AT = ("steady", "ramp")
 _BLOCK = 0.01  # [s] over which the signal is averaged
 _SHORT, _LONG = 5, 25  # blocks on either side whose means are compared
 _OF_THE_LONG = 0.6  # of a step must stand within the short time, or it is no step but a slope
-# spreads in one run, or less there and in another: of 554 clean runs five reach 3.5 and none 4
-_CLEAR, _LESS, _AGAIN = 6.0, 4.2, 4.0
-_FURTHER = 4.0  # spreads of the others, where one is clear
+# spreads in one run, or less where another shows some too: of 554 clean runs five reach 3.5 and none 4
+_CLEAR, _LESS = 6.0, 4.2
+_LEAST = 4.0  # spreads of a step that counts as another
 _MOST = 40  # steps of a run
 _STARTING = 0.125  # of a run whose speed moves, at either end, where it may stand
 _SMALLEST = 0.01  # of the range of the block means: a spread is not taken for less
@@ -53,15 +53,15 @@ def mean_steps(
     lost : sequence of Moments
         Those moments of each recording, whose ends are no steps of the torque.
     resolution : float
-        Of coarse codes [V], 0 without them: a signal that rests on one may step by one.
+        Half a coarse code [V], 0 without them: a signal that rests on a code steps to the next.
     """
     moments = lost or [()] * len(recordings)
     found = [_steps(recording, own, resolution) for recording, own in zip(recordings, moments, strict=True)]
-    steady = [own for each, own in zip(recordings, found, strict=True) if each.run.profile == "steady"]
-    largest = sorted((max((each.clear for each in steps), default=0.0) for steps in steady), reverse=True)
-    again = len(largest) > 1 and largest[0] > _LESS and largest[1] >= _AGAIN
-    clear = again or (len(largest) > 0 and largest[0] > _CLEAR)
-    return tuple(tuple(sorted(steps, key=lambda each: each.sample)) if clear else () for steps in found)
+    steady = [steps for each, steps in zip(recordings, found, strict=True) if steps and each.run.profile == "steady"]
+    clearest = max((step.clear for steps in steady for step in steps), default=0.0)
+    if clearest <= (_LESS if len(steady) > 1 else _CLEAR):
+        return ((),) * len(found)
+    return tuple(tuple(sorted(steps, key=lambda step: step.sample)) for steps in found)
 
 
 def without_steps(recording: Recording, steps: Sequence[MeanStep]) -> Recording:
@@ -86,7 +86,7 @@ def _steps(recording: Recording, lost: Moments, resolution: float) -> list[MeanS
     found: list[MeanStep] = []
     while len(found) < _MOST:
         step = _clearest(without_steps(recording, found), lost, resolution)
-        if step is None or step.clear < _FURTHER:
+        if step is None or step.clear < _LEAST:
             break
         found.append(step)
     return found
