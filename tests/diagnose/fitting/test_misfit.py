@@ -58,6 +58,25 @@ def test_a_large_line_of_the_model_alone_forgives_no_other_line(
     assert far[1] > 0.7 * far[0] > 50
 
 
+def test_a_smeared_line_of_the_model_alone_forgives_no_other_line(
+    by_hand: Callable[..., Observed], wear_rig: Scenario
+) -> None:
+    """Where nobody measured the angle of a ramp a line strays to its neighbours, but no more than is seen of it."""
+    time = np.arange(int(12 * RATE)) / RATE
+    angle = 2 * pi * np.cumsum(4.0 + 14.0 * time / 12) / RATE
+    torque = 1.0 + 0.05 * np.cos(28.8 * angle) + 0.05 * np.cos(31.0 * angle)
+    torque = torque + 1e-4 * np.random.default_rng(2).standard_normal(time.size)
+    run = by_hand(torque, angle, rate=RATE, profile="ramp", measured=False)
+    both = features(run, [order(28.8), order(31.0)])
+    model = with_line(both, wear_rig, 0.0)
+    sums = []
+    for size in (0.05, 1.0):
+        amplitude = model.amplitude.copy()
+        amplitude[:, 0] = size
+        sums.append(float(np.abs(misfit(both, replace(model, amplitude=amplitude)).lines[:, 1]).sum()))
+    assert sums[1] > 0.8 * sums[0] > 10
+
+
 def row(*values: float) -> tuple[Misfit, ...]:
     return (Misfit(np.zeros(0), np.zeros(0), np.array(values)),)
 

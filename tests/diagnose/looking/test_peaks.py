@@ -99,3 +99,17 @@ def test_a_place_says_where_it_stands_and_how_its_phase_runs() -> None:
     time = np.array([0.0, 0.01])
     assert order(3.0).phase(speed * time, time) == pytest.approx(frequency(30.0).phase(speed * time, time))
     assert order(1 / 3) == Place("order", 0.333333333)
+
+
+@pytest.mark.parametrize(("first", "told"), [(0.3, 43.2), (0.0, 43.0)])
+def test_a_harmonic_that_an_unmeasured_angle_shifts_stands_on_its_order(
+    first: float, told: float, by_hand: ByHand, wear_rig: Scenario
+) -> None:
+    """Between two whole orders of the output, 215 and 216, the third harmonic of 72 is meant where 72 stands out."""
+    runs = []
+    for seed, rpm in ((1, 1003.0), (2, 702.0)):
+        angle = turned(rpm)
+        wave = first * np.cos(14.4 * angle) + 0.03 * np.cos(43.095 * angle)
+        runs.append(by_hand(noise(seed) + wave, angle, rate=RATE, name=f"{rpm:g}", measured=False))
+    found = [peak.place.at for peak in lines_left(runs, [], rig=wear_rig.rig)]
+    assert max(found) == pytest.approx(told)

@@ -27,6 +27,7 @@ TURNING_FLOOR = 0.015  # [N m]
 # an angle that was not measured smears a line of the motor by so much of its amplitude per order [1]
 _UNMEASURED_ANGLE = 0.015
 _GATHERED = 0.08  # steady lines are gathered over their smeared width and lose little [1]
+_ALL_STRAYED = 50.0  # logarithm [1]: nothing coherent is left
 BEND = 4.0  # residuals beyond this count by their size, no longer by their square
 
 
@@ -162,14 +163,19 @@ def _moving_lines(seen: Features, model: Expectation) -> Floats:
     expected = np.sqrt(model.amplitude**2 + model.variance)
     bent = NONLINEARITY * np.minimum(model.amplitude.max(axis=1, initial=0.0), size.max(axis=1, initial=0.0))[:, None]
     beyond = np.square(model.amplitude_tolerance) + bent**2
-    tolerated = RAMP_LINE_TOLERANCE**2 * size * expected + _strayed(seen, expected)
+    tolerated = RAMP_LINE_TOLERANCE**2 * size * expected + _strayed(seen, size, expected)
     spread = np.sqrt(model.variance + tolerated + beyond)
     return np.asarray(np.where(shown, (size - expected) / spread, 0.0) / np.sqrt(2))
 
 
-def _strayed(seen: Features, expected: Floats) -> Floats:
-    """Return what a course that was not measured takes from each line and spreads to its neighbours [(N m)^2]."""
-    lost = np.square(_smearing(seen) * expected)
+def _strayed(seen: Features, size: Floats, expected: Floats) -> Floats:
+    """Return what a course that was not measured takes from each line and spreads to its neighbours [(N m)^2].
+
+    A phase that strays by sigma rad leaves exp(-sigma^2 / 2) of a line: where less is seen, the line is not so large,
+    and its neighbours are not excused by what it does not hold.
+    """
+    strays = _smearing(seen)
+    lost = np.square(strays * np.minimum(expected, size * np.exp(np.minimum(strays**2 / 2, _ALL_STRAYED))))
     if not lost.any():
         return lost
     at = seen.line_frequency.mean(axis=2) * seen.duration[:, None]

@@ -17,7 +17,7 @@ _MAIN = (6, 12)  # field orders of a six-step drive
 _SKIRTED = 0.05  # [1] depth at which one that shows no line is started
 _START = 0.01
 _HARMONICS = 4
-_BESIDE_THE_FIELD = 20.0
+_BESIDE_THE_FIELD = 100.0  # no current of the motor turns so: what else it may be is likelier, if not by far the worse
 _TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
 _DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a factor of two
 

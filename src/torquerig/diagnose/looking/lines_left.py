@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED, may_be_fixed, rather_fixed
 from torquerig.diagnose.looking.peaks import SHIFTED, TOP_ORDER, Peak, peaks
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
+from torquerig.diagnose.looking.smeared_orders import smeared_orders
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
@@ -18,6 +21,7 @@ _PASSES = 3
 _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
 _ASKED = 5  # of the clearest: whether they may keep their frequency
 _LEADING = 150.0  # power over the floor of a line that a shaft is better followed by
+_WHOLE_ITSELF = 0.1  # [1/rev of the output] so near a peak says by itself on which whole order it stands
 _WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
 
 
@@ -39,11 +43,13 @@ def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
 
     An angle that is followed by the weaker lines alone would smear strong orders, and a tone of fixed frequency beside
     an order that is followed makes the angle swing with their beat. Only lines that stand in runs of several speeds
-    count, and orders that the wander of one speed tells, or one of a kind could be taken for the other.
+    count, and orders that the wander of one speed tells, or one of a kind could be taken for the other; and what is
+    smeared so far that no peak is left of it.
     """
     if all(run.angle_measured for run in runs if run.steady):
         return Strong()
-    left = lines_left(runs, known_places(runs, rig), rig=rig)
+    known = known_places(runs, rig)
+    left = lines_left(runs, known, rig=rig)
     speeds = [abs(run.mean_speed) for run in runs if run.steady]
     asked = left[:_ASKED] if max(speeds, default=0.0) < (1 + ONE_SPEED) * min(speeds, default=0.0) else ()
     told = [peak.place.at for peak in asked if peak.place.domain == "order" and not peak.either]
@@ -53,7 +59,9 @@ def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
         if peak.excess > _LEADING and (peak.speeds > 1 or (peak in asked and _turns(peak.place, told)))
     ]
     orders, tones = ([place.at for place in leading if place.domain == domain] for domain in ("order", "frequency"))
-    return Strong(tuple(orders), tuple(tones))
+    peaked = [place.at for place in (*known, *(peak.place for peak in left)) if place.domain == "order"]
+    smeared = smeared_orders(runs, peaked, ratio=kinematics_of(rig).ratio)
+    return Strong((*orders, *smeared), tuple(tones))
 
 
 def _turns(place: Place, told: Sequence[float]) -> bool:
@@ -79,7 +87,7 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
         new = without_side_lines(strong, runs, carriers, rig=rig)
         beside += [peak.place for peak in strong if peak not in new]
         for peak in new:
-            place = _whole(peak, runs, ratio)
+            place = _whole(peak, runs, ratio, _series(found, ratio, least=peak.excess))
             if place not in {*carriers, *(other.place for other in found)}:
                 found.append(replace(peak, place=place))
     found.sort(key=lambda peak: -peak.excess)
@@ -87,19 +95,39 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
     return (*asked, *found[_ASKED:])
 
 
-def _whole(peak: Peak, runs: Sequence[Observed], ratio: float) -> Place:
+def _series(found: Sequence[Peak], ratio: float, *, least: float) -> list[int]:
+    """Return the whole output orders of lines at least so clear, whose harmonics may be left as well."""
+    turning = [peak.place.at * ratio for peak in found if peak.place.domain == "order" and peak.excess >= least]
+    return [round(at) for at in turning if abs(at - round(at)) < _WHOLE * ratio and round(at) > 1]
+
+
+def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[int]) -> Place:
     """Return the whole output order that a peak stands on, else its own place.
 
     At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency, or it stands
-    where no order can be seen.
+    where no order can be seen. Of whole orders among which an unmeasured angle leaves the choice, a harmonic of
+    a line of the ``series`` wins.
     """
     at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
     if peak.place.domain == "frequency":
         if peak.speeds > 1 or any(peak.place.at > TOP_ORDER * run.rate / 2 for run in shown):
             return peak.place
         at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
-    whole, strays = round(at * ratio) / ratio, min((run.smearing for run in shown), default=0.0)
-    if abs(at - whole) >= max(_WHOLE, SHIFTED * strays * at) or whole <= 0:
+    reach = max(_WHOLE, SHIFTED * min((run.smearing for run in shown), default=0.0) * at)
+    whole = min(_wholes(at * ratio, reach * ratio), key=lambda one: _preferred(one, at * ratio, series), default=0)
+    if whole <= 0:
         return peak.place
-    stays = peak.place.domain == "frequency" and rather_fixed(shown, order(whole))
-    return peak.place if stays else order(whole)
+    place = order(whole / ratio)
+    stays = peak.place.domain == "frequency" and rather_fixed(shown, place)
+    return peak.place if stays else place
+
+
+def _wholes(at: float, reach: float) -> range:
+    """Return the whole numbers nearer to ``at`` than ``reach``."""
+    return range(int(np.floor(at - reach)) + 1, int(np.ceil(at + reach)))
+
+
+def _preferred(whole: int, at: float, series: Sequence[int]) -> tuple[bool, float]:
+    """Return by what a whole order is chosen, least first."""
+    near = abs(whole - at) < _WHOLE_ITSELF
+    return not (near or any(whole % first == 0 for first in series)), abs(whole - at)
