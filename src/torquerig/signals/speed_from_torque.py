@@ -77,25 +77,41 @@ def motor_angle_from_torque(
     comb = _comb(torque, nominal, orders)
     if recording.run.profile != "steady":
         if not comb.stands_out:
-            return MotorAngle(nominal, _NONE_STANDS_OUT, comb.sd)
+            return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))
         told = f"from the set-point profile times {comb.factor:.5f}, by the comb of lines"
         return MotorAngle(nominal * comb.factor, told, comb.sd)
     found = _steady_angles(torque, nominal, orders, comb, recording.sample_rate)
-    near = [each for each in found if abs((each[0][-1] - each[0][0]) / (nominal[-1] - nominal[0]) - 1) < strays]
+    turned = nominal[-1] - nominal[0]
+    near = [each for each in found if abs((each.angle[-1] - each.angle[0]) / turned - 1) < strays]
     return _best_of(near, torque, nominal, orders, comb)
+
+
+@dataclass(frozen=True)
+class _Found:
+    """An angle [rad], what is told of it, the uncertainty between its ends [rad], and what it must gain [1]."""
+
+    angle: NDArray[np.float64]
+    told: str
+    ends: float
+    price: float = 0.0
 
 
 def _steady_angles(
     torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64], comb: _Comb, rate: float
-) -> list[tuple[NDArray[np.float64], str, float]]:
-    """Return one factor and a slow wander, and a course that leaves the factor by per cents; what is told of each."""
-    found = []
-    if comb.stands_out:
-        scaled = nominal * comb.factor
-        scaled = scaled + angle_within_a_turn(torque, scaled, orders, comb.floor)
-        strayed, ends = wander(torque, scaled, orders, comb.floor, rate)
-        told = f"from the set-point times {comb.factor:.5f} and its wander, by the comb of lines"
-        found.append((scaled + strayed, told, ends))
+) -> list[_Found]:
+    """Return one factor, the same with a slow wander, and a course that leaves the factor by per cents.
+
+    The factor need not stand out of its neighbours: strong lines beside the comb hide how much better it is, and
+    whether it is will be asked of the lines along the angle. So will be whether the wander makes them clearer.
+    """
+    scaled = nominal * comb.factor
+    scaled = scaled + angle_within_a_turn(torque, scaled, orders, comb.floor)
+    strayed, ends = wander(torque, scaled, orders, comb.floor, rate)
+    told = f"from the set-point times {comb.factor:.5f}"
+    found = [
+        _Found(scaled, f"{told}, by the comb of lines", ends),
+        _Found(scaled + strayed, f"{told} and its wander, by the comb of lines", ends),
+    ]
     course = speed_course(torque, nominal, orders, rate=rate)
     if course is not None:
         angle = np.cumsum(np.gradient(nominal) * course)
@@ -104,26 +120,26 @@ def _steady_angles(
             strayed, ends = wander(torque, angle, orders, comb.floor, rate, acceleration=bend, livelier=(1.0,))
             angle = angle + strayed
             angle = angle + angle_within_a_turn(torque, angle, orders, comb.floor)
-        found.append((angle, "from the course of the comb of lines around the set-point", ends))
+        told = "from the course of the comb of lines around the set-point"
+        found.append(_Found(angle, told, ends, price=_PLAINER))
     return found
 
 
 def _best_of(
-    found: Sequence[tuple[NDArray[np.float64], str, float]],
+    found: Sequence[_Found],
     torque: NDArray[np.float64],
     nominal: NDArray[np.float64],
     orders: NDArray[np.float64],
     comb: _Comb,
 ) -> MotorAngle:
     """Return the angle along which the lines stand out most, the set-point's where they stand out in none."""
-    heights = [_coherence(torque, angle, orders, comb.floor) for angle, _, _ in found]
+    heights = [_coherence(torque, each.angle, orders, comb.floor) for each in found]
     if not found or max(heights) < _COHERENT:
         return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))
-    # the plainer one, which comes first, unless the other is clearly better
-    angle, told, ends = found[int(np.argmax([height - _PLAINER * row for row, height in enumerate(heights)]))]
-    angle = angle + angle_within_a_turn(torque, angle, orders, comb.floor)
+    best = found[int(np.argmax([height - each.price for height, each in zip(heights, found, strict=True)]))]
+    angle = best.angle + angle_within_a_turn(torque, best.angle, orders, comb.floor)
     known = comb.sd if comb.stands_out else 0.0
-    return MotorAngle(angle, told, max(known, ends / abs(float(angle[-1] - angle[0]))))
+    return MotorAngle(angle, best.told, max(known, best.ends / abs(float(angle[-1] - angle[0]))))
 
 
 def _coherence(
@@ -139,7 +155,10 @@ def _coherence(
 
 @dataclass(frozen=True)
 class _Comb:
-    """The factor on the set-point, its standard uncertainty, and the noise power of a bin beside each line [unit^2]."""
+    """The likeliest factor on the set-point, its uncertainty, and the noise power of a bin beside each line [unit^2].
+
+    Where the factor does not stand out the uncertainty is that of the set-point.
+    """
 
     factor: float
     sd: float
@@ -170,9 +189,9 @@ def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDA
             information += np.where(excess > 7, excess, 0.0) * (2 * np.pi * order / per_bin) ** 2 / 6
     best = int(np.argmax(score))
     spread = 1.4826 * float(np.median(np.abs(score - np.median(score))))
-    if not score[best] - np.median(score) > _STANDS_OUT * spread or not information[best]:
-        return _Comb(1.0, _SET_POINT_ERROR / np.sqrt(3), floor, stands_out=False)
-    return _Comb(float(factors[best]), float(1 / np.sqrt(information[best])), floor, stands_out=True)
+    stands_out = bool(score[best] - np.median(score) > _STANDS_OUT * spread and information[best])
+    sd = float(1 / np.sqrt(information[best])) if stands_out else _SET_POINT_ERROR / np.sqrt(3)
+    return _Comb(float(factors[best]), sd, floor, stands_out)
 
 
 def _floor(power: NDArray[np.float64], position: float) -> float:

@@ -101,3 +101,32 @@ def test_a_tone_that_no_order_could_be_seen_at_stays_one(
     (peak,) = lines_left([run], (), rig=wear_rig.rig)
     assert peak.place.domain == domain
     assert peak.place.frequency(100.0) == pytest.approx(tone, rel=0.02)
+
+
+@pytest.mark.parametrize(("tone", "domain"), [(1000.0, "order"), (4000.0, "frequency")])
+def test_a_tone_among_many_whole_orders_keeps_its_frequency(
+    tone: float, domain: str, by_hand: Callable[..., Observed], wear_rig: Scenario
+) -> None:
+    """At 250 times the speed seven whole orders of the output lie within what an unmeasured speed may be off."""
+    rate = 25_000.0
+    time = np.arange(150_000) / rate
+    noise = 0.02 * np.random.default_rng(1).standard_normal(time.size)
+    angle = 100.0 * time + 0.3 * np.sin(2 * pi * 0.4 * time)
+    run = by_hand(1.0 + 0.2 * np.cos(2 * pi * tone * time) + noise, angle, rate=rate, measured=False)
+    found = lines_left([run], (), rig=wear_rig.rig)
+    assert found[0].place.domain == domain
+    assert found[0].place.frequency(run.mean_speed) == pytest.approx(tone, rel=3e-3)
+
+
+@pytest.mark.parametrize(("seed", "also"), [(4, (2.6, 5.2)), (5, (2.6,)), (6, (2.6, 5.2, 7.8))])
+def test_strong_blades_do_not_lead_the_angle_astray(
+    seed: int, also: tuple[float, ...], wear_rig: Scenario, record: Callable[..., Recording]
+) -> None:
+    """Their lines hide which factor of the comb fits best; along it the lines stand out all the same."""
+    bladed = wear_rig.rig + BladePass(name="blades", order_output=13.0, amplitude=1.5)
+    full = record(bladed, seed, rpm=440.0, duration=12.0)
+    blind = replace(full, channels={name: one for name, one in full.channels.items() if one.quantity == "torque"})
+    (true,), _ = shaft_angles([full], wear_rig.rig)
+    (angle,), _ = shaft_angles([blind], wear_rig.rig, also=also)
+    apart = angle.values - true.values
+    assert float(np.std(apart - apart.mean())) < 0.1

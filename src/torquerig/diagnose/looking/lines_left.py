@@ -21,7 +21,8 @@ _PASSES = 3
 _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
 _ASKED = 5  # of the clearest: whether they may keep their frequency
 _LEADING = 150.0  # power over the floor of a line that a shaft is better followed by
-_WHOLE_ITSELF = 0.1  # [1/rev of the output] so near a peak says by itself on which whole order it stands
+_HARMONICS = 6  # of a line, up to which others are taken for its own
+_AMONG_MANY = 3.0  # whole orders of the output either way: which of them is meant nobody could tell
 _WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
 
 
@@ -105,7 +106,7 @@ def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[
     """Return the whole output order that a peak stands on, else its own place.
 
     At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency, or it stands
-    where no order can be seen. Of whole orders among which an unmeasured angle leaves the choice, a harmonic of
+    where no order can be seen, or so high that it stands among many. Of whole orders among which an unmeasured angle leaves the choice, a harmonic of
     a line of the ``series`` wins.
     """
     at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
@@ -114,6 +115,8 @@ def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[
             return peak.place
         at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
     reach = max(_WHOLE, SHIFTED * min((run.smearing for run in shown), default=0.0) * at)
+    if peak.place.domain == "frequency" and reach * ratio > _AMONG_MANY:
+        return peak.place
     whole = min(_wholes(at * ratio, reach * ratio), key=lambda one: _preferred(one, at * ratio, series), default=0)
     if whole <= 0:
         return peak.place
@@ -129,5 +132,5 @@ def _wholes(at: float, reach: float) -> range:
 
 def _preferred(whole: int, at: float, series: Sequence[int]) -> tuple[bool, float]:
     """Return by what a whole order is chosen, least first."""
-    near = abs(whole - at) < _WHOLE_ITSELF
-    return not (near or any(whole % first == 0 for first in series)), abs(whole - at)
+    harmonic = any(whole % first == 0 and whole <= _HARMONICS * first for first in series)
+    return not harmonic, abs(whole - at)
