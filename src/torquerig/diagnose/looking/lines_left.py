@@ -106,8 +106,8 @@ def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[
     """Return the whole output order that a peak stands on, else its own place.
 
     At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency, or it stands
-    where no order can be seen, or so high that it stands among many. Of whole orders among which an unmeasured angle leaves the choice, a harmonic of
-    a line of the ``series`` wins.
+    where no order can be seen, or so high that it stands among many. Of whole orders among which an unmeasured angle
+    leaves the choice, a harmonic of a line of the ``series`` wins.
     """
     at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
     if peak.place.domain == "frequency":
