@@ -17,7 +17,7 @@ _FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
 # few small gears have more teeth: odds of one in twenty, and of one in four hundred, twice their logarithms
 _UNCOMMON = {150: 6.0, 200: 12.0}
 _STRONGEST = 5  # lines that are tried as a mesh
-_HARMONICS = 4
+_HARMONICS, _FURTHEST = 4, 6  # that smeared ones may hide, and that are looked for where they show
 _SMALL = 1e-6  # [rad]
 _OF_THE_FIRST = 0.1  # a harmonic that shows in bands or by its side lines alone starts there
 _FIRST = 0.1  # of the largest: an error of teeth is largest once per tooth, and half the teeth would do without
@@ -46,7 +46,8 @@ def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = Fal
     turns = abs(gear.ratio)
     planets = next((n for n in (3, 4, 5) if _beside(case, teeth, n, turns)), None)
     # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well
-    seen = [1, *(h for h in range(2, _HARMONICS + 1) if smeared or _shows(case, h * teeth, planets, turns))]
+    further = range(2, _FURTHEST + 1)
+    seen = [1, *(h for h in further if (smeared and h <= _HARMONICS) or _shows(case, h * teeth, planets, turns))]
     part = mechanisms.GearMesh(
         name="gear_mesh",
         gear=gear.name,
