@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from torquerig.signals.recording import Recording
 
 _SET_POINT_ERROR = 0.015  # share by which the real speed may differ from the set-point (the rig's sheet: 0.01)
+_UNTOLD = _SET_POINT_ERROR / np.sqrt(3)  # its standard deviation where no line tells more
 _STANDS_OUT = 5.0  # robust standard deviations by which the comb's best score must exceed its median
 _PLAINER = 3.0  # by which a free course must be the more coherent
 _COURSE_ROUNDS = 2  # of following the lines' phases after a course: the first straightens its steps
@@ -77,7 +78,7 @@ def motor_angle_from_torque(
     comb = _comb(torque, nominal, orders)
     if recording.run.profile != "steady":
         if not comb.stands_out:
-            return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))
+            return MotorAngle(nominal, _NONE_STANDS_OUT, comb.sd)
         told = f"from the set-point profile times {comb.factor:.5f}, by the comb of lines"
         return MotorAngle(nominal * comb.factor, told, comb.sd)
     found = _steady_angles(torque, nominal, orders, comb, recording.sample_rate)
@@ -135,7 +136,7 @@ def _best_of(
     """Return the angle along which the lines stand out most, the set-point's where they stand out in none."""
     heights = [_coherence(torque, each.angle, orders, comb.floor) for each in found]
     if not found or max(heights) < _COHERENT:
-        return MotorAngle(nominal, _NONE_STANDS_OUT, _SET_POINT_ERROR / np.sqrt(3))
+        return MotorAngle(nominal, _NONE_STANDS_OUT, _UNTOLD)
     best = found[int(np.argmax([height - each.price for height, each in zip(heights, found, strict=True)]))]
     angle = best.angle + angle_within_a_turn(torque, best.angle, orders, comb.floor)
     known = comb.sd if comb.stands_out else 0.0
@@ -190,7 +191,7 @@ def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDA
     best = int(np.argmax(score))
     spread = 1.4826 * float(np.median(np.abs(score - np.median(score))))
     stands_out = bool(score[best] - np.median(score) > _STANDS_OUT * spread and information[best])
-    sd = float(1 / np.sqrt(information[best])) if stands_out else _SET_POINT_ERROR / np.sqrt(3)
+    sd = float(1 / np.sqrt(information[best])) if stands_out else _UNTOLD
     return _Comb(float(factors[best]), sd, floor, stands_out)
 
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-from typing import Any, cast
+from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.hypotheses import gear_mesh, is_possible
-from torquerig.diagnose.looking.peaks import Peak
-from torquerig.diagnose.looking.places import order
 from torquerig.mechanisms import GearMesh
 from torquerig.scenario.reading import Scenario
 
@@ -19,13 +17,8 @@ from torquerig.scenario.reading import Scenario
     ("line", "expected"),
     [(56.0, {280: 12.0, 140: 0.0}), (36.0, {180: 6.0, 90: 0.0}), (16.8, {84: 0.0, 42: 0.0})],
 )
-def test_many_teeth_cost(
-    line: float, expected: dict[int, float], wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(gear_mesh, "line_factor", lambda case, rig, place: 1.0)
-    peak = Peak(place=order(line), excess=50.0, runs=("run1",), speeds=1)
-    case = SimpleNamespace(left=(peak,), nominal=wear_rig.rig, runs=(), model=SimpleNamespace(rig=wear_rig.rig))
-    found: list[Any] = list(gear_mesh.propose(cast("Case", case)))
+def test_many_teeth_cost(line: float, expected: dict[int, float], with_lines_left: Callable[..., Case]) -> None:
+    found: list[Any] = list(gear_mesh.propose(with_lines_left(line)))
     assert {round(each.parts[0].order_output): each.price for each in found} == expected
 
 

@@ -52,7 +52,7 @@ def smeared_orders(runs: Sequence[Observed], known: Sequence[float], *, ratio: f
         both, shift = np.minimum(_widest(first, 2), _widest(second, 2)), round(apart / _STEP)
         for at in _tops(both):
             stays = max(_near(second, at + shift), _near(first, at - shift))
-            place = _whole(float(orders[at]), ratio)
+            place = _meant(float(orders[at]), ratio)
             if stays < 0.5 * _STANDS_OUT and all(abs(place / order - 1) > _NEAR for order in known):
                 found[place] = max(found.get(place, 0.0), float(both[at]))
     clearest = sorted(found, key=lambda place: -found[place])
@@ -64,7 +64,7 @@ def _grid() -> Floats:
 
 
 def _heights(run: Observed) -> Floats:
-    """Return the logarithm of the power gathered around each order over what stands on its higher side."""
+    """Return the logarithm of the power gathered around each order over that beside it, on the higher side."""
     seen = [stretch for stretch in run.stretches if not stretch.held]
     torque = run.torque[seen[0].start : seen[-1].stop]
     power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
@@ -99,6 +99,6 @@ def _near(heights: Floats, at: int, reach: int = _HALF) -> float:
     return float(heights[max(at - reach, 0) : at + reach + 1].max(initial=_NONE)) if 0 <= at < heights.size else _NONE
 
 
-def _whole(at: float, ratio: float) -> float:
+def _meant(at: float, ratio: float) -> float:
     """Return the whole order of the motor that is meant, else the nearest one of the output."""
     return float(round(at)) if abs(at / round(at) - 1) < _WHOLE else round(at * ratio) / ratio
