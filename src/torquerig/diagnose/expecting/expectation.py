@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.expecting.added_signals import added_signals, moving_zero
 from torquerig.diagnose.expecting.rounding_noise import rounded_lines, rounding_density, rounding_tolerance
 from torquerig.diagnose.expecting.skirts import skirts
+from torquerig.diagnose.expecting.swayed_lines import swayed_lines
 from torquerig.diagnose.linear.quasi_static import quasi_static
 from torquerig.diagnose.linear.twin import Twin, passed
 from torquerig.diagnose.linear.winding import wound_torque
@@ -92,6 +93,16 @@ class _Shown:
         if not route.rows.size and route.band is not None:
             self.power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
 
+    def doubt_by(self, seen: Features, place: Place, size: Floats, bands: Floats) -> None:
+        """Put a line that may stand there into the doubt of the place that shows it, or its density into ``bands``."""
+        if not self.doubt.size:
+            return
+        route = seen.route(place)
+        at = route.rows, route.column
+        self.doubt[at] = np.hypot(self.doubt[at], size[route.rows] * route.part)
+        if not route.rows.size and route.band is not None:
+            bands[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
+
 
 def expected(rig: Rig, seen: Features) -> Expectation:
     """Return what the linear twin of ``rig`` expects of the run of ``seen``."""
@@ -107,12 +118,17 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     stretches = len(seen.stretches)
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
     shown = _Shown(power, *(np.zeros((stretches, len(seen.places))) for _ in range(2)))
-    for line, size in zip(twin.lines(), _sizes(twin, points, balance.motor, steady=observed.steady), strict=True):
+    sizes = _sizes(twin, points, balance.motor, steady=observed.steady)
+    for line, size in zip(twin.lines(), sizes, strict=True):
         shown.add(seen, order(line.order), size)
     for tone, volts in added.tones:
         shown.add(seen, frequency(tone), np.full(stretches, volts))
+    mean_speed = np.abs(seen.speed).mean(axis=1)
+    sides = np.zeros(power.size)
+    for place, size in swayed_lines(twin, seen, sizes=sizes, points=mean_speed, motor=balance.motor, power=power):
+        shown.doubt_by(seen, place, size, sides)
     level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
-    beside = skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)
+    beside = (skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)) + sides
     power = power + beside
     flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
     tolerance = np.hypot(beside / power, _RINGING_SHAPE * flank / power)

@@ -40,11 +40,14 @@ class Shafts:
         Torque in the measured spring per torque on a node [1].
     drive : dict of ndarray, shape (points,)
         Torque that the speed loop answers with [1]; empty without a speed loop.
+    angle : dict of ndarray, shape (points,)
+        By which the motor's shaft sways [rad/(N m)]; empty without a speed loop.
     """
 
     frequency: NDArray[np.float64]
     reading: dict[str, Response]
     drive: dict[str, Response]
+    angle: dict[str, Response]
 
     def at(self, response: Response, frequencies: NDArray[np.float64]) -> Response:
         """Return a response at other frequencies [Hz], by its real and imaginary part over the logarithm."""
@@ -135,10 +138,9 @@ def _solve(rig: Rig, terms: Sequence[Term]) -> Shafts:
     adjoint = np.linalg.solve(np.transpose(dynamic, (0, 2, 1)), asked)
     force = spring.stiffness + s * spring.damping
     reading = {name: np.asarray(force * adjoint[:, at, 0], dtype=np.complex128) for name, at in row.items()}
-    answered = {
-        name: np.asarray(-loops[0] * adjoint[:, at, 1], dtype=np.complex128) for name, at in row.items() if drives
-    }
-    return Shafts(grid, reading, answered)
+    angle = {name: np.asarray(adjoint[:, at, 1], dtype=np.complex128) for name, at in row.items() if drives}
+    answered = {name: np.asarray(-loops[0] * swayed) for name, swayed in angle.items()}
+    return Shafts(grid, reading, answered, angle)
 
 
 def _refined(system: Matrices) -> NDArray[np.float64]:

@@ -30,11 +30,13 @@ _BLADE_SERIES = tuple(float(2 * np.mean(_PULSE * np.cos(k * _TURN))) for k in ra
 class Passage:
     """The transfer of something to the reading: ``response`` of the shafts on their grid, then the sensor's low-pass.
 
-    Where ``answer`` is given it is multiplied by the size of that response at ``slower`` times the frequency.
+    Where ``answer`` is given it is multiplied by the size of that response at ``slower`` times the frequency. ``sway``
+    is the response of the motor's angle to the same thing [rad], None without a speed loop.
     """
 
     twin: Twin
     response: Response
+    sway: Response | None = None
     answer: Response | None = None
     slower: float = 1.0
 
@@ -65,6 +67,16 @@ class _Torque(NamedTuple):
     against: str
     order: float
     amplitude: float
+
+
+def _torque(passed: dict[str, Response], node: str, against: str) -> Response:
+    """Return what a torque between two nodes does, from what a torque on each does."""
+    return passed[node] if against == GROUND else passed[node] - passed[against]
+
+
+def _error(passed: dict[str, Response], spring: Spring, force: Response) -> Response:
+    """Return the same of a kinematic error in a spring of so much force per turn."""
+    return np.asarray(force * (passed[spring.b] - passed[spring.a] / (spring.ratio * spring.efficiency)))
 
 
 def passed(passages: Sequence[Passage], frequencies: Floats) -> Response:
@@ -103,16 +115,16 @@ class Twin:
 
     def torque_on(self, node: str, against: str = GROUND) -> Passage:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
-        reading = self.shafts.reading
-        return Passage(self, reading[node] if against == GROUND else reading[node] - reading[against])
+        sway = _torque(self.shafts.angle, node, against) if self.shafts.angle else None
+        return Passage(self, _torque(self.shafts.reading, node, against), sway)
 
     def error_in(self, spring: str) -> Passage:
         """Return the transfer of a kinematic error in ``spring`` [rad at its b side] to the reading [N m per rad]."""
         term = self.springs[spring]
-        reading = self.shafts.reading
-        force = term.stiffness + 2j * pi * self.shafts.frequency * term.damping
-        response = force * (reading[term.b] - reading[term.a] / (term.ratio * term.efficiency))
-        return Passage(self, response + force if spring == self.rig.measured else response)
+        force = np.asarray(term.stiffness + 2j * pi * self.shafts.frequency * term.damping, dtype=np.complex128)
+        sway = _error(self.shafts.angle, term, force) if self.shafts.angle else None
+        response = _error(self.shafts.reading, term, force)
+        return Passage(self, response + force if spring == self.rig.measured else response, sway)
 
     def lines(self) -> tuple[LineSource, ...]:
         """Return every line of the rig that follows a shaft."""
@@ -162,10 +174,9 @@ class Twin:
         and order n makes ``d |t| / 2`` of it at n + m and at n - m.
         """
         passed = self.torque_on(drive.on)
-        answered = self.shafts.drive
-        for slow in self._torques() if answered else ():
+        for slow in self._torques() if self.shafts.drive else ():
             if slow.order < order and depth * slow.amplitude > 0:
-                answer = answered[slow.on] - (answered[slow.against] if slow.against != GROUND else 0.0)
+                answer = _torque(self.shafts.drive, slow.on, slow.against)
                 for side in (order - slow.order, order + slow.order):
                     beside = replace(passed, answer=answer, slower=slow.order / side)
                     yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, beside)

@@ -1,0 +1,95 @@
+"""How a slow line sways the motor's angle, and what that puts beside a fast one: the simulator beside first order."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.expecting.expectation import expected
+from torquerig.diagnose.expecting.swayed_lines import swayed_lines
+from torquerig.diagnose.linear.quasi_static import quasi_static
+from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.features import Features, features
+from torquerig.diagnose.looking.observed import observed
+from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.shaft_angle import ShaftAngle
+from torquerig.mechanisms import TorqueRipple
+from torquerig.rig.rig import Rig
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+from torquerig.simulate.simulate import simulate
+
+SLOW, FAST, SPEED = 6.0, 36.0, 500 * pi / 30
+SIDES = (FAST - SLOW, FAST + SLOW)
+
+
+def rig_of(scenario: Scenario, *, slow: float) -> Rig:
+    """A motor with torque of order 36, 0.1 N m, and of order 6; no load."""
+    rig = scenario.rig
+    for ripple in rig.parts_of(TorqueRipple):
+        own = {SLOW: slow, FAST: 0.1} if ripple.name == "motor.mechanical" else {}
+        rig = rig.changed(replace(ripple, amplitudes=own))
+    return rig.at(replace(rig.run, speed=SPEED, occupancy_percent=0.0, profile="steady"))
+
+
+def looked(rig: Rig, *, measured: bool) -> Features:
+    """A run of the rig along its true angle, or along one that turns evenly."""
+    made: Recording = simulate(rig, duration=12.0, seed=2, sample_rate=10_000.0)
+    true = made.channels["true_motor_angle_rad"].values
+    angle = true if measured else np.polyval(np.polyfit(np.arange(true.size), true, 1), np.arange(true.size))
+    run = observed(made, ShaftAngle(angle, measured=measured, origin="test"), ratio=5.0, factor=1.0)
+    return features(run, [order(at) for at in (SLOW, *SIDES, FAST)], held=None)
+
+
+def told(rig: Rig, seen: Features) -> dict[float, float]:
+    """Size of each side line [N m], mean over the stretches."""
+    twin, fast = Twin(rig), seen.places.index(order(FAST))
+    model = expected(rig, seen)
+    sizes = np.array([model.amplitude[:, seen.places.index(order(line.order))] for line in twin.lines()])
+    speed = np.abs(seen.speed).mean(axis=1)
+    motor = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration).motor
+    assert model.amplitude[:, fast].mean() == pytest.approx(np.abs(seen.amplitude[:, fast]).mean(), rel=0.05)
+    found = swayed_lines(twin, seen, sizes=sizes, points=speed, motor=motor, power=model.power)
+    return {place.at: float(size.mean()) for place, size in found if place.at in SIDES}
+
+
+@pytest.mark.parametrize("measured", [False, True])
+def test_a_slow_line_gives_a_fast_one_side_lines(measured: bool, wear_rig: Scenario) -> None:
+    """Along an angle that was measured, what the shafts pass otherwise at 30 and 42 than at 36 is left."""
+    rig = rig_of(wear_rig, slow=0.05)
+    seen = looked(rig, measured=measured)
+    sizes = told(rig, seen)
+    assert set(sizes) == {*SIDES}
+    for side in SIDES:
+        shown = float(np.abs(seen.amplitude[:, seen.places.index(order(side))]).mean())
+        assert shown == pytest.approx(sizes[side], rel=0.15), side
+
+
+def test_side_lines_are_a_doubt_and_no_lines(wear_rig: Scenario) -> None:
+    """A rig without the slow line has none; with it they stand in the tolerance of their places."""
+    with_it, without = (rig_of(wear_rig, slow=slow) for slow in (0.05, 0.0))
+    seen = looked(with_it, measured=False)
+    assert told(without, seen) == {}
+    columns = [seen.places.index(order(side)) for side in SIDES]
+    model, bare = expected(with_it, seen), expected(without, seen)
+    assert np.all(model.amplitude[:, columns] == 0.0)
+    assert np.all(np.broadcast_to(bare.amplitude_tolerance, model.amplitude.shape)[:, columns] == 0.0)
+    doubt = np.broadcast_to(model.amplitude_tolerance, model.amplitude.shape)[:, columns].mean(axis=0)
+    assert doubt == pytest.approx([told(with_it, seen)[side] for side in SIDES], rel=1e-6)
+
+
+def test_side_lines_where_nothing_was_asked_for_are_in_their_band(wear_rig: Scenario) -> None:
+    """Their power over the width of the band, and that band's density in doubt."""
+    rig = rig_of(wear_rig, slow=0.05)
+    seen = looked(rig, measured=False)
+    asked = features(seen.observed, [order(SLOW), order(FAST)], held=None)
+    model, bare = expected(rig, asked), expected(rig_of(wear_rig, slow=0.0), asked)
+    beyond = (model.power - bare.power) * asked.width
+    assert beyond.sum() == pytest.approx(0.5 * sum(size**2 for size in told(rig, seen).values()), rel=0.1)
+    bands = beyond > 1e-3 * beyond.max()
+    assert np.flatnonzero(bands).size == 2
+    share = (beyond / asked.width / model.power)[bands]
+    assert np.broadcast_to(model.power_tolerance, beyond.shape)[bands] == pytest.approx(share, rel=0.05)
