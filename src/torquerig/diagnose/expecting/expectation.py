@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.expecting.added_signals import added_signals, moving_zero
 from torquerig.diagnose.expecting.rounding_noise import rounded_lines, rounding_density, rounding_tolerance
 from torquerig.diagnose.expecting.skirts import skirts
-from torquerig.diagnose.expecting.swayed_lines import swayed_lines
+from torquerig.diagnose.expecting.sway import Sway
 from torquerig.diagnose.linear.quasi_static import quasi_static
 from torquerig.diagnose.linear.twin import Twin, passed
 from torquerig.diagnose.linear.winding import wound_torque
@@ -119,13 +119,13 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     balance = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration)
     shown = _Shown(power, *(np.zeros((stretches, len(seen.places))) for _ in range(2)))
     sizes = _sizes(twin, points, balance.motor, steady=observed.steady)
-    for line, size in zip(twin.lines(), sizes, strict=True):
+    sway = Sway(twin, seen, turns=np.abs(seen.speed).mean(axis=1) / (2 * pi), motor=balance.motor)
+    for line, size in zip(twin.lines(), sizes * sway.left(), strict=True):
         shown.add(seen, order(line.order), size)
     for tone, volts in added.tones:
         shown.add(seen, frequency(tone), np.full(stretches, volts))
-    mean_speed = np.abs(seen.speed).mean(axis=1)
     sides = np.zeros(power.size)
-    for place, size in swayed_lines(twin, seen, sizes=sizes, points=mean_speed, motor=balance.motor, power=power):
+    for place, size in sway.beside(sizes, power):
         shown.doubt_by(seen, place, size, sides)
     level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
     beside = (skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)) + sides

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.expecting.expectation import expected
-from torquerig.diagnose.expecting.swayed_lines import swayed_lines
+from torquerig.diagnose.expecting.sway import Sway
 from torquerig.diagnose.linear.quasi_static import quasi_static
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features, features
@@ -26,11 +26,11 @@ SLOW, FAST, SPEED = 6.0, 36.0, 500 * pi / 30
 SIDES = (FAST - SLOW, FAST + SLOW)
 
 
-def rig_of(scenario: Scenario, *, slow: float) -> Rig:
-    """A motor with torque of order 36, 0.1 N m, and of order 6; no load."""
+def rig_of(scenario: Scenario, *, slow: float, at: float = SLOW) -> Rig:
+    """A motor with torque of order 36, 0.1 N m, and of a slow order; no load."""
     rig = scenario.rig
     for ripple in rig.parts_of(TorqueRipple):
-        own = {SLOW: slow, FAST: 0.1} if ripple.name == "motor.mechanical" else {}
+        own = {at: slow, FAST: 0.1} if ripple.name == "motor.mechanical" else {}
         rig = rig.changed(replace(ripple, amplitudes=own))
     return rig.at(replace(rig.run, speed=SPEED, occupancy_percent=0.0, profile="steady"))
 
@@ -44,16 +44,36 @@ def looked(rig: Rig, *, measured: bool) -> Features:
     return features(run, [order(at) for at in (SLOW, *SIDES, FAST)], held=None)
 
 
+def swayed(rig: Rig, seen: Features) -> Sway:
+    """How the rig's lines sway its motor in the run."""
+    twin, speed = Twin(rig), seen.speed.mean(axis=1)
+    motor = quasi_static(twin, speed=speed, acceleration=seen.acceleration).motor
+    return Sway(twin, seen, turns=np.abs(speed) / (2 * pi), motor=motor)
+
+
 def told(rig: Rig, seen: Features) -> dict[float, float]:
     """Size of each side line [N m], mean over the stretches."""
-    twin, fast = Twin(rig), seen.places.index(order(FAST))
-    model = expected(rig, seen)
-    sizes = np.array([model.amplitude[:, seen.places.index(order(line.order))] for line in twin.lines()])
-    speed = np.abs(seen.speed).mean(axis=1)
-    motor = quasi_static(twin, speed=seen.speed.mean(axis=1), acceleration=seen.acceleration).motor
+    fast = seen.places.index(order(FAST))
+    model, sway = expected(rig, seen), swayed(rig, seen)
+    sizes = np.array([model.amplitude[:, seen.places.index(order(line.order))] for line in Twin(rig).lines()])
     assert model.amplitude[:, fast].mean() == pytest.approx(np.abs(seen.amplitude[:, fast]).mean(), rel=0.05)
-    found = swayed_lines(twin, seen, sizes=sizes, points=speed, motor=motor, power=model.power)
-    return {place.at: float(size.mean()) for place, size in found if place.at in SIDES}
+    return {place.at: float(size.mean()) for place, size in sway.beside(sizes, model.power) if place.at in SIDES}
+
+
+@pytest.mark.parametrize("slow", [0.03, 0.06, 0.12])
+def test_a_line_loses_what_the_slow_one_takes_from_its_phase(slow: float, wear_rig: Scenario) -> None:
+    """Bessel's J0, from a twentieth to most of it; along an angle that was measured the line is whole."""
+    rig = rig_of(wear_rig, slow=slow, at=1.0)
+    shown = {}
+    for measured in (True, False):
+        seen = looked(rig, measured=measured)
+        column = seen.places.index(order(FAST))
+        shown[measured] = float(np.abs(seen.amplitude[:, column]).mean())
+        left = swayed(rig, seen).left()[[line.order for line in Twin(rig).lines()].index(FAST)]
+        whole = expected(rig, seen).amplitude[:, column].mean() / left.mean()
+        assert shown[True] == pytest.approx(whole, rel=0.05)
+    assert shown[False] / shown[True] == pytest.approx(left.mean(), abs=0.1 * (1 - left.mean()))
+    assert np.all(swayed(rig, looked(rig, measured=True)).left() == 1.0)
 
 
 @pytest.mark.parametrize("measured", [False, True])

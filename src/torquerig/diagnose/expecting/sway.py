@@ -1,0 +1,98 @@
+"""What a swaying shaft does to lines: slow ones sway the motor's angle, and with it the phase of fast ones.
+
+The side lines are wanted as a doubt and not as lines: what stands at one is not yet another effect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import j0, j1
+
+from torquerig.diagnose.linear.twin import LineSource, Twin, passed
+from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.places import Place, order
+
+Floats = NDArray[np.float64]
+
+_REACH = 16.0  # orders of the motor: what strays faster moves no shaft far
+_FOLLOWED = 2.0  # [Hz] slower than this an angle that was not measured is followed in the torque
+_SLOWEST = 0.05  # [Hz]
+_DOUBT = 0.3  # of what a line loses [1]: the sway is a model's, and lines of one shaft sway it together
+_LITTLE = 0.1  # [rad] takes a four-hundredth of a line
+_LARGEST = 1.84  # [rad] where Bessel's J1 is largest
+
+
+class Sway:
+    """How a rig's lines sway its motor, seen along the angle of a run.
+
+    A line of order m that sways the motor's angle by ``delta`` leaves ``J0(n delta)`` of a line of order n and size A,
+    and gives it side lines ``J1(n delta) A`` at n + m and n - m, J being Bessel's functions and the source periodic in
+    the angle. Along an angle that was measured the line is whole, and of the side lines that is left which the shafts
+    pass otherwise there than at the line.
+
+    Parameters
+    ----------
+    turns : ndarray, shape (stretches,)
+        Of the motor [1/s].
+    motor : ndarray, shape (stretches,)
+        Its torque [N m].
+    """
+
+    def __init__(self, twin: Twin, seen: Features, *, turns: Floats, motor: Floats) -> None:
+        self.seen, self.turns, self.lines = seen, turns, twin.lines()
+        slow = [line for line in self.lines if line.order <= _REACH and line.transfer.sway is not None]
+        self.orders = np.array([line.order for line in self.lines])[:, None]
+        self.slow = np.array([line.order for line in slow])
+        # by how much each line's phase is swayed [rad], shape (lines, slow, stretches)
+        self.phase = self.orders[:, None] * _sways(twin, slow, turns, motor) if slow else np.zeros((0, 0, turns.size))
+        self.phase[self.slow >= self.orders] = 0.0
+
+    def left(self) -> Floats:
+        """Return what is left of each line, shape (lines, stretches)."""
+        if self.seen.observed.angle_measured or not self.slow.size:
+            return np.ones((len(self.lines), self.turns.size))
+        loses = (self.phase > _LITTLE) & (self.slow[:, None] * self.turns > _FOLLOWED)
+        left = np.ones_like(self.phase)
+        left[loses] = j0(self.phase[loses])
+        return np.asarray(np.abs(np.prod(left, axis=1)))
+
+    def beside(self, sizes: Floats, power: Floats) -> Iterator[tuple[Place, Floats]]:
+        """Yield where more or less than the rig's lines may stand, and how much [N m], shape (stretches,).
+
+        Parameters
+        ----------
+        sizes : ndarray, shape (lines, stretches)
+            Of the lines in the reading, were nothing swayed [N m].
+        power : ndarray, shape (bands,)
+            Density that the lines stand in [(N m)^2/Hz]: side lines below the spread of an amplitude are passed over.
+        """
+        if not self.slow.size:
+            return
+        doubt = _DOUBT * (1 - self.left()) * sizes
+        spread = np.sqrt(np.interp(self.orders * self.turns, self.seen.band, np.nan_to_num(power)) / self.seen.duration)
+        for row in np.flatnonzero((doubt > spread).any(axis=1)):
+            yield order(self.lines[row].order), doubt[row]
+        fast, by = np.nonzero((0.5 * self.phase * sizes[:, None] > spread[:, None]).any(axis=2))
+        if fast.size:
+            side = j1(np.minimum(self.phase[fast, by], _LARGEST)) * sizes[fast]
+            yield from self._side_lines(fast, self.slow[by, None], side)
+
+    def _side_lines(self, fast: NDArray[np.intp], apart: Floats, size: Floats) -> Iterator[tuple[Place, Floats]]:
+        """Yield the side lines of some lines, so many orders to both sides, as the shafts pass them."""
+        through = [self.lines[row].transfer for row in fast]
+        own = passed(through, self.orders[fast] * self.turns)
+        for orders in (self.orders[fast] - apart, self.orders[fast] + apart):
+            relative = passed(through, orders * self.turns) / own
+            passing = np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)
+            yield from zip(map(order, orders[:, 0].tolist()), size * passing, strict=True)
+
+
+def _sways(twin: Twin, slow: Sequence[LineSource], turns: Floats, motor: Floats) -> Floats:
+    """Return by how much slow lines sway the motor's angle in each stretch [rad], shape (lines, stretches)."""
+    sway = [line.transfer.sway for line in slow if line.transfer.sway is not None]
+    at = np.maximum(np.array([line.order for line in slow])[:, None] * turns, _SLOWEST)
+    source = np.array([line.amplitude * (np.abs(motor) if line.by_load else np.ones(motor.size)) for line in slow])
+    return np.asarray(source * np.abs(twin.shafts.each_at(sway, at)))
