@@ -17,6 +17,7 @@ from torquerig.diagnose.fitting.misfit import Misfit
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging import leftover
 from torquerig.diagnose.judging.leftover import detail_of
+from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.null_table import NullTable
 from torquerig.mechanisms import CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.rig import Rig
@@ -48,6 +49,19 @@ def test_what_explains_its_places_comes_before_a_stand_in_that_gains_more(case: 
     assert judging.worth(case, effect) > judging.worth(case, stand_in)
     assert judging.convincing(case, effect, earlier=(), held=())
     assert not judging.convincing(case, stand_in, earlier=(), held=())
+
+
+def test_of_two_that_explain_one_line_the_larger_gain_comes_first(case: Case, wear_rig: Scenario) -> None:
+    """They claim the same, so that a rest tells no stand-in; at another line the one that explains all comes first."""
+    line = order(42.0)
+    rests = trial(wear_rig.rig, "commutation_ripple", *[3.0] * 40, before=case.model)
+    whole = trial(wear_rig.rig, "cogging", *[1.0] * 36, *[10.0] * 4, before=case.model)
+    rests, whole = (replace(each, candidate=replace(each.candidate, place=line)) for each in (rests, whole))
+    assert rests.gain > whole.gain
+    assert judging.worth(case, rests) < judging.worth(case, whole)
+    assert judging.worthiest(case, [whole, rests]) is rests
+    elsewhere = replace(rests, candidate=replace(rests.candidate, place=order(84.0)))
+    assert judging.worthiest(case, [whole, elsewhere]) is whole
 
 
 def test_of_what_explains_all_the_larger_gain_comes_first(case: Case, wear_rig: Scenario) -> None:

@@ -20,3 +20,13 @@ def test_a_ripple_turns_with_the_field(line: float, dearer: bool, with_lines_lef
     if dearer:
         (slots,) = cogging.propose(case)
         assert ripple.price > 10 * slots.price
+
+
+@pytest.mark.parametrize(("multiple", "free"), [(1, True), (2, True), (6, True), (18, True), (5, False), (8, False)])
+def test_balanced_phases_have_torque_at_the_sixth_and_its_multiples(
+    multiple: int, free: bool, with_lines_left: Callable[..., Case]
+) -> None:
+    """Offsets of current make the first, unequal gains the second; the eighth, 56, no winding makes of itself."""
+    case = with_lines_left(multiple * 7.0)
+    (ripple,) = [each for each in commutation_ripple.propose(case) if each.place == order(multiple * 7.0)]
+    assert (ripple.price == 0.0) is free

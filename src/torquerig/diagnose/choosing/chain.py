@@ -10,7 +10,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
 from torquerig.diagnose.choosing.confidence import confidence_of
-from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, worth
+from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, worthiest
 from torquerig.diagnose.choosing.explained import (
     LARGEST_REST,
     LEAST_SHARE_WHERE_ALL_FITS,
@@ -86,7 +86,7 @@ def _chain(
         if not good or len(accepted) == MOST_EFFECTS:
             break
         of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
-        best = max(of_each.values(), key=partial(worth, case))
+        best = worthiest(case, [*of_each.values()])
         if small_beside(best, [each.trial for each in accepted]) and not stands_in_simulations(case, best):
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]

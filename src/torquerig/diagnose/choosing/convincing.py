@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, explained_share
@@ -110,6 +111,17 @@ def hopeful(case: Case, trial: Trial) -> bool:
 def worth(case: Case, trial: Trial) -> float:
     """Return the gain, less for what leaves a rest at its places: a stand-in may gain more than what is there."""
     return trial.gain * min(max(share_of(case, trial), 0.0) / _ALL, 1.0) ** _WHOLLY
+
+
+def worthiest(case: Case, found: Sequence[Trial]) -> Trial:
+    """Return the trial that is worth most; of those that explain the same line, the one that gains most."""
+    best = max(found, key=partial(worth, case))
+    place = best.candidate.place
+    return max((each for each in found if place and each.candidate.place == place), key=_gain, default=best)
+
+
+def _gain(trial: Trial) -> float:
+    return trial.gain
 
 
 def share_of(case: Case, trial: Trial) -> float:

@@ -14,10 +14,12 @@ from torquerig.rig.parts import Motor
 
 _STRONGEST = 5
 _MAIN = (6, 12)  # field orders of a six-step drive
+_UNBALANCED = (1, 2)  # those of phases that are not alike
 _SKIRTED = 0.05  # [1] depth at which one that shows no line is started
 _START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 100.0  # no current of the motor turns so: what else it may be is likelier, if not by far the worse
+_NO_HARMONIC = 20.0  # balanced phases have torque at 6p and its multiples alone, offsets of current p, unequal gains 2p
 _TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
 _DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a factor of two
 
@@ -25,8 +27,8 @@ _DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Car
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield a ripple for each of the strongest lines at a whole motor order.
 
-    Currents, their offsets and unequal gains all turn with the field: p, 2p, 6p and their multiples; other orders pay,
-    and so does 12p where no line at 6p leads it.
+    Currents, their offsets and unequal gains all turn with the field: p, 2p and the multiples of 6p; other multiples
+    pay, orders that no current has pay more, and so does 12p where no line at 6p leads it.
     """
     motors = case.nominal.parts_of(Motor)
     if motors:
@@ -66,9 +68,14 @@ def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
 
 def _price(motor: Motor, order_motor: float) -> float:
     """Return what a ripple whose lowest line stands at a whole motor order must gain beside."""
-    if round(order_motor) % (motor.pole_pairs or 1):
+    if not motor.pole_pairs:
+        return 0.0
+    multiple, beside = divmod(round(order_motor), motor.pole_pairs)
+    if beside:
         return _BESIDE_THE_FIELD
-    return _TWELFTH_ALONE if round(order_motor) == _MAIN[1] * (motor.pole_pairs or 0) else 0.0
+    if multiple not in _UNBALANCED and multiple % _MAIN[0]:
+        return _NO_HARMONIC
+    return _TWELFTH_ALONE if multiple == _MAIN[1] else 0.0
 
 
 def _with_harmonics(case: Case, part: mechanisms.CommutationRipple) -> tuple[mechanisms.CommutationRipple, list[Knob]]:
