@@ -30,8 +30,9 @@ class Sway:
 
     A line of order m that sways the motor's angle by ``delta`` leaves ``J0(n delta)`` of a line of order n and size A,
     and gives it side lines ``J1(n delta) A`` at n + m and n - m, J being Bessel's functions and the source periodic in
-    the angle. Along an angle that was measured the line is whole, and of the side lines that is left which the shafts
-    pass otherwise there than at the line.
+    the angle (Jacobi and Anger's expansion, Abramowitz & Stegun 1964, 9.1.41). Along an angle that was measured the
+    line is whole, and of the side lines that is left which the shafts pass otherwise there than at the line. True while
+    the slow lines are far below the shafts' modes or known with them; side lines of side lines are left out.
 
     Parameters
     ----------
