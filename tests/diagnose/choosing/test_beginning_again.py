@@ -57,7 +57,7 @@ def world(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[str, ...], float]:
     monkeypatch.setattr(chain, "hopeful", lambda case, each: False)
     # blades alone leave the hum, which is too much; a mesh bends until it looks right
     monkeypatch.setattr(chain, "convincing", lambda case, each, **_: each.candidate.mechanism != "blades")
-    monkeypatch.setattr(chain, "worth", lambda case, each: each.gain)
+    monkeypatch.setattr(chain, "worthiest", lambda case, found: max(found, key=lambda each: each.gain))
     return costs
 
 
