@@ -67,7 +67,7 @@ def gear_mesh(draw: Draw) -> Drawn:
 
 
 def commutation_ripple(draw: Draw) -> Drawn:
-    order, depth = float(round(draw(8, 11))), draw(0.06, 0.12)
+    order, depth = 42.0, draw(0.06, 0.12)  # six times the field: what six steps make
     part = CommutationRipple(name="hidden", order_motor=order, depth=depth)
     return Drawn(part=part, parameters={"order_motor": (order, 1e-3), "depth": (depth, 0.12)})
 
