@@ -8,7 +8,8 @@ from dataclasses import replace
 from proof.library import library_of
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.identifying import identifying
-from torquerig.diagnose.choosing.search import Trial, extended, trials
+from torquerig.diagnose.choosing.search import extended, trials
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Diagnosis, Finding
 from torquerig.diagnose.judging.held_out import held_out

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.search import LEAST_GAIN, excess
+from torquerig.diagnose.choosing.search import excess
+from torquerig.diagnose.choosing.trial import LEAST_GAIN
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.knobs import with_free_load
 from torquerig.diagnose.free_names import with_free_names

@@ -50,6 +50,8 @@ class Candidate:
         Names of the model's knobs that are fitted far off where it is missing, and come back where it is not.
     slow : bool
         Whether it moves the slow torque and nothing else, so that lines and bands tell nothing of it.
+    resembled : bool
+        Whether laws that differ, or noise, look like it, so that what no fit has seen does not bear a small gain out.
     within : mapping of str to (float, float)
         95 % intervals of fields of its first part that no knob fits, in the part's units.
     """
@@ -64,6 +66,7 @@ class Candidate:
     loosens: tuple[str, ...] = ()
     bends: tuple[str, ...] = ()
     slow: bool = False
+    resembled: bool = False
     within: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     def added_to(self, rig: Rig) -> Rig:

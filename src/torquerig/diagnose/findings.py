@@ -14,8 +14,9 @@ from torquerig.diagnose.choosing.equivalence import equivalents
 from torquerig.diagnose.choosing.identifying import identifying
 from torquerig.diagnose.choosing.numbers_held import with_numbers_held
 from torquerig.diagnose.choosing.revising import Accepted
-from torquerig.diagnose.choosing.search import LEAST_GAIN, Trial, Tried
+from torquerig.diagnose.choosing.search import Tried
 from torquerig.diagnose.choosing.set_aside import set_aside
+from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.neutral import in_words

@@ -9,6 +9,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.knobs import nuisance_knobs
 from torquerig.diagnose.looking.combs import without_comb
+from torquerig.diagnose.looking.common_tones import common_tones, lead_astray
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.hum import hum_places
 from torquerig.diagnose.looking.lines_left import Strong, known_places, lines_left, strong_lines
@@ -33,8 +34,16 @@ def followed(recordings: Sequence[Recording], mended: Sequence[Recording], rig: 
     those tones taken off.
     """
     runs = _runs(recordings, mended, rig, Strong())
+    tones = common_tones(runs)
+    if tones:
+        without = _with(tones, _runs(recordings, mended, rig, Strong(tones=tones)))
+        own = [place.at for place in known_places(runs, rig) if place.domain == "order"]
+        runs, tones = (without, tones) if lead_astray(runs, without, tones, own) else (runs, ())
     strong = strong_lines(runs, rig)
-    return _runs(recordings, mended, rig, strong) if strong.orders or strong.tones else runs
+    if not strong.orders and not strong.tones:
+        return runs
+    strong = replace(strong, tones=(*tones, *(tone for tone in strong.tones if tone not in tones)))
+    return _with(tones, _runs(recordings, mended, rig, strong))
 
 
 def opened(
@@ -70,6 +79,10 @@ def _runs(
     ratio = kinematics_of(rig).ratio
     runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(mended, angles, strict=True)]
     return tuple(replace(run, recording=replace(raw, run=run.run)) for run, raw in zip(runs, recordings, strict=True))
+
+
+def _with(tones: tuple[float, ...], runs: Sequence[Observed]) -> tuple[Observed, ...]:
+    return tuple(replace(run, tones=tones) for run in runs)
 
 
 def _less(recording: Recording, tones: Sequence[float]) -> Recording:

@@ -22,7 +22,7 @@ best_angle         the best angle and speed that a recording has, and which sour
 angle              the motor's angle from its channels; tacho: by pulses; speed_from_torque: by the comb of lines
                    (with speed_course, where it wanders by per cents, wander, where it strays slowly from a course,
                    angle_within_a_turn, where it ripples with the shaft, speed_far_off, where the sheet is wrong,
-                   and smooth_course)
+                   coherence, how far lines stand out along an angle, and smooth_course)
 load_response      what a model of the rig says the sensor makes of the load
 line_fit           sines of given orders, fitted block by block
 spectrum           amplitude spectra

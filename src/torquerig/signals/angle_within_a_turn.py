@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Phasors = NDArray[np.complex128]
 
-_SLOW = 2.05  # orders of the motor up to here turn slowly enough to move it
+SLOW = 2.05  # orders of the motor up to here turn slowly enough to move it
 _SLOWEST_CARRIER = 2.5  # [1/rev] what is slower moves the shaft more than it shows it
 _APART = 0.03  # a side line nearer than this to a known line tells nothing
 _CLEAR = 30.0  # power over the floor that makes a line a carrier
@@ -41,7 +41,7 @@ def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Fl
     -----
     True while ``n |c|`` stays below about 1. What moves the shaft at other orders than the slow known ones stays.
     """
-    slow = orders[orders < _SLOW]
+    slow = orders[orders < SLOW]
     if not slow.size:
         return np.zeros_like(angle)
     window = np.hanning(torque.size)

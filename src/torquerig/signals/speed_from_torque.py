@@ -11,7 +11,7 @@ import numpy as np
 from torquerig.errors import RecordingError
 from torquerig.signals.angle import MotorAngle
 from torquerig.signals.angle_within_a_turn import angle_within_a_turn
-from torquerig.signals.filters.turning.sums import order_sums
+from torquerig.signals.coherence import coherence, floor_beside, order_power
 from torquerig.signals.set_point import set_point_profile
 from torquerig.signals.speed_course import speed_course
 from torquerig.signals.wander import ACCELERATION, wander
@@ -27,7 +27,6 @@ _UNTOLD = _SET_POINT_ERROR / np.sqrt(3)  # its standard deviation where no line 
 _STANDS_OUT = 5.0  # robust standard deviations by which the comb's best score must exceed its median
 _PLAINER = 3.0  # by which a free course must be the more coherent
 _COURSE_ROUNDS = 2  # of following the lines' phases after a course: the first straightens its steps
-_OF_NOISE = 0.6  # mean of log(1 + x) of an exponential x of mean 1 (exactly 0.596)
 _COHERENT = 20.0  # by which a course's lines must stand out: noise alone, followed, has been seen at half of it
 _NONE_STANDS_OUT = "from the set-point alone: no comb of lines stands out"
 
@@ -134,24 +133,13 @@ def _best_of(
     comb: _Comb,
 ) -> MotorAngle:
     """Return the angle along which the lines stand out most, the set-point's where they stand out in none."""
-    heights = [_coherence(torque, each.angle, orders, comb.floor) for each in found]
+    heights = [coherence(torque, each.angle, orders, comb.floor) for each in found]
     if not found or max(heights) < _COHERENT:
         return MotorAngle(nominal, _NONE_STANDS_OUT, _UNTOLD)
     best = found[int(np.argmax([height - each.price for height, each in zip(heights, found, strict=True)]))]
     angle = best.angle + angle_within_a_turn(torque, best.angle, orders, comb.floor)
     known = comb.sd if comb.stands_out else 0.0
     return MotorAngle(angle, best.told, max(known, best.ends / abs(float(angle[-1] - angle[0]))))
-
-
-def _coherence(
-    torque: NDArray[np.float64], angle: NDArray[np.float64], orders: NDArray[np.float64], floor: NDArray[np.float64]
-) -> float:
-    """Sum of the logs by which the lines stand over the noise if the angle is right, less what noise itself has."""
-    known = np.isfinite(floor)
-    edges = np.array([0, torque.size])
-    in_phase, quadrature = order_sums(torque, angle / (2 * np.pi), orders[known], edges, offset=torque.mean())[:, :, 0]
-    heights = np.log1p((in_phase**2 + quadrature**2) / torque.size / floor[known])
-    return float(np.sum(heights - _OF_NOISE))
 
 
 @dataclass(frozen=True)
@@ -169,14 +157,9 @@ class _Comb:
 
 def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64]) -> _Comb:
     """Scan the speed factor for the largest summed log power of the order spectrum at the lines."""
-    turned = np.abs(nominal)
-    even = np.linspace(turned[0], turned[-1], torque.size)
-    signal = np.interp(even, turned, torque) if np.ptp(np.diff(turned)) > 1e-9 * turned[-1] else torque
-    window = np.hanning(signal.size)
-    power = np.abs(np.fft.rfft((signal - signal.mean()) * window)) ** 2 / (window**2).sum()
-    per_bin = 2 * np.pi / ((turned[-1] - turned[0]) * signal.size / (signal.size - 1))  # order of one bin
+    power, per_bin = order_power(torque, nominal)
     seen = orders[orders * (1 + _SET_POINT_ERROR) / per_bin < 0.9 * power.size]
-    floor = np.array([_floor(power, order / per_bin) for order in orders])
+    floor = floor_beside(power, orders / per_bin, within=_SET_POINT_ERROR)
     step = 0.25 * per_bin / max(seen.max(initial=1.0), 1.0)
     factors = 1 + np.arange(-_SET_POINT_ERROR, _SET_POINT_ERROR, step)
     score = np.zeros(factors.size)
@@ -193,10 +176,3 @@ def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDA
     stands_out = bool(score[best] - np.median(score) > _STANDS_OUT * spread and information[best])
     sd = float(1 / np.sqrt(information[best])) if stands_out else _UNTOLD
     return _Comb(float(factors[best]), sd, floor, stands_out)
-
-
-def _floor(power: NDArray[np.float64], position: float) -> float:
-    half = max(int(position * _SET_POINT_ERROR), 20)
-    near = power[max(int(position) - half, 1) : int(position) + half]
-    # the median of a chi-square with two degrees of freedom is ln 2 of its mean
-    return float(np.median(near) / np.log(2)) + 1e-300 if near.size else np.inf

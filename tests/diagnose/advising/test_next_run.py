@@ -12,8 +12,9 @@ from threadpoolctl import threadpool_limits
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.choosing.search import Trial, Tried, excess
+from torquerig.diagnose.choosing.search import Tried, excess
 from torquerig.diagnose.choosing.set_aside import set_aside
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Finding
 from torquerig.mechanisms import Cogging, CommutationRipple, PwmAliasing

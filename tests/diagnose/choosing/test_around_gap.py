@@ -13,7 +13,8 @@ from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.convincing import convincing
 from torquerig.diagnose.choosing.gap_trial import FittedGap
 from torquerig.diagnose.choosing.revising import Accepted
-from torquerig.diagnose.choosing.search import Trial, Tried
+from torquerig.diagnose.choosing.search import Tried
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.misfit import Misfit

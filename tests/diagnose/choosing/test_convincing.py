@@ -10,7 +10,7 @@ import pytest
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import convincing as judging
-from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.misfit import Misfit
@@ -211,6 +211,8 @@ def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
     before = model(wear_rig.rig, *[1.0] * 40, 5.6)
     effect = trial(wear_rig.rig, "blade_pass", *[1.0] * 41, before=before)
     assert judged_again(before, effect, share=share, held_gain=held_gain) is named
+    alike = replace(effect, candidate=replace(effect.candidate, resembled=True))
+    assert not judged_again(before, alike, share=share, held_gain=held_gain)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.choosing.equivalence import CHANCE, difference, equivalents
-from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.misfit import Misfit

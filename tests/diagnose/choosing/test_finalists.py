@@ -1,13 +1,24 @@
-"""Which hypotheses are fitted with all numbers free: the promising, and what moves the slow torque alike."""
+"""Which hypotheses are fitted with all numbers free: the promising, what moves the slow torque alike, the absorbed."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
 
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate
-from torquerig.diagnose.choosing.search import Trial, _finalists
+from torquerig.diagnose.choosing import screening
+from torquerig.diagnose.choosing.screening import finalists
+from torquerig.diagnose.choosing.trial import Trial
+
+
+@dataclass
+class Held:
+    """What of a model the screening asks."""
+
+    rig: str
 
 
 def trial(name: str, gain: float, *, slow: bool = False) -> Trial:
@@ -20,18 +31,36 @@ def trial(name: str, gain: float, *, slow: bool = False) -> Trial:
 def test_slow_rivals_of_a_slow_effect_are_always_fitted(drag: float, named: list[str]) -> None:
     """Friction and load have taken their part of a drag: what is left looks small until they are free."""
     screened = [trial("sensor_drift", 80.0, slow=True), trial("quadratic_drag", drag, slow=True), trial("hump", 4.0)]
-    assert [each.candidate.mechanism for each in _finalists(screened)] == named
+    assert [each.candidate.mechanism for each in finalists(screened)] == named
 
 
 def test_beside_a_line_small_gains_are_not_fitted() -> None:
     screened = [trial("gear_mesh", 80.0), trial("cogging", 30.0), trial("quadratic_drag", 10.0, slow=True)]
-    assert [each.candidate.mechanism for each in _finalists(screened)] == ["gear_mesh", "cogging"]
-    assert _finalists([trial("gear_mesh", -5.0)]) == []
+    assert [each.candidate.mechanism for each in finalists(screened)] == ["gear_mesh", "cogging"]
+    assert finalists([trial("gear_mesh", -5.0)]) == []
 
 
 def test_slow_ones_do_not_crowd_out_a_line() -> None:
     """A bent slow torque lets all of its rivals gain; blades, which bent it, are seen by their line alone so far."""
     slow = [trial(f"slow {row}", 250.0 - row, slow=True) for row in range(6)]
     lines = [trial(f"line {row}", 140.0 - row) for row in range(4)]
-    named = [each.candidate.mechanism for each in _finalists([*slow, *lines])]
+    named = [each.candidate.mechanism for each in finalists([*slow, *lines])]
     assert named == [f"slow {row}" for row in range(5)] + ["line 0", "line 1"]
+
+
+def test_what_the_numbers_stood_in_for_is_fitted_once_they_give_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A heavy mode passes for inertia: with the model held it fits worse, with its numbers free far better."""
+    costs = {"model": 900.0, "heavy": 800.0, "light": 860.0, "little": 890.0}
+    monkeypatch.setattr(screening, "profiled_cost", lambda model, rig, seen: costs[rig])
+    case = cast(Any, SimpleNamespace(model=Held("model"), seen=()))
+
+    def tried(mechanism: str, rig: str, *bends: str) -> Trial:
+        candidate = SimpleNamespace(
+            mechanism=mechanism, bends=bends, knobs=(1,), price=0.0, added_to=lambda _: rig
+        )  # fmt: skip
+        return Trial(cast(Any, candidate), cast(Any, None), -7.0)
+
+    every = [tried("mode", "light", "inertia"), tried("mode", "heavy", "inertia"), tried("branch", "little", "inertia")]
+    (found,) = screening.given_way_to(case, every)
+    assert (found.model.rig, found.gain) == ("heavy", 100.0 - screening.PER_KNOB)
+    assert screening.given_way_to(case, [tried("bandwidth", "heavy")]) == []

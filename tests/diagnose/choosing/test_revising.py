@@ -10,7 +10,8 @@ import pytest
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import revising
 from torquerig.diagnose.choosing.revising import Accepted, revised
-from torquerig.diagnose.choosing.search import Trial, Tried
+from torquerig.diagnose.choosing.search import Tried
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.mechanisms import MainsInterference, PwmAliasing, QuadraticDrag

@@ -11,8 +11,8 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing import secondary
-from torquerig.diagnose.choosing.search import Trial
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.mechanisms import QuadraticDrag, SensorBandwidth

@@ -9,7 +9,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.choosing.search import LEAST_GAIN
+from torquerig.diagnose.choosing.trial import LEAST_GAIN
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import misfit
 from torquerig.diagnose.linear.quasi_static import quasi_static

@@ -74,6 +74,14 @@ def test_what_takes_its_time_is_no_step(clean: Recording) -> None:
     assert mean_steps([stepped(clean, 1.5, rise=0.5)]) == ((),)
 
 
+def test_what_rests_on_its_limit_is_not_asked(clean: Recording) -> None:
+    """Three quarters of the samples stand on the limit; what lies below it for a moment seems to step."""
+    spoilt = volts_of(stepped(clean, -1.5))
+    limited = [clean.with_values("torque_V", np.minimum(spoilt, np.quantile(spoilt, part))) for part in (0.25, 0.95)]
+    assert mean_steps(limited[:1]) == ((),)
+    assert len(mean_steps(limited[1:])[0]) == 2
+
+
 def test_a_strong_line_has_no_steps(clean: Recording) -> None:
     time = np.arange(clean.samples) / RATE
     for hertz in (1.3, 7.0, 50.0):

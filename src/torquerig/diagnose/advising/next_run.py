@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.advising.candidate_runs import CandidateRun, candidate_runs
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.equivalence import CHANCE
-from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.expecting.expectation import Expectation, expected
 from torquerig.diagnose.expecting.simulated import expected_by_simulation
 from torquerig.diagnose.fitting.calibration import Calibrated

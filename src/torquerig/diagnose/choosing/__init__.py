@@ -1,5 +1,6 @@
 """Which effects complete a model.
 
+trial        a hypothesis fitted, and its price       screening    which are fitted with all numbers free
 search       the hypotheses fitted, best first        gap_trial    a gap, which no linear twin has
 explained    what of a mismatch went                  convincing   when an effect may be named
 equivalence  rivals that cannot be told apart         revising     each looked back at beside the others

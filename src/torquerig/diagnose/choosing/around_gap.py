@@ -8,7 +8,7 @@ from dataclasses import replace
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, simulated_model
 from torquerig.diagnose.choosing.revising import Accepted
-from torquerig.diagnose.choosing.search import PER_KNOB, Trial
+from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
 from torquerig.errors import SimulationError
 
 _GAP = "backlash"

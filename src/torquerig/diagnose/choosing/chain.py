@@ -18,8 +18,9 @@ from torquerig.diagnose.choosing.explained import (
     left_at_its_places,
 )
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
-from torquerig.diagnose.choosing.search import MOST_EFFECTS, Trial, Tried, excess, trials
+from torquerig.diagnose.choosing.search import MOST_EFFECTS, Tried, excess, trials
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE

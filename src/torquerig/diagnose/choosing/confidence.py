@@ -8,7 +8,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.convincing import share_of
 from torquerig.diagnose.choosing.explained import gained_at_its_places
 from torquerig.diagnose.choosing.revising import Accepted
-from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.choosing.trial import Trial
 
 LEAST = 0.6  # below it neither of two names was right in 1200 blind trials, from 0.6 to 0.7 three of three
 # of a logistic curve over `terms`; made by `python -m proof.confidence_fit` on blind trials of the seeds 21 to 23

@@ -7,7 +7,8 @@ from functools import partial
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, explained_share
-from torquerig.diagnose.choosing.search import LEAST_GAIN, WELL, Trial, excess, feature_count
+from torquerig.diagnose.choosing.search import WELL, excess, feature_count
+from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum, missed_alone
 from torquerig.diagnose.judging.leftover import mismatches
@@ -58,7 +59,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
         return False
     alone = not (earlier or trial.candidate.description)
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
-    borne_out = share > _WHOLE and trusted > _AGAIN
+    borne_out = share > _WHOLE and trusted > _AGAIN and not trial.candidate.resembled
     return share > _enough(trial, trusted) and (trial.gain > least or borne_out)
 
 
@@ -117,11 +118,8 @@ def worthiest(case: Case, found: Sequence[Trial]) -> Trial:
     """Return the trial that is worth most; of those that explain the same line, the one that gains most."""
     best = max(found, key=partial(worth, case))
     place = best.candidate.place
-    return max((each for each in found if place and each.candidate.place == place), key=_gain, default=best)
-
-
-def _gain(trial: Trial) -> float:
-    return trial.gain
+    alike = [each for each in found if place is not None and each.candidate.place == place]
+    return max(alike, key=lambda trial: trial.gain, default=best)
 
 
 def share_of(case: Case, trial: Trial) -> float:

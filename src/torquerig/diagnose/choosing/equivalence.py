@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.choosing.search import PER_KNOB, Trial
+from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.misfit import Misfit, robust
 from torquerig.diagnose.looking.features import Features

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.search import LEAST_GAIN
+from torquerig.diagnose.choosing.trial import LEAST_GAIN
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.knobs import turned
 

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.search import LEAST_GAIN, PER_KNOB, Trial, Tried, extended, trials, unexplained
+from torquerig.diagnose.choosing.search import Tried, extended, trials, unexplained
+from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.side_by_side import of_each
 

@@ -9,44 +9,27 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
+from torquerig.diagnose.choosing.screening import BENT, finalists, given_way_to, screened
+from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.knobs import turned
 from torquerig.diagnose.hypotheses import is_possible, proposers
 from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import Place
 from torquerig.diagnose.neutral import descriptions
 from torquerig.diagnose.side_by_side import of_each
 from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
-PER_KNOB = 5.0  # what a further number must gain, beside the square of its own position
-LEAST_GAIN = 40.0  # what an effect must gain to be called missing
-_FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _POLISHED = 2  # of the best, which are fitted on until nothing moves
-_WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
-_JOINT_DERIVATIVES, _LOOSE_DERIVATIVES = 3, 3
-_BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
+_JOINT_DERIVATIVES = 3
 WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
-
-
-@dataclass(frozen=True)
-class Trial:
-    """A candidate fitted together with all numbers of the model; ``gain`` is what the misfit fell by, knobs paid.
-
-    ``beside`` is the misfit of what no twin expects, before and with it: how flanks fly across a gap. ``gap`` takes the
-    place of one that was found earlier, where its width was told again around the candidate.
-    """
-
-    candidate: Candidate
-    model: Calibrated
-    gain: float
-    beside: tuple[float, float] = (0.0, 0.0)
-    gap: Candidate | None = None
 
 
 @dataclass(frozen=True)
@@ -65,12 +48,14 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     """Return the hypotheses fitted to what the model leaves.
 
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
-    numbers free. ``simulated`` ones, which take longest, may be left out.
+    numbers free, from there and, what bends these numbers, as it was proposed. ``simulated`` ones, which take longest,
+    may be left out.
     """
     sources = (*proposers(case), descriptions)
-    of_sources = of_each(lambda propose: [_screened(case, candidate) for candidate in propose(case)], sources)
-    screened = sorted((trial for each in of_sources for trial in each), key=lambda trial: -trial.gain)
-    fitted = sorted(of_each(partial(_joint, case), _finalists(screened)), key=lambda trial: -trial.gain)
+    of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], sources)
+    tried = sorted((trial for each in of_sources for trial in each), key=lambda trial: -trial.gain)
+    last = [*finalists(tried), *given_way_to(case, tried)]
+    fitted = _one_of_a_kind(sorted(of_each(partial(_joint, case), last), key=lambda trial: -trial.gain))
     promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
     fitted[: len(promising)] = of_each(partial(_polished, case), promising)
     gap_failed = False
@@ -81,25 +66,15 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
             gap_failed = True
     fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
     fitted.sort(key=lambda trial: -trial.gain)
-    return Tried(tuple(fitted), tuple(screened), gap_failed)
+    return Tried(tuple(fitted), tuple(tried), gap_failed)
 
 
-def _finalists(screened: Sequence[Trial]) -> list[Trial]:
-    """Return those worth fitting with all numbers free: the best, and of what moves the slow torque alike any.
-
-    The latter do not crowd out the others: what loosens the slow torque gains by that alone where it is bent.
-    """
-    top = screened[0].gain if screened else 0.0
-    finalists: list[Trial] = []
-    others = 0
-    for trial in screened:
-        alike = any(trial.candidate.loosens and other.candidate.loosens for other in finalists)
-        worthwhile = trial.gain > (0 if alike else _WORTHWHILE * max(top, 0.0))
-        room = len(finalists) < _FINALISTS or (not alike and others < _OTHERS)
-        if worthwhile and room and not _repeated(trial, finalists):
-            finalists.append(trial)
-            others += not alike
-    return finalists
+def _one_of_a_kind(fitted: Sequence[Trial]) -> list[Trial]:
+    """Return the first of each mechanism, line and variant: some are fitted from two beginnings."""
+    answer: dict[tuple[str, Place | None, str], Trial] = {}
+    for trial in fitted:
+        answer.setdefault((trial.candidate.mechanism, trial.candidate.place, trial.candidate.variant), trial)
+    return [*answer.values()]
 
 
 def _gap(case: Case) -> list[Trial]:
@@ -148,27 +123,6 @@ def feature_count(model: Calibrated) -> int:
     return sum(misfit.seen for misfit in model.misfits)
 
 
-def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
-    """Whether the same mechanism stands among ``others`` for the same line already."""
-    mine = trial.candidate
-    same = [o for o in others if o.candidate.mechanism == mine.mechanism]
-    return any(o.candidate.place == mine.place and o.candidate.variant == mine.variant for o in same) or len(same) > 1
-
-
-def _screened(case: Case, candidate: Candidate) -> Trial:
-    rig = candidate.added_to(case.model.rig)
-    loose = [knob for knob in case.model.knobs if knob.field in candidate.loosens]
-    knobs, steps = (*candidate.knobs, *loose), _LOOSE_DERIVATIVES if loose else 2
-    model = calibrated(rig, case.seen, knobs, derivatives=steps, corrections=case.model.corrections or None)
-    bent = [
-        knob.name in candidate.bends and abs(at) > _BENT
-        for knob, at in zip(case.model.knobs, case.model.positions, strict=True)
-    ]
-    kept = case.model.positions[~np.array(bent, dtype=bool)]
-    before = case.model.cost - float(kept @ kept)
-    return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)
-
-
 def _joint(case: Case, trial: Trial) -> Trial:
     """Fit all numbers together, from where the model stands and from where it stands apart from lines it lacks.
 
@@ -190,7 +144,7 @@ def _joint(case: Case, trial: Trial) -> Trial:
     if answer.model.cost < WELL * feature_count(answer.model):
         return answer
     apart = case.apart if case.left and case.apart is not None else None
-    if apart is None or np.abs(apart).max(initial=0.0) > _BENT:
+    if apart is None or np.abs(apart).max(initial=0.0) > BENT:
         apart = np.zeros(len(case.model.knobs))
     beside = trial.candidate.added_to(turned(base, case.model.knobs, apart))
     alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=3, corrections=held)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.choosing.search import Trial
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches

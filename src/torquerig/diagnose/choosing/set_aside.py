@@ -9,7 +9,8 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import explained_share
 from torquerig.diagnose.choosing.gap_trial import gap_is_possible
 from torquerig.diagnose.choosing.opened_gap import flanks_may_part
-from torquerig.diagnose.choosing.search import Trial, Tried, excess
+from torquerig.diagnose.choosing.search import Tried, excess
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.hypotheses import CLASSES
 from torquerig.diagnose.hypotheses.reasons import why_none
 from torquerig.scenario.kinematics import gears_to_sensor

@@ -18,6 +18,7 @@ from torquerig.diagnose.linear.winding import wound_torque
 from torquerig.diagnose.looking.features import POINTS, Features
 from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.diagnose.looking.regression import HANN_NOISE
+from torquerig.diagnose.looking.route import Route
 from torquerig.diagnose.looking.turning import STEPS, Turning
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
@@ -90,8 +91,7 @@ class _Shown:
         self.amplitude[at] = both
         crossed = route.guest * before * own / np.maximum(np.sqrt(2) * both, 1e-12)
         self.doubt[at] = np.hypot(self.doubt[at], crossed)
-        if not route.rows.size and route.band is not None:
-            self.power[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
+        _spread(size, route, self.power, seen)
 
     def doubt_by(self, seen: Features, place: Place, size: Floats, bands: Floats) -> None:
         """Put a line that may stand there into the doubt of the place that shows it, or its density into ``bands``."""
@@ -100,8 +100,13 @@ class _Shown:
         route = seen.route(place)
         at = route.rows, route.column
         self.doubt[at] = np.hypot(self.doubt[at], size[route.rows] * route.part)
-        if not route.rows.size and route.band is not None:
-            bands[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
+        _spread(size, route, bands, seen)
+
+
+def _spread(size: Floats, route: Route, bands: Floats, seen: Features) -> None:
+    """Put the power of a line that no place shows into its band."""
+    if not route.rows.size and route.band is not None:
+        bands[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
 
 
 def expected(rig: Rig, seen: Features) -> Expectation:
@@ -182,8 +187,7 @@ def _sizes(twin: Twin, points: Floats, motor: Floats, *, steady: bool) -> Floats
     orders = np.array([line.order for line in lines])[:, None]
     at_each = passed([line.transfer for line in lines], np.maximum(orders * points / (2 * pi), 0.05))
     gain = np.abs(at_each if steady else at_each.reshape(len(lines), -1, POINTS).mean(axis=2))
-    source = [line.amplitude * (np.abs(motor) if line.by_load else np.ones(motor.size)) for line in lines]
-    return np.asarray(gain * np.array(source))
+    return np.asarray(gain * np.array([line.source(motor) for line in lines]))
 
 
 def _noise(rig: Rig, seen: Features) -> Floats:

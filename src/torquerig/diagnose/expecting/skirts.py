@@ -13,7 +13,7 @@ from torquerig.rig.terms import Inertia
 
 Floats = NDArray[np.float64]
 
-_FOLLOWED = 2.0  # [Hz] slower than this the angle is followed
+FOLLOWED = 2.0  # [Hz] slower than this an angle that was not measured is followed in the torque
 _TAKEN_OUT = 0.5  # of the smearing width beside a line no bin counts
 
 
@@ -39,7 +39,7 @@ def _by_phase(twin: Twin, seen: Features) -> Floats:
     orders = np.array([seen.places[column].at for column in turning])[power > 0]
     at = orders[:, None] * abs(seen.observed.mean_speed) / (2 * pi)
     apart = np.maximum(
-        np.abs(seen.band - at), np.maximum(_FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at)
+        np.abs(seen.band - at), np.maximum(FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at)
     )  # fmt: skip
     return np.asarray((0.25 * power[power > 0] * orders**2) @ _straying(twin, apart))
 

@@ -11,14 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import j0, j1
 
+from torquerig.diagnose.expecting.skirts import FOLLOWED
 from torquerig.diagnose.linear.twin import LineSource, Twin, passed
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.places import Place, order
+from torquerig.diagnose.looking.side_lines import REACH
+from torquerig.signals.angle_within_a_turn import SLOW
 
 Floats = NDArray[np.float64]
 
-_REACH = 16.0  # orders of the motor: what strays faster moves no shaft far
-_FOLLOWED = 2.0  # [Hz] slower than this an angle that was not measured is followed in the torque
 _SLOWEST = 0.05  # [Hz]
 _DOUBT = 0.3  # of what a line loses [1]: the sway is a model's, and lines of one shaft sway it together
 _LITTLE = 0.1  # [rad] takes a four-hundredth of a line
@@ -31,8 +32,11 @@ class Sway:
     A line of order m that sways the motor's angle by ``delta`` leaves ``J0(n delta)`` of a line of order n and size A,
     and gives it side lines ``J1(n delta) A`` at n + m and n - m, J being Bessel's functions and the source periodic in
     the angle (Jacobi and Anger's expansion, Abramowitz & Stegun 1964, 9.1.41). Along an angle that was measured the
-    line is whole, and of the side lines that is left which the shafts pass otherwise there than at the line. True while
-    the slow lines are far below the shafts' modes or known with them; side lines of side lines are left out.
+    line is whole, and of the side lines that is left which the shafts pass otherwise there than at the line.
+
+    In a steady run the sway of the slowest lines is followed in the torque (``signals/angle_within_a_turn.py``): they
+    take nothing, and only their side lines stay in doubt. True while the slow lines are far below the shafts' modes or
+    known with them; side lines of side lines are left out.
 
     Parameters
     ----------
@@ -44,7 +48,7 @@ class Sway:
 
     def __init__(self, twin: Twin, seen: Features, *, turns: Floats, motor: Floats) -> None:
         self.seen, self.turns, self.lines = seen, turns, twin.lines()
-        slow = [line for line in self.lines if line.order <= _REACH and line.transfer.sway is not None]
+        slow = [line for line in self.lines if line.order <= REACH and line.transfer.sway is not None]
         self.orders = np.array([line.order for line in self.lines])[:, None]
         self.slow = np.array([line.order for line in slow])
         # by how much each line's phase is swayed [rad], shape (lines, slow, stretches)
@@ -55,7 +59,10 @@ class Sway:
         """Return what is left of each line, shape (lines, stretches)."""
         if self.seen.observed.angle_measured or not self.slow.size:
             return np.ones((len(self.lines), self.turns.size))
-        loses = (self.phase > _LITTLE) & (self.slow[:, None] * self.turns > _FOLLOWED)
+        unseen = self.slow[:, None] * self.turns > FOLLOWED
+        if self.seen.observed.steady:
+            unseen &= self.slow[:, None] > SLOW
+        loses = (self.phase > _LITTLE) & unseen
         left = np.ones_like(self.phase)
         left[loses] = j0(self.phase[loses])
         return np.asarray(np.abs(np.prod(left, axis=1)))
@@ -95,5 +102,4 @@ def _sways(twin: Twin, slow: Sequence[LineSource], turns: Floats, motor: Floats)
     """Return by how much slow lines sway the motor's angle in each stretch [rad], shape (lines, stretches)."""
     sway = [line.transfer.sway for line in slow if line.transfer.sway is not None]
     at = np.maximum(np.array([line.order for line in slow])[:, None] * turns, _SLOWEST)
-    source = np.array([line.amplitude * (np.abs(motor) if line.by_load else np.ones(motor.size)) for line in slow])
-    return np.asarray(source * np.abs(twin.shafts.each_at(sway, at)))
+    return np.asarray(np.array([line.source(motor) for line in slow]) * np.abs(twin.shafts.each_at(sway, at)))

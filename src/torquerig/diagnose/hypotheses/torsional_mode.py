@@ -14,8 +14,10 @@ from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body
 
-_FREQUENCIES = np.geomspace(15.0, 900.0, 48)
-_SHARES = (0.15, 0.5)  # of the loaded part's inertia
+# frequencies [Hz] at which branches of some shares of the loaded part's inertia are tried: a light one shows over a few
+# hundredths of its frequency only
+_HEAVY = (np.geomspace(15.0, 900.0, 48), (0.15, 0.5))
+_LIGHT = (np.geomspace(15.0, 900.0, 140), (0.05,))
 _DAMPING = 0.02
 _BEST = 3
 # damping ratio: beyond the one a step swings over by less than half and no mode shows in a spectrum; below the other a
@@ -24,20 +26,20 @@ _RINGS, _NEVER_DIES = 0.2, 0.001
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield the branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part.
+    """Yield the heavy and the light branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part.
 
     The model's numbers give way to each: its stiffness and inertia may have stood in for one. Below its frequency a
-    branch is but more inertia of the part it hangs on, which may have been fitted too heavy.
+    branch is but more inertia of the part it hangs on, which may have been fitted too heavy. A light one resembles
+    noise in a narrow band, which comes again in what no fit has seen.
     """
     at = loaded_part(case.nominal)
     body = None if at is None else case.nominal.part(at)
     if not isinstance(body, Body):
         return
-    branches = [
-        _branch(body, float(frequency), share * body.inertia) for share in _SHARES for frequency in _FREQUENCIES
-    ]
-    branches.sort(key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
-    yield from branches[:_BEST]
+    for frequencies, shares in (_HEAVY, _LIGHT):
+        tried = [_branch(body, float(hertz), share * body.inertia) for share in shares for hertz in frequencies]
+        tried.sort(key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
+        yield from tried[:_BEST]
 
 
 def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
@@ -50,7 +52,7 @@ def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
         Knob(part.name, "damping_ratio", 0.8),
     )
     bends = (f"{body.name}.inertia",)
-    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends)
+    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends, resembled=True)
 
 
 def possible(part: Part) -> bool:

@@ -58,6 +58,10 @@ class LineSource:
     transfer: Passage
     by_load: bool = False
 
+    def source(self, motor: Floats) -> Floats:
+        """Return its amplitude at its source where the motor gives so much torque [N m], shape as that."""
+        return np.asarray(self.amplitude * (np.abs(motor) if self.by_load else np.ones(motor.shape)))
+
 
 class _Torque(NamedTuple):
     """A wave of torque between two nodes: order on the motor shaft, amplitude [N m]."""

@@ -10,7 +10,7 @@ features        the numbers of a run that are compared
 stretch_lines   lines of one stretch                    route        where a line of a model shows
 peaks           lines that no model asked for          lines_left   the same in passes
 side_lines      peaks that an uneven speed explains    combs        lines that are impacts' multiples
-smeared_orders  lines too wide for a peak
+smeared_orders  lines too wide for a peak              common_tones   tones of one speed that pass for orders
 order_or_fixed  what a line of one speed may be        steady_tone  whether it sounds all along
 hum             where the mains stands                 impacts      beats of a ringing band
 copied          samples written twice                  without_tones   a run less its lines of fixed frequency

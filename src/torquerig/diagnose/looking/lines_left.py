@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.looking.common_tones import tone_of
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED, may_be_fixed, rather_fixed
-from torquerig.diagnose.looking.peaks import SHIFTED, TOP_ORDER, Peak, peaks
+from torquerig.diagnose.looking.peaks import LEADING, SHIFTED, TOP_ORDER, Peak, peaks
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
 from torquerig.diagnose.looking.smeared_orders import smeared_orders
@@ -20,7 +21,6 @@ from torquerig.scenario.kinematics import kinematics_of
 _PASSES = 3
 _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
 _ASKED = 5  # of the clearest: whether they may keep their frequency
-_LEADING = 150.0  # power over the floor of a line that a shaft is better followed by
 _HARMONICS = 6  # of a line, up to which others are taken for its own
 _AMONG_MANY = 3.0  # whole orders of the output either way: which of them is meant nobody could tell
 _WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
@@ -57,7 +57,7 @@ def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
     leading = [
         peak.place
         for peak in left
-        if peak.excess > _LEADING and (peak.speeds > 1 or (peak in asked and _turns(peak.place, told)))
+        if peak.excess > LEADING and (peak.speeds > 1 or (peak in asked and _turns(peak.place, told)))
     ]
     orders, tones = ([place.at for place in leading if place.domain == domain] for domain in ("order", "frequency"))
     peaked = [place.at for place in (*known, *(peak.place for peak in left)) if place.domain == "order"]
@@ -105,11 +105,14 @@ def _series(found: Sequence[Peak], ratio: float, *, least: float) -> list[int]:
 def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[int]) -> Place:
     """Return the whole output order that a peak stands on, else its own place.
 
-    At one speed a whole order wins, unless the speed's wander shows that the line keeps its frequency, or it stands
-    where no order can be seen, or so high that it stands among many. Of whole orders among which an unmeasured angle
-    leaves the choice, a harmonic of a line of the ``series`` wins.
+    At one speed a whole order wins, unless the speed's wander or the shaft's own lines show that the line keeps its
+    frequency, or it stands where no order can be seen, or so high that it stands among many. Of whole orders among
+    which an unmeasured angle leaves the choice, a harmonic of a line of the ``series`` wins.
     """
     at, shown = peak.place.at, [run for run in runs if run.name in peak.runs]
+    told = tone_of(shown, peak.place)
+    if told is not None:
+        return told
     if peak.place.domain == "frequency":
         if peak.speeds > 1 or any(peak.place.at > TOP_ORDER * run.rate / 2 for run in shown):
             return peak.place

@@ -1,7 +1,8 @@
 """Steps of the mean: within some milliseconds the torque stands higher or lower, and stays there.
 
 A random load wanders and a zero that settles creeps: either moves in a quarter of a second, but not in a fiftieth of
-one. Where a shaft starts or turns back friction steps, so these times are left out.
+one. Where a shaft starts or turns back friction steps, so these times are left out. A signal that rests on its limit
+for much of a run stands still there and seems to step when it leaves it; such runs are left out too.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.refilled import Moments
+from torquerig.signals.inspection.extremes import extreme_of
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -27,6 +29,7 @@ _LEAST = 4.0  # spreads of a step that counts as another
 _MOST = 40  # steps of a run
 _STARTING = 0.125  # of a run whose speed moves, at either end, where it may stand
 _SMALLEST = 0.01  # of the range of the block means: a spread is not taken for less
+_ON_A_LIMIT = 0.2  # of a run's samples: most blocks then tell where the limit is, not where the torque was
 _HALF_EDGE = 0.015  # [s] either way in which the signal is on its way
 
 
@@ -81,7 +84,7 @@ def edges(recording: Recording, steps: Sequence[MeanStep]) -> Moments:
 
 def _steps(recording: Recording, lost: Moments, resolution: float) -> list[MeanStep]:
     """Return all steps of a run, the clearest first, each found with the clearer ones taken out."""
-    if recording.run.profile not in _LOOKED_AT:
+    if recording.run.profile not in _LOOKED_AT or _on_a_limit(recording) > _ON_A_LIMIT:
         return []
     found: list[MeanStep] = []
     while len(found) < _MOST:
@@ -90,6 +93,12 @@ def _steps(recording: Recording, lost: Moments, resolution: float) -> list[MeanS
             break
         found.append(step)
     return found
+
+
+def _on_a_limit(recording: Recording) -> float:
+    """Return the part of the samples that rest on the signal's highest or lowest value."""
+    volts = recording.channels[recording.torque_name()].values
+    return (extreme_of(volts).clipped + extreme_of(-volts).clipped) / volts.size
 
 
 def _clearest(recording: Recording, lost: Moments, resolution: float) -> MeanStep | None:

@@ -55,6 +55,8 @@ class Observed:
         Whether moments at a limit were filled in, whose ends ring through the spectrum, which is then not looked at.
     stepping : bool
         Whether the mean torque of this run or of another steps, of which some may not have been seen and stay in it.
+    tones : tuple of float
+        Lines at one speed that keep their frequency by what the shaft's own lines tell [Hz].
     """
 
     recording: Recording
@@ -66,6 +68,7 @@ class Observed:
     stretches: tuple[Stretch, ...]
     rebuilt: bool = False
     stepping: bool = False
+    tones: tuple[float, ...] = ()
 
     @property
     def name(self) -> str:

@@ -20,6 +20,7 @@ Floats = NDArray[np.float64]
 
 # power over the local floor; an exponential variate exceeds 22 with 3e-10, and some 1e5 places are looked at
 CLEAR, SUPPORTING = 22.0, 9.0
+LEADING = 150.0  # power over the floor of a line that a shaft is better followed by, or without
 _NEIGHBOURS, _NEAREST = 60, 15  # bins either way that make the local floor, and that of a resonance
 _MOST = 40
 SHIFTED = 0.25  # of the width over which an unmeasured angle smears a line: how far off its peak may stand
@@ -112,9 +113,9 @@ def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
     turned = np.abs(np.fft.rfft(resampled * window)) ** 2
     return _Spectrum(
         run,
-        _over_floor(turned, below=TOP_ORDER),
+        over_floor(turned, below=TOP_ORDER),
         2 * pi / abs(float(angle[-1] - angle[0])) * (rest.size - 1) / rest.size,
-        _over_floor(direct, below=_TOP_FREQUENCY),
+        over_floor(direct, below=_TOP_FREQUENCY),
         run.rate / rest.size,
     )
 
@@ -127,7 +128,7 @@ def _rest(run: Observed, start: int, stop: int, known: Sequence[Place]) -> Float
     return regressed(run.torque[start:stop], waves(shown, run.angle[start:stop], time)).rest
 
 
-def _over_floor(power: Floats, *, below: float) -> Floats:
+def over_floor(power: Floats, *, below: float) -> Floats:
     """Power over the local mean that its median stands for; 0 from the share ``below`` of the bins on.
 
     Of two medians the larger counts: what a lightly damped mode leaves is as narrow as some bins, and no line.

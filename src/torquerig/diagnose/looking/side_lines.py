@@ -16,7 +16,7 @@ from torquerig.scenario.kinematics import kinematics_of
 
 Floats = NDArray[np.float64]
 
-_REACH = 16.0  # orders of the motor: what strays faster moves no shaft far
+REACH = 16.0  # orders of the motor: what strays faster moves no shaft far
 _PASSED = 1.3  # times as large as its source may a side line be read: it passes a shaft that rings, its carrier less
 _FOLLOWED = 2.0  # the same for an angle that was followed in the torque, and is known less well
 _OF_SECOND_ORDER = 0.015  # of a new line's size
@@ -82,11 +82,11 @@ class _Straying:
         at, bound = self._order(place), 0.0
         for carrier in carriers:
             order = self._order(carrier)
-            if SAME_ORDER < abs(at - order) < _REACH:
+            if SAME_ORDER < abs(at - order) < REACH:
                 share = self._spread(order, at - order, shifted=SHIFTED * self.smearing * at)
                 share += 0.5 * order * self._twists(abs(at - order), carriers)
                 bound += share * self._size(carrier) * self._rings(at, order)
-        near = (self._size(other) for other in new if abs(self._order(other) - at) < _REACH)
+        near = (self._size(other) for other in new if abs(self._order(other) - at) < REACH)
         return self._size(place) > self.margin * bound + _OF_SECOND_ORDER * max(near, default=0.0)
 
     def _rings(self, at: float, carrier: float) -> float:

@@ -35,13 +35,13 @@ def steady_frequency(run: Observed, at: float) -> float:
 
     Near means within what an unmeasured angle shifts a line, or three bins.
     """
-    power, step = _spectrum(run)
+    power, step = spectrum_of_seen(run)
     reach = max(_LINE, round(SHIFTED * run.smearing * at / step))
     low, high = max(round(at / step) - reach, 1), min(round(at / step) + reach, power.size - 2)
     return step * between_bins(power, low + int(np.argmax(power[low : high + 1])))
 
 
-def _spectrum(run: Observed) -> tuple[Floats, float]:
+def spectrum_of_seen(run: Observed) -> tuple[Floats, float]:
     """Return the power of what fits may see of a run under a Hann window, and the step of its frequencies [Hz]."""
     seen = [stretch for stretch in run.stretches if not stretch.held]
     torque = run.torque[seen[0].start : seen[-1].stop]
@@ -50,7 +50,7 @@ def _spectrum(run: Observed) -> tuple[Floats, float]:
 
 
 def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
-    power, step = _spectrum(run)
+    power, step = spectrum_of_seen(run)
     frequency = step * np.arange(power.size)
     far = np.abs(frequency - at)
     free = far > _LINE * step

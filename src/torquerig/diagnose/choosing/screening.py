@@ -1,0 +1,81 @@
+"""Which hypotheses are worth fitting with all numbers of the model free."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
+from torquerig.diagnose.fitting.calibration import calibrated
+from torquerig.diagnose.fitting.profiled import profiled_cost
+
+BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
+_FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
+_WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
+_PROMISED = 0.25  # of the least gain: so much the derivatives promise of what fits then may find
+_DERIVATIVES, _LOOSE_DERIVATIVES = 2, 3
+
+
+def screened(case: Case, candidate: Candidate) -> Trial:
+    """Return the candidate with its own numbers fitted, the model held but for what the candidate loosens."""
+    rig = candidate.added_to(case.model.rig)
+    loose = [knob for knob in case.model.knobs if knob.field in candidate.loosens]
+    knobs, steps = (*candidate.knobs, *loose), _LOOSE_DERIVATIVES if loose else _DERIVATIVES
+    model = calibrated(rig, case.seen, knobs, derivatives=steps, corrections=case.model.corrections or None)
+    bent = [
+        knob.name in candidate.bends and abs(at) > BENT
+        for knob, at in zip(case.model.knobs, case.model.positions, strict=True)
+    ]
+    kept = case.model.positions[~np.array(bent, dtype=bool)]
+    before = case.model.cost - float(kept @ kept)
+    return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)
+
+
+def finalists(tried: Sequence[Trial]) -> list[Trial]:
+    """Return those worth fitting with all numbers free: the best, and of what moves the slow torque alike any.
+
+    The latter do not crowd out the others: what loosens the slow torque gains by that alone where it is bent. ``tried``
+    are sorted, the largest gain first.
+    """
+    top = tried[0].gain if tried else 0.0
+    answer: list[Trial] = []
+    others = 0
+    for trial in tried:
+        alike = any(trial.candidate.loosens and other.candidate.loosens for other in answer)
+        worthwhile = trial.gain > (0 if alike else _WORTHWHILE * max(top, 0.0))
+        room = len(answer) < _FINALISTS or (not alike and others < _OTHERS)
+        if worthwhile and room and not _repeated(trial, answer):
+            answer.append(trial)
+            others += not alike
+    return answer
+
+
+def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
+    """Return what bends the model's numbers and gains enough once they give way, as it was proposed; one of a kind.
+
+    The numbers may have stood in for it, as an inertia for a heavy mode. Its own numbers, fitted while the model is
+    held, then lead away from it. A low-pass is not asked so: what laws differ by passes for one, on clean rigs too.
+    """
+    bending = [trial.candidate for trial in tried if trial.candidate.bends]
+    before = profiled_cost(case.model, case.model.rig, case.seen) if bending else 0.0
+    answer: dict[str, Trial] = {}
+    for candidate in bending:
+        rig = candidate.added_to(case.model.rig)
+        paid = PER_KNOB * len(candidate.knobs) + candidate.price
+        trial = Trial(
+            candidate, replace(case.model, rig=rig), before - profiled_cost(case.model, rig, case.seen) - paid
+        )
+        best = answer.get(candidate.mechanism, trial)
+        if trial.gain > _PROMISED * LEAST_GAIN and trial.gain >= best.gain:
+            answer[candidate.mechanism] = trial
+    return [*answer.values()]
+
+
+def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:
+    """Whether the same mechanism stands among ``others`` for the same line already."""
+    mine = trial.candidate
+    same = [o for o in others if o.candidate.mechanism == mine.mechanism]
+    return any(o.candidate.place == mine.place and o.candidate.variant == mine.variant for o in same) or len(same) > 1

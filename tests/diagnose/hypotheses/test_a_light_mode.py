@@ -1,0 +1,32 @@
+"""A branch of a twenty-fifth of the loaded part's inertia shows in a narrow band, and is sought there all the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from torquerig.diagnose.beginning import begun
+from torquerig.diagnose.hypotheses import torsional_mode
+from torquerig.mechanisms import TorsionalMode
+from torquerig.rig.parts import Body
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+
+@pytest.mark.parametrize(("share", "frequency"), [(0.04, 97.8), (0.04, 140.0), (0.5, 140.0)])
+def test_one_of_those_tried_stands_where_it_is(
+    share: float, frequency: float, known_rig: Scenario, three_runs: Callable[..., list[Recording]]
+) -> None:
+    body = known_rig.rig.part("wear_part")
+    assert isinstance(body, Body)
+    hidden = TorsionalMode(
+        name="hidden", after=body.name, frequency=frequency, inertia=share * body.inertia, damping_ratio=0.02
+    )
+    case = begun(known_rig, (), three_runs(known_rig.rig + hidden, 3), lambda _: None).before
+    tried = [one.parts[0] for one in torsional_mode.propose(case)]
+    near = [
+        one for one in tried
+        if isinstance(one, TorsionalMode) and one.frequency == pytest.approx(frequency, rel=0.05)
+    ]  # fmt: skip
+    assert min(abs(one.inertia / hidden.inertia - 1) for one in near) < 0.7
