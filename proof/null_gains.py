@@ -8,7 +8,8 @@ from typing import Any
 
 from proof.library import library_of
 from torquerig.diagnose.choosing.convincing import share_of
-from torquerig.diagnose.choosing.search import Trial, trials
+from torquerig.diagnose.choosing.search import trials
+from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnose import diagnose
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording

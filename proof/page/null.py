@@ -9,7 +9,7 @@ import numpy as np
 from proof.null_gains import NullGain
 from proof.page.cells import percent
 from proof.thresholds import CHANCE, FEWEST, Threshold, best_gains
-from torquerig.diagnose.choosing.search import LEAST_GAIN
+from torquerig.diagnose.choosing.trial import LEAST_GAIN
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.report.layout import Table, number, words
 from torquerig.report.matrix_chapters import Chapter
