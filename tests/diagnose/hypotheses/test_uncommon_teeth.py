@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import log
 from typing import Any
 
 import pytest
@@ -15,11 +16,18 @@ from torquerig.scenario.reading import Scenario
 
 @pytest.mark.parametrize(
     ("line", "expected"),
-    [(56.0, {280: 12.0, 140: 0.0}), (36.0, {180: 6.0, 90: 0.0}), (16.8, {84: 0.0, 42: 0.0})],
+    [(58.0, {290: 12.0, 145: 0.0}), (38.0, {190: 6.0, 95: 0.0}), (16.8, {84: 0.0, 42: 0.0})],
 )
 def test_many_teeth_cost(line: float, expected: dict[int, float], with_lines_left: Callable[..., Case]) -> None:
     found: list[Any] = list(gear_mesh.propose(with_lines_left(line)))
     assert {round(each.parts[0].order_output): each.price for each in found} == expected
+
+
+def test_teeth_pay_where_slots_and_poles_put_cogging(with_lines_left: Callable[..., Case]) -> None:
+    """Behind 5:1 four of 141 numbers of teeth put their first line on a multiple of 12 or 14, nine the second."""
+    found: list[Any] = list(gear_mesh.propose(with_lines_left(42.0)))
+    prices = {round(each.parts[0].order_output): each.price for each in found}
+    assert prices == {210: pytest.approx(12.0 + 2 * log(141 / 4)), 105: pytest.approx(2 * log(141 / 9))}
 
 
 @pytest.mark.parametrize(("sizes", "possible"), [((5e-8, 2e-5), False), ((2e-5, 1e-5), True), ((4e-6, 2e-5), True)])

@@ -42,3 +42,12 @@ def test_a_steady_tone_keeps_nearly_all(size: float, by_hand: ByHand) -> None:
 def test_a_known_line_beside_it_is_not_taken_for_bursts(by_hand: ByHand) -> None:
     seen = run(by_hand, 0.01 * np.cos(2 * pi * 203.0 * TIME))  # 3 Hz beside order 12
     assert sounds_all_along(Peak(frequency(203.0), 90.0, ("run1",), 2), [seen], [order(12.0)])
+
+
+def test_side_lines_once_a_turn_are_not_taken_for_bursts(by_hand: ByHand) -> None:
+    """A shaft behind 5:1 that runs out leaves lines 0.2 orders beside each other line: 3.3 Hz at 1000 rpm."""
+    beside = 0.02 * (np.cos(11.8 * ANGLE) + np.cos(12.2 * ANGLE))
+    seen = run(by_hand, 0.01 * np.cos(2 * pi * 201.0 * TIME) + beside)
+    peak, known = Peak(frequency(201.0), 90.0, ("run1",), 2), [order(12.0), order(0.2)]
+    assert sounds_all_along(peak, [seen], known)
+    assert not sounds_all_along(peak, [seen], known[:1])

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import lcm
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.motor_orders import cogging_orders, native_order
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.rig.parts import Motor
 
 _START = 0.001  # [N m]
 _SKIRTED = 0.005  # [N m] at which one that shows no line is started
 _UNEVEN = 5.0  # what lines must gain beside that only magnets or teeth unlike their neighbours make
-_MULTIPLES = 6  # of slots or poles that are looked at, and all of them up to ...
-_NATIVE = 3  # ... so many times the native order
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -26,12 +24,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     for motor in case.nominal.parts_of(Motor):
         if motor.slots is None or motor.pole_pairs is None:
             continue
-        poles = 2 * motor.pole_pairs
-        native = lcm(motor.slots, poles)
-        furthest = {count: max(_MULTIPLES * count, _NATIVE * native) for count in (motor.slots, poles)}
-        multiples = {at for count, last in furthest.items() for at in range(count, last + 1, count)}
-        orders = dict.fromkeys((native, motor.slots, poles, *sorted(multiples)))
-        seen = {at: place for at in orders if (place := left_line(case, float(at))) is not None}
+        native = native_order(motor)
+        seen = {at: place for at in cogging_orders(motor) if (place := left_line(case, float(at))) is not None}
         part = mechanisms.Cogging(name="cogging", at=motor.name, slots=motor.slots, pole_pairs=motor.pole_pairs)
         if not seen:
             yield from _by_its_skirts(case, part, native)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import log
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.motor_orders import cogging_orders
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
-from torquerig.rig.parts import BeltStage, Gear
+from torquerig.rig.parts import BeltStage, Gear, Motor
 from torquerig.scenario.kinematics import gears_to_sensor
 
 _FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
@@ -66,8 +68,26 @@ def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = Fal
     knobs += [Knob(part.name, "planet_modulation", 1.0)] if planets else []
     part = replace(part, transmission_error=tuple(sizes))
     price = max((price for most, price in _UNCOMMON.items() if teeth > most), default=0.0)
+    price += _price_of_a_coincidence(case, turns, teeth)
     first = left_line(case, teeth / turns)
     return Candidate(mechanism="gear_mesh", parts=(part,), knobs=tuple(knobs), place=first, price=price)
+
+
+def _price_of_a_coincidence(case: Case, turns: float, teeth: int) -> float:
+    """Return what teeth pay whose lowest line that shows stands where a motor's slots and poles put cogging.
+
+    Twice the logarithm of the odds that a number of teeth, any of the common ones, does so by chance.
+    """
+    orders = [at for motor in case.nominal.parts_of(Motor) for at in cogging_orders(motor)]
+    shown = next((h for h in range(1, _FURTHEST + 1) if left_line(case, h * teeth / turns) is not None), 1)
+    if not _stands_on(shown * teeth / turns, orders):
+        return 0.0
+    common = range(_FEWEST_TEETH, min(_UNCOMMON) + 1)
+    return 2.0 * log(len(common) / max(sum(_stands_on(shown * each / turns, orders) for each in common), 1))
+
+
+def _stands_on(at: float, orders: Sequence[int]) -> bool:
+    return any(abs(at - each) < SAME_ORDER for each in orders)
 
 
 def _beside(case: Case, order_output: int, planets: int, turns: float) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import zoom_fft
 
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import Peak
@@ -18,21 +19,23 @@ from torquerig.signals.speed_from_torque import motor_angle_from_torque
 DECIDED = 20.0  # twice the log-likelihood; chance over two fits of a frequency reaches 9 in one of a hundred
 ONE_SPEED = 0.03  # speeds nearer than this are one, relative
 _REACH = 3  # bins either way in which a line may be found
+_COVERED = 9.0  # power over the floor: the noise of one bin in ten thousand is larger
+_BETWEEN = 16  # points a bin at which it is sought: a Hann window loses 0.1 % beside them
 _FLOOR = 40  # bins either way that make the local floor
 
 
 def may_be_fixed(runs: Sequence[Observed], peak: Peak, known: Sequence[Place], rig: Rig) -> bool:
     """Whether a line of an order, known at one speed alone, may keep its frequency as far as these runs tell.
 
-    Where its frequency falls on a line that the model has anyway, another speed tells nothing; where the speed wanders,
-    an angle that owes nothing to the line may tell.
+    Where its frequency falls on a line that the model has anyway, or noise would bury it, another speed tells nothing;
+    where the speed wanders, an angle that owes nothing to the line may tell.
     """
     shown = [run for run in runs if run.steady and run.name in peak.runs]
     if peak.place.domain == "frequency" or peak.speeds > 1 or not shown:
         return False
     speed, fixed = shown[0].mean_speed, peak.place.frequency(shown[0].mean_speed)
     others = [run for run in runs if run.steady and abs(run.mean_speed / speed - 1) > ONE_SPEED]
-    if not all(_hidden(fixed, run, known) for run in others):
+    if not all(_hidden(fixed, run, known) or _buried(fixed, run, shown) for run in others):
         return False
     return evidence([followed_by(known, run, rig) for run in shown], peak.place) < DECIDED
 
@@ -41,6 +44,29 @@ def _hidden(fixed: float, run: Observed, known: Sequence[Place]) -> bool:
     """Whether a tone at ``fixed`` [Hz] would stand in a line that the model has anyway."""
     near = _REACH / run.recording.duration
     return any(abs(place.frequency(run.mean_speed) - fixed) < near for place in known)
+
+
+def _buried(fixed: float, run: Observed, shown: Sequence[Observed]) -> bool:
+    """Whether noise would cover a tone at ``fixed`` [Hz] in a run that is as large as in those that show it."""
+    floor, tones = float(np.median(_bins_around(run, fixed))) / float(np.log(2)), []
+    for other in shown:
+        near = _bins_around(other, fixed)
+        tones.append(near[_FLOOR - _REACH : _FLOOR + _REACH + 1].max())
+    return bool(min(tones) < _COVERED * floor)
+
+
+def _bins_around(run: Observed, fixed: float) -> NDArray[np.float64]:
+    """Return the power of a tone in each bin near ``fixed`` [Hz], as one of amplitude 1 has it in any run."""
+    part = _seen_part(run)
+    torque = run.torque[part] - run.torque[part].mean()
+    phase = np.asarray(2 * np.pi * fixed / run.rate * np.arange(torque.size), dtype=np.float64)
+    return _around(torque, phase) / (np.hanning(torque.size).sum() / 2) ** 2
+
+
+def _seen_part(run: Observed) -> slice:
+    """Return what fits may see of a run, from its first to its last stretch."""
+    seen = [stretch for stretch in run.stretches if not stretch.held]
+    return slice(seen[0].start, seen[-1].stop)
 
 
 def rather_fixed(runs: Sequence[Observed], place: Place) -> bool:
@@ -82,16 +108,22 @@ def _powers(run: Observed, order: float, at: float) -> tuple[float, float]:
 
     Where it stands on the whole is known from itself; only how the speed strays from its mean is asked of the angle.
     """
-    seen = [stretch for stretch in run.stretches if not stretch.held]
-    part = slice(seen[0].start, seen[-1].stop)
+    part = _seen_part(run)
     torque, angle = run.torque[part] - run.torque[part].mean(), run.angle[part]
     strays = order * (angle - np.linspace(angle[0], angle[-1], angle.size))
     still = np.asarray(2 * np.pi * at / run.rate * np.arange(angle.size), dtype=np.float64)
-    around_turned, around_still = (_around(torque, phase) for phase in (np.asarray(still + strays), still))
+    phases = (np.asarray(still + strays), still)
     # one floor for both: its chance would outweigh what a strong line loses
-    floor = max(float(np.median([around_turned, around_still])) / float(np.log(2)), 1e-30)
-    turned, fixed = (each[_FLOOR - _REACH : _FLOOR + _REACH + 1].max() for each in (around_turned, around_still))
-    return float(turned / floor), float(fixed / floor)
+    floor = max(float(np.median([_around(torque, phase) for phase in phases])) / float(np.log(2)), 1e-30)
+    turned, fixed = (_tallest(torque, phase) / floor for phase in phases)
+    return turned, fixed
+
+
+def _tallest(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
+    """Return the largest power near a phase, between the bins: beside one a strong line loses more than wander takes."""
+    taken = torque * np.hanning(torque.size) * np.exp(-1j * phase)
+    near = zoom_fft(taken, [-_REACH, _REACH], m=2 * _REACH * _BETWEEN + 1, fs=taken.size, endpoint=True)
+    return float((np.abs(near) ** 2).max())
 
 
 def _around(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> NDArray[np.float64]:

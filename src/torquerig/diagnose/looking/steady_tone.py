@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import SHIFTED, Peak, between_bins
-from torquerig.diagnose.looking.places import Place
+from torquerig.diagnose.looking.places import Place, order
 
 Floats = NDArray[np.float64]
 
 _LINE = 3  # bins either way that hold a steady line under a Hann window
 _BESIDE, _FLOOR = 12.0, 60.0  # [Hz] either way: where bursts of some hundredths of a second spread to, and the floor
 _CLEAR = 4.0  # standard deviations by which what is beside the line must exceed the floor
+_ONCE_A_TURN = 1.01  # orders of the motor: its own turn, and those of slower shafts
 _STEADY = 0.75  # share of its power that a steady tone keeps in one line
 
 
@@ -24,7 +25,7 @@ def sounds_all_along(peak: Peak, runs: Sequence[Observed], known: Sequence[Place
 
     Of a tone of amplitude A that sounds for a share d of the time, ``d A^2`` is its power and ``d^2 A^2`` that of its
     line; the rest is spread beside it. A tone whose frequency jumps or sweeps loses its line likewise. What stands
-    beside the lines at ``known`` is theirs.
+    beside the lines at ``known``, side lines once a turn of a shaft among it, is theirs.
     """
     shares = [_share_in_line(run, peak.place.at, known) for run in runs if run.steady and run.name in peak.runs]
     return not shares or max(shares) > _STEADY
@@ -54,7 +55,7 @@ def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
     frequency = step * np.arange(power.size)
     far = np.abs(frequency - at)
     free = far > _LINE * step
-    for place in known:
+    for place in (*known, *_side_lines(known)):
         line = place.frequency(run.mean_speed)
         if abs(line - at) > _LINE * step:
             free &= np.abs(frequency - line) > max(_LINE * step, run.smearing * line)
@@ -62,6 +63,13 @@ def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
     line_power = float(np.maximum(power[far <= _LINE * step] - floor, 0.0).sum())
     spread = float((power[beside] - floor).sum())
     return line_power / (line_power + (spread if spread > _CLEAR * floor * np.sqrt(beside.sum()) else 0.0) + 1e-30)
+
+
+def _side_lines(known: Sequence[Place]) -> list[Place]:
+    """Return where lines stand once a turn of a shaft beside those of other orders, which no runout leaves even."""
+    orders = [place.at for place in known if place.domain == "order"]
+    turns = [at for at in orders if at < _ONCE_A_TURN]
+    return [order(at) for one in orders for turn in turns for at in (one - turn, one + turn) if at > 0]
 
 
 def _floor(power: Floats) -> float:
