@@ -60,7 +60,7 @@ def _bins_around(run: Observed, fixed: float) -> NDArray[np.float64]:
     part = _seen_part(run)
     torque = run.torque[part] - run.torque[part].mean()
     phase = np.asarray(2 * np.pi * fixed / run.rate * np.arange(torque.size), dtype=np.float64)
-    return _around(torque, phase) / (np.hanning(torque.size).sum() / 2) ** 2
+    return np.asarray(_around(torque, phase) / (np.hanning(torque.size).sum() / 2) ** 2, dtype=np.float64)
 
 
 def _seen_part(run: Observed) -> slice:
@@ -120,7 +120,7 @@ def _powers(run: Observed, order: float, at: float) -> tuple[float, float]:
 
 
 def _tallest(torque: NDArray[np.float64], phase: NDArray[np.float64]) -> float:
-    """Return the largest power near a phase, between the bins: beside one a strong line loses more than wander takes."""
+    """Return the largest power near a phase, between the bins: beside one a strong line loses more than by wander."""
     taken = torque * np.hanning(torque.size) * np.exp(-1j * phase)
     near = zoom_fft(taken, [-_REACH, _REACH], m=2 * _REACH * _BETWEEN + 1, fs=taken.size, endpoint=True)
     return float((np.abs(near) ** 2).max())
