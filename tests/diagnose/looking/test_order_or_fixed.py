@@ -91,7 +91,7 @@ def test_another_speed_tells_nothing_where_its_noise_would_bury_the_tone(by_hand
 
 
 def test_a_strong_tone_between_two_bins_is_not_taken_for_one_that_turns(by_hand: ByHand) -> None:
-    """An angle that ends half a turn of the line off moves its line by half a bin: a Hann window reads 28 % more there."""
+    """An angle that ends half a turn of the line off moves its line by half a bin, as a window reads 28 % more."""
     seen = [stretch for stretch in turning_line(by_hand, wander=0.0).stretches if not stretch.held]
     lasts = (seen[-1].stop - seen[0].start) / RATE
     angle = course(0.0) + np.where((seen[-1].stop - 1.5) / RATE < TIME, -pi / 16.8, 0.0)
