@@ -151,6 +151,20 @@ def test_friction_that_sets_in_with_speed_is_drag(
     assert is_possible(candidate, wear_rig.rig + part) is possible
 
 
+@pytest.mark.parametrize(
+    ("coulomb", "backward", "possible"), [(0.1, None, True), (0.03, None, False), (0.01, 0.1, True)]
+)
+def test_what_holds_many_times_what_slides_is_no_friction(
+    coulomb: float, backward: float | None, possible: bool, wear_rig: Scenario
+) -> None:
+    part = StribeckFriction(
+        name="friction", coulomb=coulomb, static=0.4, stribeck_speed=1.0,
+        coulomb_backward=backward, static_backward=None if backward is None else 0.4,
+    )  # fmt: skip
+    candidate = Candidate(mechanism="stribeck_friction", parts=(part,), knobs=())
+    assert is_possible(candidate, wear_rig.rig + part) is possible
+
+
 def test_a_rest_is_detail_only_beside_what_was_found(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
     def every(one: Case) -> list[Misfit]:
         return list(one.model.misfits)
