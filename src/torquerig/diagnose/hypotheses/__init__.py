@@ -15,6 +15,7 @@ Beside the linear twin
     backlash
 Beside the classes
     fixed_lines  left lines that keep their frequency      reasons  why a class was set aside
+    motor_orders  where slots and poles put cogging
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.looking.motor_orders import cogging_orders, native_order
+from torquerig.diagnose.hypotheses.motor_orders import cogging_orders, native_order
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.rig.parts import Motor
 

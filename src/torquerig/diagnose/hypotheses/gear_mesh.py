@@ -9,7 +9,7 @@ from math import log
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.looking.motor_orders import cogging_orders
+from torquerig.diagnose.hypotheses.motor_orders import cogging_orders
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Gear, Motor
