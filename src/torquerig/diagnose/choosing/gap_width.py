@@ -32,6 +32,7 @@ _GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
 _BEYOND, _SHORT = 0.15, 0.3  # [1] of the logarithm: wider than the longest flight, narrower than where it was measured
 _FINE = np.geomspace(_GAPS[0], _GAPS[-1], 121)
 _LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
+_TURNS = 4  # in which the gaps are simulated, so that a few of their recordings are held at a time
 _SEEDS = (1, 2)
 _ALIKE = 4.0  # of the misfit: 95 % of one number
 _CONTACT = 0.55  # of the logarithm: how flanks meet changes how they fly, and no model knows it (29 blind rigs)
@@ -68,18 +69,21 @@ def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> Width | None:
     apart = flight_misfit if flying else near_zero_misfit
     told = [statistics(features.untoned) for features in seen]
 
-    def shown(rigs: Sequence[Rig]) -> Floats:
-        pairs = list(zip(seen, simulated_runs(rigs, seen, seeds=_SEEDS), strict=True))
-        return np.array(of_each(lambda pair: _mean_of(statistics, *pair), pairs))
+    def shown(gaps: Sequence[float]) -> Floats:
+        """Return the statistics of each run's simulations with each gap, shape (gaps, runs, statistics)."""
+        each = [opened(case, gap).added_to(rigs[row]) if gap else rigs[row] for gap in gaps for row in parting]
+        copies = simulated_runs(each, seen * len(gaps), seeds=_SEEDS)
+        means = of_each(lambda pair: _mean_of(statistics, *pair), list(zip(seen * len(gaps), copies, strict=True)))
+        return np.array(means).reshape(len(gaps), len(parting), -1)
 
     def cost(modelled: Floats) -> float:
         pairs = zip(told, modelled, strict=True)
         return float(sum(robust_squares(apart(measured, model)).sum() for measured, model in pairs))
 
-    closed = cost(shown([rigs[row] for row in parting]))
+    closed = cost(shown([0.0])[0])
     if closed < _LEAST_GAIN:
         return None
-    each = np.array([shown([opened(case, float(gap)).added_to(rigs[row]) for row in parting]) for gap in _GAPS])
+    each = np.concatenate([shown(some.tolist()) for some in np.split(_GAPS, _TURNS)])
     costs = np.array([cost(modelled) for modelled in _smoothed(each)])
     # what no width explains is no chance of the width's: the variance is inflated by it
     inflated = costs / max(1.0, float(costs.min()) / np.concatenate(told).size)

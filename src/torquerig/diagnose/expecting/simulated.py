@@ -24,6 +24,7 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 from torquerig.signals.stages.clip import Clip
+from torquerig.simulate.batch import simulate_batch
 from torquerig.simulate.simulate import simulate
 
 Floats = NDArray[np.float64]
@@ -39,6 +40,11 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
     recording = simulate(
         rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
     )
+    return _looked_at(recording, rig, observed)
+
+
+def _looked_at(recording: Recording, rig: Rig, observed: Observed) -> Observed:
+    """Return a simulation of a run as the recording of it is looked at."""
     angle = recording.channels["true_motor_angle_rad"].values
     return replace(
         observed,
@@ -59,13 +65,23 @@ def _mended(recording: Recording, rig: Rig) -> Recording:
 
 
 def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
-    """Return one simulation per seed of every run, two at a time; of one rig, or of one for each run."""
+    """Return one simulation per seed of every run, those of one length together; of one rig, or of one for each run."""
     rigs = [rig] * len(seen) if isinstance(rig, Rig) else rig
     jobs = [(each, features.observed, seed) for each, features in zip(rigs, seen, strict=True) for seed in seeds]
+    alike: dict[tuple[float, float], list[int]] = {}
+    for row, (_, observed, _) in enumerate(jobs):
+        alike.setdefault((observed.recording.duration, observed.rate), []).append(row)
+    copies: dict[int, Observed] = {}
     with ThreadPoolExecutor(_WORKERS) as pool:
-        copies = list(pool.map(lambda job: simulated(job[0], job[1], seed=job[2]), jobs))
+        for (duration, rate), rows in alike.items():
+            recordings = simulate_batch(
+                [jobs[row][0].at(jobs[row][1].run) for row in rows], seeds=[jobs[row][2] for row in rows],
+                duration=duration, sample_rate=rate, workers=_WORKERS,
+            )  # fmt: skip
+            of_rows = [(recording, *jobs[row][:2]) for recording, row in zip(recordings, rows, strict=True)]
+            copies |= zip(rows, pool.map(lambda job: _looked_at(*job), of_rows), strict=True)
     each = len(seeds)
-    return [copies[row * each : (row + 1) * each] for row in range(len(seen))]
+    return [[copies[at] for at in range(row * each, (row + 1) * each)] for row in range(len(seen))]
 
 
 def expected_by_simulation(rig: Rig, seen: Sequence[Features], *, seeds: Sequence[int]) -> tuple[Expectation, ...]:

@@ -56,8 +56,8 @@ class Shafts:
     def each_at(self, responses: Sequence[Response], frequencies: NDArray[np.float64]) -> Response:
         """Return each response, n of them, at its own row of frequencies [Hz], shape (n, points)."""
         different = {id(response): response for response in responses}
-        table, named = np.stack(list(different.values())), list(different)
-        row = np.array([named.index(id(response)) for response in responses])[:, None]
+        table, named = np.stack(list(different.values())), {each: row for row, each in enumerate(different)}
+        row = np.array([named[id(response)] for response in responses])[:, None]
         where = np.log(np.clip(frequencies, *_RANGE))
         right = np.clip(np.searchsorted(self._log, where), 1, self._log.size - 1)
         low, high = self._log[right - 1], self._log[right]

@@ -87,9 +87,11 @@ def passed(passages: Sequence[Passage], frequencies: Floats) -> Response:
     """Return the transfers of a twin's passages, n of them, each at its row of frequencies [Hz], shape (n, points)."""
     twin = passages[0].twin
     answer = twin.shafts.each_at([each.response for each in passages], frequencies) * twin.amplifier(frequencies)
-    for row, each in enumerate(passages):
-        if each.answer is not None:
-            answer[row] *= np.abs(twin.shafts.at(each.answer, each.slower * frequencies[row]))
+    answering = [row for row, each in enumerate(passages) if each.answer is not None]
+    if answering:
+        answers = [each.answer for each in passages if each.answer is not None]
+        slower = np.array([passages[row].slower for row in answering])[:, None]
+        answer[answering] *= np.abs(twin.shafts.each_at(answers, slower * frequencies[answering]))
     return answer
 
 
