@@ -14,24 +14,18 @@ from numpy.typing import NDArray
 from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.cli.diagnose import command
-from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
+from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
 from torquerig.document import parse_document
 from torquerig.errors import RecordingError
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.signals.files import read_recording, write_recording
 from torquerig.signals.recording import Channel, Recording
 from torquerig.simulate.simulate import simulate
 
 Floats = NDArray[np.float64]
+Carriage = Callable[..., Recording]
+Diagnosed = Callable[..., MotionOutcome]
 
-RATE, COUNT, MASS = 400.0, 4800, 10.0
-CARRIAGE = """
-operating_point: {}
-measured: motion
-rig:
-  carriage: {kind: slide, mass: {value: 11.5 kg, rel_sd: 0.1}}
-  motion: {kind: imposed_motion, at: carriage, channel: position}
-"""
 ROTOR = """
 operating_point: {}
 measured: motion
@@ -39,26 +33,6 @@ rig:
   motor: {kind: motor, inertia: 1.0e-4 kg*m^2, torque_limit: 1 N*m, pole_pairs: 7, slots: 12}
   motion: {kind: imposed_motion, at: motor, channel: angle}
 """
-
-
-def scenario(text: str = CARRIAGE) -> Scenario:
-    return read_scenario(parse_document(text, Path("rig.yaml")), Catalog(), seed=0)
-
-
-def carriage(extra: Callable[[Floats, Floats, Floats], Floats], *, name: str = "run.csv") -> Recording:
-    """Two swings that do not meet: M a + extra(time, position, speed), noise of 0.5 N, of some 40 N."""
-    time = np.arange(COUNT) / RATE
-    swings = ((0.1, 2 * np.pi * 0.5, 0.0), (0.02, 2 * np.pi * 1.3, 1.0))
-    position = sum(a * np.sin(w * time + p) for a, w, p in swings)
-    speed = sum(a * w * np.cos(w * time + p) for a, w, p in swings)
-    gained = sum(-a * w**2 * np.sin(w * time + p) for a, w, p in swings)
-    noise = 0.5 * np.random.default_rng(7).standard_normal(COUNT)
-    force = MASS * gained + extra(time, np.asarray(position), np.asarray(speed)) + noise
-    channels = {
-        "force_N": Channel(values=force, quantity="force", unit="N"),
-        "position_m": Channel(values=np.asarray(position), quantity="position", unit="m"),
-    }
-    return Recording(sample_rate=RATE, channels=channels, name=name)
 
 
 def friction(time: Floats, position: Floats, speed: Floats) -> Floats:
@@ -77,19 +51,15 @@ def hum(time: Floats, position: Floats, speed: Floats) -> Floats:
     return 1.0 * np.cos(2 * np.pi * 23.0 * time)
 
 
-def diagnosed(recording: Recording, text: str = CARRIAGE) -> MotionOutcome:
-    return diagnose_motion(scenario(text), [recording])
-
-
-def test_a_wrong_mass_is_no_missing_physics() -> None:
+def test_a_wrong_mass_is_no_missing_physics(diagnosed: Diagnosed, carriage: Carriage) -> None:
     outcome = diagnosed(carriage(nothing))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("adequate", ())
-    assert outcome.after.rig.part("carriage").mass == pytest.approx(MASS, rel=5e-3)
+    assert outcome.after.rig.part("carriage").mass == pytest.approx(10.0, rel=5e-3)
     fit = outcome.diagnosis.fit
     assert fit.before == fit.after < 0.2 * fit.nominal
 
 
-def test_friction_by_direction_is_named_with_its_numbers() -> None:
+def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, carriage: Carriage) -> None:
     outcome = diagnosed(carriage(friction))
     (finding,) = outcome.diagnosis.findings
     assert (outcome.diagnosis.verdict, finding.mechanism, finding.variant) == (
@@ -103,7 +73,9 @@ def test_friction_by_direction_is_named_with_its_numbers() -> None:
     assert outcome.diagnosis.fit.improvement[1] > 0.8
 
 
-def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(
+    monkeypatch: pytest.MonkeyPatch, diagnosed: Diagnosed, carriage: Carriage
+) -> None:
     for gone in ("StribeckFriction", "LugreFriction"):
         monkeypatch.delattr(mechanisms, gone)
     outcome = diagnosed(carriage(friction))
@@ -115,7 +87,7 @@ def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(mo
     ("extra", "domain", "axis", "at"), [(ripple, "order", "cycles/m", 150.0), (hum, "frequency", "Hz", 23.0)]
 )
 def test_a_line_of_no_known_cause_is_located_and_left_without_a_name(
-    extra: Callable[..., Floats], domain: str, axis: str, at: float
+    extra: Callable[..., Floats], domain: str, axis: str, at: float, diagnosed: Diagnosed, carriage: Carriage
 ) -> None:
     outcome = diagnosed(carriage(extra))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
@@ -127,7 +99,7 @@ def test_a_line_of_no_known_cause_is_located_and_left_without_a_name(
     assert first.after < 0.7 * first.before  # 0.71 N of the line beside 0.22 N of noise in the compared band
 
 
-def test_cogging_of_a_turned_motor_is_named_by_its_native_order() -> None:
+def test_cogging_of_a_turned_motor_is_named_by_its_native_order(diagnosed: Diagnosed) -> None:
     """12 slots, 14 poles: order 84 and, of unequal magnets, 12."""
     time = np.arange(6000) / 100.0
     angle = 0.11 * time + 0.02 * np.sin(0.5 * time)
@@ -145,9 +117,11 @@ def test_cogging_of_a_turned_motor_is_named_by_its_native_order() -> None:
     assert outcome.diagnosis.verdict == "missing_physics"
 
 
-def test_the_command_writes_a_model_that_simulates_to_the_figures_after(tmp_path: Path) -> None:
+def test_the_command_writes_a_model_that_simulates_to_the_figures_after(
+    tmp_path: Path, carriage: Carriage, stated: str
+) -> None:
     write_recording(carriage(friction), tmp_path / "run.csv")
-    (tmp_path / "rig.yaml").write_text(CARRIAGE, encoding="utf-8")
+    (tmp_path / "rig.yaml").write_text(stated, encoding="utf-8")
     asked = [str(tmp_path / "run.csv"), "--scenario", str(tmp_path / "rig.yaml"), "--json", str(tmp_path / "out.json")]
     answer = CliRunner().invoke(command, asked, catch_exceptions=False)
     assert answer.exit_code == 0
@@ -158,18 +132,23 @@ def test_the_command_writes_a_model_that_simulates_to_the_figures_after(tmp_path
         "kind: imposed_motion", "kind: imposed_motion\n    recording: run.csv"
     )  # fmt: skip
     better = read_scenario(parse_document(text, tmp_path / "model.yaml"), Catalog(), seed=0)
-    made = simulate(better.rig, duration=COUNT / RATE, seed=0, sample_rate=RATE, settling=0.0).torque()
-    measured = read_recording(tmp_path / "run.csv").torque()
+    run = read_recording(tmp_path / "run.csv")
+    made = simulate(better.rig, duration=run.duration, seed=0, sample_rate=run.sample_rate, settling=0.0).torque()
+    measured = run.torque()
     inner = slice(100, -100)
     left = measured[inner] - made[inner]
     assert np.sqrt(np.mean((left - left.mean()) ** 2)) < 1.0  # 0.5 N of noise, and sharper reversals than the fit's
 
 
-def test_a_recording_without_effort_or_motion_is_refused_in_one_sentence() -> None:
+def test_a_recording_without_effort_or_motion_is_refused_in_one_sentence(
+    diagnosed: Diagnosed, carriage: Carriage
+) -> None:
     whole = carriage(nothing)
-    force = Recording(sample_rate=RATE, channels={"force_N": whole.channels["force_N"]}, name="run.csv")
+    force = Recording(sample_rate=whole.sample_rate, channels={"force_N": whole.channels["force_N"]}, name="run.csv")
     with pytest.raises(RecordingError, match=r"run.csv has no channel 'position'"):
         diagnosed(force)
-    place = Recording(sample_rate=RATE, channels={"position_m": whole.channels["position_m"]}, name="run.csv")
+    place = Recording(
+        sample_rate=whole.sample_rate, channels={"position_m": whole.channels["position_m"]}, name="run.csv"
+    )
     with pytest.raises(RecordingError, match=r"run.csv: there is no torque, force or motor_torque channel"):
         diagnosed(place)

@@ -30,11 +30,15 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     poles = 2 * motor.pole_pairs
     native = lcm(motor.slots, poles)
     orders = [order for order in map(_whole, lines_in(model.residuals, runs)) if order is not None]
-    allowed = [k for k in dict.fromkeys(orders) if (k % motor.slots == 0 or k % poles == 0) and k <= _HIGHEST * native]
+    allowed = [k for k in dict.fromkeys(orders) if _allowed(k, motor.slots, poles) and k <= _HIGHEST * native]
     if native in allowed:
         yield _cogging(model, runs, motor, [native], "native")
     if allowed and allowed != [native]:
         yield _cogging(model, runs, motor, allowed, "tolerances")
+
+
+def _allowed(order: int, slots: int, poles: int) -> bool:
+    return order > 0 and (order % slots == 0 or order % poles == 0)
 
 
 def _whole(line: Line) -> int | None:

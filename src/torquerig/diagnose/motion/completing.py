@@ -9,19 +9,20 @@ import numpy as np
 
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.motion import cogging, friction, gap, others
+from torquerig.diagnose.motion import cogging, friction, gap, hum, others
+from torquerig.diagnose.motion.convincing import convincing, viscous_alone
 from torquerig.diagnose.motion.evidence import LEAST_GAIN, gained, root_mean_square, samples_that_count
 from torquerig.diagnose.motion.fitted import FittedMotion, fitted
-from torquerig.diagnose.motion.level import level_is_off
 from torquerig.diagnose.motion.moved import STRETCHES, Mask, Moved
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
 LEAST_FALL = 0.03  # of the rms residual: a smaller gain is no physics worth naming
-_OF_THE_LEVEL = ("quadratic_drag", "sensor_drift")
 _ALONE = 8  # evaluations while the model's own numbers are held
+_AS_CLOSE = 0.05  # of the rms residual: what a simpler variant may leave more
 _WORTHWHILE = 0.25  # of the best gain alone: less is not caught up by fitting all numbers
-_ROOMS = (friction, gap, cogging, others)
+_ROOMS = (friction, gap, cogging, hum, others)
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,12 +35,15 @@ class Tried:
         See ``evidence.gained``.
     fall : float
         By how much of itself the rms residual fell [1].
+    freed : bool
+        Whether all numbers of the model were fitted beside its own: only such a fit can be kept.
     """
 
     candidate: Candidate
     model: FittedMotion
     gain: float
     fall: float
+    freed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +68,7 @@ def completed(
             "trying the library's effects" if not steps else f"trying what {steps[-1].kept.candidate.mechanism} leaves"
         )
         last = tuple(_tried(model, base, own, runs))
-        kept = next((one for one in last if _holds(one, model, base, own, runs)), None)
+        kept = _first_that_holds(last, model, base, own, runs)
         if kept is None:
             break
         steps.append(Step(kept, model, last))
@@ -79,30 +83,47 @@ def _proposals(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate
 
 
 def _tried(model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]) -> list[Tried]:
-    """Return every hypothesis fitted, best first: alone, then of each name and variant the best start with all."""
-    alone: dict[tuple[str, str], Tried] = {}
-    for candidate in _proposals(model, runs):
-        made = fitted(candidate.added_to(model.rig), runs, candidate.knobs, evaluations=_ALONE)
-        one = _weighed(candidate, made, model, runs)
-        key = (candidate.mechanism, candidate.variant)
-        if key not in alone or one.gain > alone[key].gain:
-            alone[key] = one
-    top = max((one.gain for one in alone.values()), default=0.0)
-    found = []
-    for one in alone.values():
-        if one.gain < _WORTHWHILE * top:
-            found.append(one)
-            continue
+    """Return every hypothesis fitted, best first: alone, then of each name and variant the best start with all.
+
+    Alone all numbers of the model are held but those that stood in for the hypothesis.
+    """
+
+    def held(candidate: Candidate) -> Tried:
+        loose = [knob for knob in own if knob.field in candidate.loosens]
+        made = fitted(candidate.added_to(model.rig), runs, (*candidate.knobs, *loose), evaluations=_ALONE)
+        return _weighed(candidate, made, model, runs)
+
+    def freed(one: Tried) -> Tried:
         parts = tuple(one.model.rig.part(part.name) for part in one.candidate.parts)
         placed = replace(one.candidate, parts=parts)
         start = np.concatenate([model.positions, np.zeros(len(placed.knobs))])
         made = fitted(placed.added_to(base), runs, (*own, *placed.knobs), start=start)
-        found.append(_weighed(placed, made, model, runs))
+        return replace(_weighed(placed, made, model, runs), freed=True)
+
+    alone: dict[tuple[str, str], Tried] = {}
+    for one in of_each(held, list(_proposals(model, runs))):
+        key = (one.candidate.mechanism, one.candidate.variant)
+        if key not in alone or one.gain > alone[key].gain:
+            alone[key] = one
+    worth = _worthwhile(list(alone.values()))
+    found = [*of_each(freed, worth), *(one for one in alone.values() if one not in worth)]
     return _ranked(found, model, runs)
 
 
+def _worthwhile(alone: Sequence[Tried]) -> list[Tried]:
+    """Return those worth fitting with all numbers free.
+
+    Of a residual that is one slow course few samples count, and no gain is large before it is gone: what lowers it
+    counts as well.
+    """
+    top = max((one.gain for one in alone), default=0.0)
+    deepest = max((one.fall for one in alone), default=0.0)
+    enough = max(_WORTHWHILE * deepest, LEAST_FALL)
+    return [one for one in alone if one.gain >= _WORTHWHILE * top or one.fall >= enough]
+
+
 def _ranked(found: Sequence[Tried], model: FittedMotion, runs: Sequence[Moved]) -> list[Tried]:
-    """Best first, all weighed with the colour of what the closest one leaves."""
+    """Best first, all weighed with the colour of what the closest one leaves; finer variants behind one as close."""
     if not found:
         return []
     before, left = model.of(runs), [one.model.of(runs) for one in found]
@@ -110,7 +131,15 @@ def _ranked(found: Sequence[Tried], model: FittedMotion, runs: Sequence[Moved]) 
     count = samples_that_count(closest)
     gains = [gained(before, after, numbers=len(one.candidate.knobs), count=count)
              for one, after in zip(found, left, strict=True)]  # fmt: skip
-    return sorted((replace(one, gain=gain) for one, gain in zip(found, gains, strict=True)), key=lambda one: -one.gain)
+    best = sorted((replace(one, gain=gain) for one, gain in zip(found, gains, strict=True)), key=lambda one: -one.gain)
+    return sorted(best, key=lambda one: any(_as_close(other, one) for other in best))
+
+
+def _as_close(simple: Tried, fine: Tried) -> bool:
+    """Whether a simpler variant of the same mechanism comes as close as a finer one."""
+    alike = simple.freed and simple.candidate.mechanism == fine.candidate.mechanism
+    fewer = len(simple.candidate.knobs) < len(fine.candidate.knobs)
+    return alike and fewer and 1 - simple.fall < (1 + _AS_CLOSE) * (1 - fine.fall)
 
 
 def _weighed(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> Tried:
@@ -119,12 +148,30 @@ def _weighed(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
     return Tried(candidate, made, gain, 1 - root_mean_square(left) / root_mean_square(before))
 
 
+def _first_that_holds(
+    tried: Sequence[Tried], model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]
+) -> Tried | None:
+    """Return the best that holds; none where viscous friction alone, which has no name, does better."""
+    for one in tried:
+        if lacks_viscous(one, runs):
+            return None
+        if _holds(one, model, base, own, runs):
+            return one
+    return None
+
+
+def lacks_viscous(one: Tried, runs: Sequence[Moved]) -> bool:
+    """Whether a hypothesis of dry friction gains by the viscous friction that comes with it, and no other way."""
+    worth = one.freed and one.gain > LEAST_GAIN and one.fall > LEAST_FALL
+    return worth and one.candidate.mechanism == "stribeck_friction" and viscous_alone(one.candidate, one.model, runs)
+
+
 def _holds(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]) -> bool:
     """Whether a gain is worth a name, and also lowers stretches that its own numbers were not fitted to."""
-    if one.gain < LEAST_GAIN or one.fall < LEAST_FALL:
+    if not one.freed or one.gain < LEAST_GAIN or one.fall < LEAST_FALL:
         return False
-    if one.candidate.mechanism in _OF_THE_LEVEL and level_is_off(one.model, runs):
-        return False  # it bends the level the right way and stands for something else
+    if not convincing(one.candidate, one.model, model, runs):
+        return False
     fit, check = _halves(runs)
     start = np.concatenate([model.positions, np.zeros(len(one.candidate.knobs))])
     knobs = (*own, *one.candidate.knobs)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import pi
 from typing import Any
@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
 from torquerig.diagnose.fitting.knobs import nuisance_knobs
-from torquerig.diagnose.motion.completing import Step, completed
-from torquerig.diagnose.motion.fitted import FittedMotion, residuals_of
-from torquerig.diagnose.motion.friction import without_peak
+from torquerig.diagnose.motion.completing import Step, Tried, completed, lacks_viscous
+from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, residuals_of
+from torquerig.diagnose.motion.friction import viscous_at, without_peak
 from torquerig.diagnose.motion.lines import in_a_line, lines_in
 from torquerig.diagnose.motion.moved import STRETCHES, Moved, imposed_part, moved_runs
 from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
@@ -98,18 +98,19 @@ def diagnose_motion(
     runs = moved_runs(recordings, rig, held_out=held_out)
     progress("fitting the nominal model's own numbers")
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
-    before, steps, _ = completed(rig, runs, knobs, progress=progress)
+    before, steps, last = completed(rig, runs, knobs, progress=progress)
     after = steps[-1].kept.model if steps else before
     progress("predicting what no fit has seen")
     left = mismatches(after, runs)
     lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
     neutrals = tuple(neutral(line, after.residuals, runs) for line in lines)
     findings = tuple(finding(step, after, runs) for step in steps)
-    verdict: Verdict = "unexplained" if left else "missing_physics" if findings else "adequate"
+    ends = at_their_ends(after, of=before.knobs)
+    verdict: Verdict = "unexplained" if left or ends else "missing_physics" if findings else "adequate"
     diagnosis = Diagnosis(
         verdict=verdict, mismatch=_mismatch(before, runs, left, bool(findings)), findings=findings,
         fit=_held_out(rig, before, after, runs, seed), recordings=tuple(_used(run) for run in runs),
-        remarks=_remarks(neutrals, after, runs),
+        remarks=(*_remarks(neutrals, after, runs), *_of_viscous(last, runs), *ends),
     )  # fmt: skip
     return MotionOutcome(
         diagnosis=diagnosis, runs=runs, before=before, after=after, steps=steps, neutrals=neutrals,
@@ -160,10 +161,24 @@ def _remarks(neutrals: Sequence[Neutral], after: FittedMotion, runs: Sequence[Mo
     return (*said, f"{zero}; where nothing else tells, dry friction that differs by direction would look the same")
 
 
+def _of_viscous(tried: Sequence[Tried], runs: Sequence[Moved]) -> Iterator[str]:
+    """Yield what friction in proportion to the speed the scenario lacks, where the best of what was tried is that."""
+    best = next((one for one in tried if one.freed), None)
+    if best is None or not lacks_viscous(best, runs):
+        return
+    at = best.candidate.parts[0].name
+    unit = "N s/m" if in_a_line(runs) else "N m s/rad"
+    drag = viscous_at(best.model.rig, best.model.rig.part(at).at)[0]  # type: ignore[attr-defined]
+    yield (
+        f"what is left grows in proportion to the speed: {drag:.3g} {unit} of viscous friction, which has no name of "
+        "its own among the effects; state it in the scenario"
+    )
+
+
 def _written(after: FittedMotion, neutrals: Sequence[Neutral], runs: Sequence[Moved]) -> Rig:
     rig = after.rig
     for part in after.rig.parts:
-        rig = rig.changed(without_peak(part))
+        rig = rig.changed(without_peak(part, after.knobs))
     first = next(index for index, run in enumerate(runs) if run.seen.any())
     for each in neutrals:
         line = neutral_part(each.line, after.residuals[first], runs[first], rig)

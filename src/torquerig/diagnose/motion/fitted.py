@@ -18,6 +18,7 @@ Floats = NDArray[np.float64]
 
 ZERO_SPREAD = 0.03  # of the rms effort: how far the zero of the effort's channel may stand off, one sigma
 _THIN = int(0.4 / BAND)  # nothing stands above the band, so every fourth sample holds it all
+_AT_THE_END = 0.98
 _LIMIT = 6.0  # a knob goes no further than this many of its spreads
 _PRECISE, _AS_IF = 0.05, 400.0  # against the knobs' spreads: so precise [1] and so many samples, until colour is known
 
@@ -106,4 +107,16 @@ def fitted(
     covariance = np.linalg.pinv(slope.T @ slope / noise + np.eye(len(first)))
     return FittedMotion(
         made, tuple(knobs), found.x[:-1], covariance[:-1, :-1], zero, residuals_of(made, runs, zero=zero)
+    )
+
+
+def at_their_ends(model: FittedMotion, *, of: Sequence[Knob]) -> tuple[str, ...]:
+    """Return a sentence for each number among ``of`` that went as far as it may: it stands in for what is missing."""
+    pairs = zip(model.knobs, model.positions, strict=True)
+    far = [knob for knob, at in pairs if knob in of and abs(at) > _AT_THE_END * _LIMIT]
+    return tuple(
+        f"{knob.part}.{knob.field} went to {knob.value(model.rig):.3g}, as far from its stated value as a fit may: "
+        f"either that value is wrong by more than {_LIMIT:g} of its spreads, or the number stands in for something "
+        "that is missing"
+        for knob in far
     )

@@ -1,4 +1,4 @@
-"""Dry friction of the part that moves: the same both ways, by direction, or bending before it slides."""
+"""Dry friction of the part that moves: the same both ways, by direction, holding more than it slides, or bending."""
 
 from __future__ import annotations
 
@@ -22,12 +22,17 @@ from torquerig.rig.terms import Friction
 
 Floats = NDArray[np.float64]
 
+PEAKED, PEAKED_BY_DIRECTION = "stribeck", "stribeck_by_direction"
 _KINDS = ("stribeck_friction", "lugre_friction")
+_BOTH_WAYS = 0.05  # of the time in motion
+_LEAST_PEAK = 1.05  # times what slides
 _SMOOTHED, _SMOOTHED_BEHIND = 2e-3, 0.1  # of the top speed; behind a spring a sharper sign asks for tiny steps
 _BENDS = (0.01, 0.05, 0.2)  # of the stroke: how far the bristles bend before they slide
 _DAMPED = 2e-3  # [s] of the bristles, s1 over s0
+_HOLDS, _FALLS = 1.5, 0.05  # times what slides; of the top speed, by which it has fallen to that
 _NO_PEAK = 1e-6  # of the top speed: a Stribeck speed that no sample sees
 _SHARED = 0.1
+STOOD_IN = ("viscous", "viscous_backward", "coulomb")  # of a model, fitted in place of what is missing
 _LEAST = 1e-3  # of the effort: where a regression finds nothing to start from
 
 
@@ -38,7 +43,10 @@ def carrier(rig: Rig) -> str | None:
 
 
 def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
-    """Yield dry friction the same both ways, by direction, and with presliding, at starting values from regression."""
+    """Yield dry friction the same both ways, by direction, with a peak at standstill, and with presliding.
+
+    Starting values are those of a regression.
+    """
     at = carrier(model.rig)
     if at is None or not hasattr(mechanisms, "StribeckFriction") or any(p.kind in _KINDS for p in model.rig.parts):
         return
@@ -54,10 +62,17 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     viscous = () if _has_viscous(model.rig, at) else ("viscous",)
     drag: dict[str, Any] = {"viscous": 0.5 * (drag_ahead + drag_back)} if viscous else {}
     yield _candidate(replace(part, **drag), ("coulomb", *viscous), "")
+    if not turns_back(runs):
+        return
     both: dict[str, Any] = {"coulomb": ahead, "static": ahead, "coulomb_backward": back, "static_backward": back}
     share = _SHARED * sum(viscous_at(model.rig, at))  # where the part has some already, a share to tell them apart by
     sliding: dict[str, Any] = {"viscous": max(drag_ahead, share), "viscous_backward": max(drag_back, share)}
-    yield _candidate(replace(part, **both, **sliding), ("coulomb", "coulomb_backward", *sliding), "by_direction")
+    ways = ("coulomb", "coulomb_backward", *sliding)
+    yield _candidate(replace(part, **both, **sliding), ways, "by_direction")
+    peak: dict[str, Any] = {"static": _HOLDS * dry, "stribeck_speed": _FALLS * top}
+    yield _candidate(replace(part, **drag, **peak), ("coulomb", *peak, *viscous), PEAKED)
+    peak |= {"static": _HOLDS * ahead, "static_backward": _HOLDS * back}
+    yield _candidate(replace(part, **{**both, **sliding, **peak}), (*ways, *peak), PEAKED_BY_DIRECTION)
     if not hasattr(mechanisms, "LugreFriction"):
         return
     stroke = max(float(np.ptp(run.position)) for run in runs)
@@ -70,9 +85,25 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
         yield _candidate(bristles, ("coulomb", "coulomb_backward", "stiffness", "damping", *viscous), "lugre")
 
 
-def without_peak(part: Part) -> Part:
-    """Return a friction whose static value no sample saw with the sliding one in its place."""
-    if part.kind not in _KINDS:
+def turns_back(runs: Sequence[Moved]) -> bool:
+    """Whether the motion goes both ways, for a twentieth of its time at the least, so that the two can be told."""
+    speed = np.concatenate([run.speed[run.seen & moving(run)] for run in runs])
+    return bool(_BOTH_WAYS < np.mean(speed > 0) < 1 - _BOTH_WAYS)
+
+
+def possible(part: Part, variant: str) -> bool:
+    """Whether a friction that was fitted with a peak holds more than it slides; all else is possible."""
+    if variant not in (PEAKED, PEAKED_BY_DIRECTION):
+        return True
+    values: Any = part
+    sides = [(values.coulomb, values.static)]
+    sides += [] if values.static_backward is None else [(values.coulomb_backward, values.static_backward)]
+    return all(holds >= _LEAST_PEAK * slides for slides, holds in sides)
+
+
+def without_peak(part: Part, knobs: Sequence[Knob]) -> Part:
+    """Return a friction whose static value no knob fitted, so that no sample saw it, with the sliding one for it."""
+    if part.kind not in _KINDS or any((knob.part, knob.field) == (part.name, "static") for knob in knobs):
         return part
     values: Any = part
     return cast("Part", replace(values, static=values.coulomb, static_backward=values.coulomb_backward))
@@ -92,7 +123,7 @@ def _has_viscous(rig: Rig, at: str) -> bool:
 
 def _candidate(part: Part, fields: Sequence[str], variant: str) -> Candidate:
     knobs = tuple(Knob(part.name, field, 1.0) for field in fields)
-    return Candidate(mechanism="stribeck_friction", parts=(part,), knobs=knobs, variant=variant)
+    return Candidate(mechanism="stribeck_friction", parts=(part,), knobs=knobs, variant=variant, loosens=STOOD_IN)
 
 
 def _regressed(model: FittedMotion, runs: Sequence[Moved]) -> tuple[float, float, float, float]:

@@ -20,7 +20,7 @@ _NEIGHBOURS = 40  # places on either side that make the floor
 _CLEAR = 3  # nearest places left out of the floor: a line's own skirt
 _LOWEST = 6  # cycles that a line must have over the run; slower is not told from a slow course
 _POINTS = 4000
-_VISIBLE = 0.002  # by so much of itself a line lowers the residual's rms; a smaller one is not worth telling
+_VISIBLE = 0.005  # by so much of itself a line lowers the residual's rms; a smaller one is not worth telling
 _OWN = 1e-4  # of its strongest: where the motion itself has so much, what is left comes with its cadence
 _FEWEST = 200  # samples in motion
 _TIE = 1.1  # so much better a fixed frequency must be than the place that it stands for
@@ -182,6 +182,8 @@ def _strongest(pairs: Sequence[_Pair], domain: str) -> Line | None:
         over[_in_the_motion(pairs, grid * scale)] = 0.0
     peak = int(np.argmax(over))
     ratio = float(over[peak])
+    if not ratio > 1:
+        return None
     # each run and direction gives the square of a complex normal number: the tail of their sum, Chernoff's bound
     chance = count / _PER_PLACE * np.exp(-terms * max(ratio - 1 - np.log(max(ratio, 1.0)), 0.0))
     near = np.linspace(grid[peak] - grid[1] + grid[0], grid[peak] + grid[1] - grid[0], 21)

@@ -11,7 +11,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion.fitted import FittedMotion
-from torquerig.diagnose.motion.friction import carrier
+from torquerig.diagnose.motion.friction import STOOD_IN, carrier
 from torquerig.diagnose.motion.moved import BAND, Moved
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia
@@ -38,7 +38,8 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
         found = _slope(model, runs, [run.speed * np.abs(run.speed) for run in runs])
         quick = max(float(np.abs(run.speed).max()) for run in runs)
         drag = mechanisms.QuadraticDrag(name="quadratic_drag", at=at, coefficient=max(found, _TRACE * size / quick**2))
-        yield Candidate(mechanism="quadratic_drag", parts=(drag,), knobs=(Knob(drag.name, "coefficient", 1.0),))
+        yield Candidate(mechanism="quadratic_drag", parts=(drag,), knobs=(Knob(drag.name, "coefficient", 1.0),),
+                        loosens=STOOD_IN)  # fmt: skip
     if "sensor_drift" not in present:
         found = _slope(model, runs, [run.recording.time() / run.recording.duration for run in runs])
         drift = mechanisms.SensorDrift(name="sensor_drift", span=found)

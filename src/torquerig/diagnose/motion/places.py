@@ -1,4 +1,4 @@
-"""What still stands out when a model is as good as it gets: lines, and speeds at which the level is wrong."""
+"""What still stands out when a model is as good as it gets: lines, speeds and places at which the level is wrong."""
 
 from __future__ import annotations
 
@@ -6,16 +6,21 @@ from collections.abc import Sequence
 from math import erfc, log10, pi, sqrt
 
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.motion.course import course_left
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.level import BINS, level_off
 from torquerig.diagnose.motion.lines import Line, in_a_line, lines_in, moving
 from torquerig.diagnose.motion.moved import Moved
+from torquerig.diagnose.motion.steps import step_in
+
+_TRACE = 0.005  # of what a model leaves: lines that have less of it are the detail of something else
 
 
 def mismatches(model: FittedMotion, runs: Sequence[Moved]) -> tuple[Mismatch, ...]:
     """Return the places where the model is significantly wrong, largest share of what it leaves first."""
     found = [_of_line(line, model, runs) for line in lines_in(model.residuals, runs)]
-    found += _of_speed(model, runs)
+    found = [one for one in found if one.share_of_misfit > _TRACE]
+    found += [*_of_speed(model, runs), *_of_course(model, runs), *_of_time(model, runs)]
     return tuple(sorted(found, key=lambda one: -one.share_of_misfit))
 
 
@@ -39,6 +44,26 @@ def _of_speed(model: FittedMotion, runs: Sequence[Moved]) -> list[Mismatch]:
         domain="speed", axis="m/s" if in_a_line(runs) else "rpm", at=off.at * unit, width=off.width * unit,
         recordings=_names(runs), excess_dB=20 * log10(off.deviations), share_of_misfit=off.share,
         p_value=min(1.0, BINS * erfc(off.deviations / sqrt(2))),
+    )]  # fmt: skip
+
+
+def _of_course(model: FittedMotion, runs: Sequence[Moved]) -> list[Mismatch]:
+    left = course_left(model, runs)
+    if left is None:
+        return []
+    return [Mismatch(
+        domain="level", axis="m" if in_a_line(runs) else "rad", at=left.at, width=left.width, recordings=left.runs,
+        excess_dB=left.excess_db, share_of_misfit=min(1.0, left.share), p_value=left.p_value,
+    )]  # fmt: skip
+
+
+def _of_time(model: FittedMotion, runs: Sequence[Moved]) -> list[Mismatch]:
+    step = step_in(model, runs)
+    if step is None:
+        return []
+    return [Mismatch(
+        domain="time", axis="s", at=step.at, width=step.width, recordings=(step.run,), excess_dB=step.excess_db,
+        share_of_misfit=step.share, p_value=step.p_value,
     )]  # fmt: skip
 
 

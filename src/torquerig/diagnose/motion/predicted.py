@@ -12,10 +12,13 @@ from torquerig.errors import SimulationError
 from torquerig.rig import terms
 from torquerig.rig.parts import ImposedMotion
 from torquerig.rig.rig import Rig
-from torquerig.simulate.simulate import simulate
+from torquerig.simulate.inputs import Span
+from torquerig.simulate.ready import ready
+from torquerig.simulate.simulate import stepped
 
 Floats = NDArray[np.float64]
 
+_MOST_STEPS = 2000  # of a sample
 RUN_AWAY = 1e3  # times the measured effort: what a rig that does not stay finite counts as
 
 
@@ -33,14 +36,20 @@ class GivenMotion(ImposedMotion):
 def predicted(rig: Rig, run: Moved) -> Floats:
     """Return the effort that ``rig`` takes for the motion of a run, low-passed as the measured one [N m] or [N].
 
-    A rig that does not stay finite answers with a value far off, so that a fit turns away from it.
+    A rig that does not stay finite answers with a value far off, so that a fit turns away from it; so does one that is
+    too stiff to be stepped within reason.
     """
+    far_off = np.full(run.effort.size, RUN_AWAY * float(np.abs(run.effort).max()))
     part = rig.part(rig.measured)
     assert isinstance(part, ImposedMotion)
     given = GivenMotion(name=part.name, at=part.at, given=run.motion)
     moving = rig.changed(given).at(run.recording.run)
+    span = Span.of(duration=run.recording.samples / run.rate, settling=0.0, rate=run.rate, seed=0, wander=0.0)
+    prepared = ready(moving, span, scenario="", substeps=None)
+    if prepared.steps > _MOST_STEPS:
+        return far_off
     try:
-        made = simulate(moving, duration=run.recording.samples / run.rate, seed=0, sample_rate=run.rate, settling=0.0)
+        made = stepped(prepared)
     except SimulationError:
-        return np.full(run.effort.size, RUN_AWAY * float(np.abs(run.effort).max()))
+        return far_off
     return low_passed(made.torque())

@@ -11,7 +11,7 @@ from torquerig.diagnose.diagnosis import Finding, Stated
 from torquerig.diagnose.motion.completing import Step, Tried
 from torquerig.diagnose.motion.evidence import root_mean_square
 from torquerig.diagnose.motion.fitted import FittedMotion
-from torquerig.diagnose.motion.friction import viscous_at
+from torquerig.diagnose.motion.friction import viscous_at, without_peak
 from torquerig.diagnose.motion.lines import in_a_line
 from torquerig.diagnose.motion.moved import Moved
 
@@ -29,13 +29,20 @@ _NAMES: Mapping[str, Mapping[str, tuple[str, str, str]]] = {  # field: name, uni
 }
 _VARIANT = {
     "by_direction": "dry and viscous friction that differ by direction",
+    "stribeck": "dry friction that holds more than it slides",
+    "stribeck_by_direction": "dry friction that holds more than it slides and differs by direction",
     "lugre": "dry friction that bends before it slides (presliding)",
     "native": "cogging at its native order {order_motor:.0f}",
     "tolerances": "cogging at order {order_motor:.0f} with the orders of unequal teeth and magnets",
     "linear": "a zero that drifts",
 }
-_PLAIN = {"stribeck_friction": "dry friction", "backlash": "play in {joint}", "quadratic_drag": "drag with the square "
-          "of the speed", "torsional_mode": "a further inertia on a spring that swings along"}  # fmt: skip
+_PLAIN = {
+    "stribeck_friction": "dry friction",
+    "mains_interference": "hum of the mains",
+    "backlash": "play in {joint}",
+    "quadratic_drag": "drag with the square of the speed",
+    "torsional_mode": "a further inertia on a spring that swings along",
+}
 
 
 def finding(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> Finding:
@@ -69,6 +76,12 @@ def identifying(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> dict[
         return {name: _stated(final, part.name, "gap", part.gap, unit, factor=factor)}
     if candidate.mechanism == "cogging":
         return _cogging(part, final, runs)
+    if candidate.mechanism == "mains_interference":
+        hum = _stated(final, part.name, "frequency", part.frequency, "Hz")
+        return {
+            "frequency_Hz": hum,
+            "amplitude_V": _stated(final, part.name, "amplitudes", part.amplitudes[0], torque, key=0),
+        }
     answer = {}
     for field, (name, turning, moving) in _NAMES[candidate.mechanism].items():
         answer[name] = _stated(final, part.name, field, getattr(part, field), moving if line else turning)
@@ -80,13 +93,21 @@ def _friction(part: Any, final: FittedMotion, torque: str, line: bool) -> dict[s
     slope = "N s/m" if line else "N m s/rad"
     answer: dict[str, Stated] = {}
     ways = ("forward", "backward") if part.coulomb_backward is not None else ("",)
+    peaked = without_peak(part, final.knobs) is part
     for way in ways:
-        field, end = ("coulomb_backward" if way == "backward" else "coulomb"), f"_{way}" if way else ""
-        dry = _stated(final, part.name, field, getattr(part, field), torque)
-        answer |= {f"coulomb_Nm{end}": dry, f"static_Nm{end}": dry}
+        back, end = "_backward" if way == "backward" else "", f"_{way}" if way else ""
+        dry = _stated(final, part.name, f"coulomb{back}", getattr(part, f"coulomb{back}"), torque)
+        holds = _stated(final, part.name, f"static{back}", getattr(part, f"static{back}"), torque) if peaked else dry
+        answer |= {f"coulomb_Nm{end}": dry, f"static_Nm{end}": holds}
+        if peaked:
+            falls = _stated(final, part.name, "stribeck_speed", part.stribeck_speed, "m/s" if line else "rad/s")
+            answer[f"stribeck_rad_s{end}"] = falls
         whole, own = drag[way == "backward"], "viscous_backward" if way == "backward" else "viscous"
         if whole > 0:
-            answer[f"viscous_Nms{end}"] = _stated(final, part.name, own, whole, slope)
+            known = [(knob.part, knob.field) for knob in final.knobs]
+            rows = ((part.name, own), (part.name, "viscous"), (part.at, own), (part.at, "viscous"))
+            owner, field = next((row for row in rows if row in known), rows[0])
+            answer[f"viscous_Nms{end}"] = _stated(final, owner, field, whole, slope)
     if hasattr(part, "stiffness"):
         answer["stiffness"] = _stated(
             final, part.name, "stiffness", part.stiffness, torque + ("/m" if line else "/rad")

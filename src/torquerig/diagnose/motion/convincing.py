@@ -1,0 +1,64 @@
+"""Whether what a hypothesis gains speaks for its mechanism, and not for something that it stands in for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.motion import friction
+from torquerig.diagnose.motion.evidence import root_mean_square
+from torquerig.diagnose.motion.fitted import FittedMotion
+from torquerig.diagnose.motion.level import level_is_off
+from torquerig.diagnose.motion.lines import lines_in, waves
+from torquerig.diagnose.motion.moved import Moved
+from torquerig.diagnose.motion.places import mismatches
+from torquerig.diagnose.motion.steps import step_in
+
+Floats = NDArray[np.float64]
+
+_OF_THE_LEVEL = ("quadratic_drag", "sensor_drift")
+_DRY = 0.03  # of the rms effort: less dry friction beside more viscous friction is no dry friction
+_SWINGS = 0.5  # of the rms residual that a mode lowers beside all lines
+_LEAST_DAMPING, _MOST_DAMPING = 0.001, 0.2  # steel in one piece rings no longer; what hardly rings is a damper
+
+
+def convincing(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> bool:
+    """Whether a hypothesis that was fitted in ``made`` is what ``model`` lacks.
+
+    A drag or a drift must leave a level that is right at all speeds and times: else it bends the level the right way
+    and stands for something else. Friction must be dry, and hold more than it slides where a peak was fitted. A mode
+    must ring, and answer to all that moves it: one that explains a line alone has three numbers for two, and noise of
+    the measured motion, twice differentiated, looks like one (on six rigs without any it was named six times).
+    """
+    part: Any = made.rig.part(candidate.parts[0].name)
+    if candidate.mechanism in _OF_THE_LEVEL:
+        return not level_is_off(made, runs) and step_in(made, runs) is None
+    if candidate.mechanism == "stribeck_friction":
+        return friction.possible(part, candidate.variant) and not viscous_alone(candidate, made, runs)
+    if candidate.mechanism == "torsional_mode":
+        before, after = (_beside_lines(one, model, runs) for one in (model, made))
+        rings = _LEAST_DAMPING < part.damping_ratio < _MOST_DAMPING
+        return rings and after < (1 - _SWINGS) * before and not mismatches(made, runs)
+    return True
+
+
+def viscous_alone(candidate: Candidate, made: FittedMotion, runs: Sequence[Moved]) -> bool:
+    """Whether what was fitted as dry friction is next to none beside the viscous friction that came with it."""
+    part: Any = made.rig.part(candidate.parts[0].name)
+    dry = max(part.coulomb, part.coulomb_backward or 0.0)
+    return bool(dry < _DRY * root_mean_square([run.effort[run.seen] for run in runs if run.seen.any()]))
+
+
+def _beside_lines(one: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> float:
+    """Return the rms of what a model leaves beside the lines that ``model`` leaves."""
+    lines, left = lines_in(model.residuals, runs), []
+    for run, residual in zip(runs, one.residuals, strict=True):
+        rest = residual
+        for line in lines:
+            rest = rest - waves(run, line, rest, run.seen)
+        left.append(rest[run.seen])
+    return root_mean_square([each for each in left if each.size])
