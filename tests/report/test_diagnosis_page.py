@@ -22,6 +22,8 @@ from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.report.diagnosis_causes import FOUND, KNOWN, causes
 from torquerig.report.diagnosis_page import diagnosis_page
+from torquerig.report.diagnosis_pictures import places_picture
+from torquerig.report.diagnosis_residual_figure import residuals_to_show
 from torquerig.report.diagnosis_tables import numbers_table, unit_of
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.signals.recording import Recording
@@ -100,6 +102,36 @@ def test_the_page_says_what_the_diagnosis_says(page: str, outcome: Outcome) -> N
 def test_the_same_outcome_gives_the_same_page(page: str, outcome: Outcome) -> None:
     again = diagnosis_page(outcome, title="wear_rig", command="torquerig diagnose a", model="m.yaml", seed=0)
     assert again == page
+
+
+def test_a_picture_of_places_is_drawn_only_where_there_is_something_to_see(outcome: Outcome) -> None:
+    """pytest turns matplotlib's complaints about an empty or squeezed picture into errors."""
+    (worst, *_) = outcome.diagnosis.mismatch
+    shares = ((0.0,), (1e-6,), (0.0, 0.0))
+    assert places_picture(()) is None
+    assert all(places_picture([replace(worst, share_of_misfit=one) for one in each]) is None for each in shares)
+    small = places_picture([replace(worst, share_of_misfit=1e-3)])
+    assert small is not None
+    assert small.caption.startswith("Each place")
+
+
+def test_residuals_are_drawn_only_where_there_are_some(runs: tuple[Compared, ...]) -> None:
+    steady = runs[0]
+    bare = replace(steady, held=replace(steady.held, places=(), power=np.zeros(0)))
+    assert residuals_to_show(steady, ())
+    assert residuals_to_show(None, runs[1:])
+    assert not residuals_to_show(bare, ())
+
+
+def test_the_page_of_nothing_missing_says_so_in_words(outcome: Outcome) -> None:
+    fine = replace(outcome.diagnosis, verdict="adequate", mismatch=(), findings=())
+    told = diagnosis_page(replace(outcome, diagnosis=fine, left=()), title="a", command="b", model=None, seed=0)
+    assert "Nothing is missing that these recordings can show" in told
+    assert "Nowhere by more than chance leaves, so there is no picture of it." in told
+    shareless = tuple(replace(one, share_of_misfit=0.0) for one in outcome.diagnosis.mismatch)
+    none = replace(outcome, diagnosis=replace(fine, verdict="unexplained", mismatch=shareless))
+    told = diagnosis_page(none, title="a", command="b", model=None, seed=0)
+    assert "none of these places has a share of the misfit that could be seen" in told
 
 
 def test_only_what_no_fit_has_seen_is_compared(runs: tuple[Compared, ...]) -> None:

@@ -53,7 +53,7 @@ def _said(outcome: Outcome) -> Mapping[str, Any]:
         "verdict": WORDS[diagnosis.verdict],
         "sentence": verdict_sentence(diagnosis, outcome.left),
         "fit": diagnosis.fit,
-        "improvement": pictures.improvement_text(outcome) if diagnosis.findings else None,
+        "improvement": pictures.improvement_text(diagnosis.fit) if diagnosis.findings else None,
         "findings": tuple(_finding(each) for each in diagnosis.findings),
         "next_experiment": diagnosis.next_experiment,
         "remarks": diagnosis.remarks,
@@ -76,7 +76,7 @@ def _shown(outcome: Outcome, runs: Sequence[Compared]) -> Mapping[str, Any]:
     left = outcome.left if outcome.diagnosis.findings else ()
     return {
         "mismatch": tables.mismatch_table(outcome.diagnosis.mismatch) if outcome.diagnosis.mismatch else None,
-        "places": pictures.places_picture(outcome),
+        "places": pictures.places_picture(outcome.diagnosis.mismatch),
         "left": tables.mismatch_table(left) if left else None,
         "held_out": tables.held_out_table(runs),
         "course": pictures.course_picture(runs),
