@@ -15,8 +15,11 @@ from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.cli.diagnose import command
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
+from torquerig.diagnose.motion.lines import lines_in
+from torquerig.diagnose.motion.moved import moved
 from torquerig.document import parse_document
 from torquerig.errors import RecordingError
+from torquerig.rig.parts import ImposedMotion
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.signals.files import read_recording, write_recording
 from torquerig.signals.recording import Channel, Recording
@@ -173,3 +176,16 @@ def test_a_recording_without_effort_or_motion_is_refused_in_one_sentence() -> No
     place = Recording(sample_rate=RATE, channels={"position_m": whole.channels["position_m"]}, name="run.csv")
     with pytest.raises(RecordingError, match=r"run.csv: there is no torque, force or motor_torque channel"):
         diagnosed(place)
+
+
+def test_a_motion_that_has_every_frequency_hides_them_and_breaks_nothing() -> None:
+    """Forth and back at one speed: its square wave leaves no frequency in which a line could be told from it."""
+    time = np.arange(8000) / RATE
+    channels = {
+        "force_N": Channel(values=np.full(time.size, 20.0), quantity="force", unit="N"),
+        "position_m": Channel(values=0.05 * np.abs((time + 5.0) % 10.0 - 5.0), quantity="position", unit="m"),
+    }
+    part = ImposedMotion(name="motion", at="carriage", channel="position")
+    run = moved(Recording(sample_rate=RATE, channels=channels, name="even.csv"), part)
+    left = 0.1 * np.random.default_rng(5).standard_normal(time.size)
+    assert lines_in([left], [run]) == ()

@@ -182,6 +182,8 @@ def _strongest(pairs: Sequence[_Pair], domain: str) -> Line | None:
         over[_in_the_motion(pairs, grid * scale)] = 0.0
     peak = int(np.argmax(over))
     ratio = float(over[peak])
+    if ratio <= 1:  # nothing stands out, or the motion itself has every frequency
+        return None
     # each run and direction gives the square of a complex normal number: the tail of their sum, Chernoff's bound
     chance = count / _PER_PLACE * np.exp(-terms * max(ratio - 1 - np.log(max(ratio, 1.0)), 0.0))
     near = np.linspace(grid[peak] - grid[1] + grid[0], grid[peak] + grid[1] - grid[0], 21)
