@@ -17,6 +17,7 @@ from torquerig.cli.diagnose import command
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.diagnose.motion.lines import lines_in
 from torquerig.diagnose.motion.moved import moved
+from torquerig.diagnose.motion.set_aside import CLASSES
 from torquerig.document import parse_document
 from torquerig.errors import RecordingError
 from torquerig.rig.parts import ImposedMotion
@@ -90,6 +91,11 @@ def test_a_wrong_mass_is_no_missing_physics() -> None:
     assert outcome.after.rig.part("carriage").mass == pytest.approx(MASS, rel=5e-3)
     fit = outcome.diagnosis.fit
     assert fit.before == fit.after < 0.2 * fit.nominal
+    aside = outcome.diagnosis.set_aside
+    assert set(aside) == set(CLASSES)
+    assert aside["stribeck_friction"].startswith("tried: what is left falls by less than its numbers cost")
+    assert aside["backlash"] == "the rig has no gear and no link in which there could be play"
+    assert aside["cogging"] == "what is moved is no motor"
 
 
 def test_friction_by_direction_is_named_with_its_numbers() -> None:
@@ -104,6 +110,10 @@ def test_friction_by_direction_is_named_with_its_numbers() -> None:
     assert told["viscous_Nms_forward"] == pytest.approx(8.0, rel=0.1)
     assert told["viscous_Nms_backward"] == pytest.approx(20.0, rel=0.1)
     assert outcome.diagnosis.fit.improvement[1] > 0.8
+    aside = outcome.diagnosis.set_aside
+    assert set(aside) == set(CLASSES) - {"stribeck_friction"}
+    assert aside["quadratic_drag"].startswith("tried beside stribeck friction: ")
+    assert (outcome.left, outcome.diagnosis.mismatch) == ((), outcome.missed)
 
 
 def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -112,6 +122,8 @@ def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(mo
     outcome = diagnosed(carriage(friction))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
     assert outcome.diagnosis.mismatch[0].domain == "speed"
+    assert outcome.diagnosis.set_aside["stribeck_friction"] == "not in the library"
+    assert outcome.diagnosis.set_aside["quadratic_drag"].startswith("tried: its gain is ")
 
 
 @pytest.mark.parametrize(

@@ -10,5 +10,6 @@ friction     dry friction, by direction, presliding                    gap      
 cogging      lines of slots and magnets                                others     drag, drift, a branch: the rivals
 completing   the best hypothesis, and again                            places     what still stands out, where
 level        where over the speed the mean is wrong                told       a finding in the contract's words
+set_aside    why the others were not named
 diagnose_motion   all of it in order
 """

@@ -51,26 +51,33 @@ class Step:
     tried: tuple[Tried, ...]
 
 
+@dataclass(frozen=True, eq=False)
+class Refused:
+    """A hypothesis that was not kept beside the findings, and why."""
+
+    tried: Tried
+    why: str
+
+
 def completed(
     nominal: Rig, runs: Sequence[Moved], knobs: Sequence[Knob], *, progress: Callable[[str], None]
-) -> tuple[FittedMotion, tuple[Step, ...], tuple[Tried, ...]]:
+) -> tuple[FittedMotion, tuple[Step, ...], tuple[Refused, ...]]:
     """Return the calibrated nominal model, the steps that complete it, and what was tried last without being kept."""
     start = model = fitted(nominal, runs, knobs)
     base, own = nominal, tuple(knobs)
     steps: list[Step] = []
-    last: tuple[Tried, ...] = ()
     while len(steps) < MOST_EFFECTS:
         progress(
             "trying the library's effects" if not steps else f"trying what {steps[-1].kept.candidate.mechanism} leaves"
         )
-        last = tuple(_tried(model, base, own, runs))
-        kept = next((one for one in last if _holds(one, model, base, own, runs)), None)
+        tried = tuple(_tried(model, base, own, runs))
+        kept, refused = _first_that_holds(tried, model, base, own, runs)
         if kept is None:
-            break
-        steps.append(Step(kept, model, last))
+            return start, tuple(steps), refused
+        steps.append(Step(kept, model, tried))
         base, own = kept.candidate.added_to(base), (*own, *kept.candidate.knobs)
-        model, last = kept.model, ()
-    return start, tuple(steps), last
+        model = kept.model
+    return start, tuple(steps), ()
 
 
 def _proposals(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
@@ -119,12 +126,29 @@ def _weighed(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
     return Tried(candidate, made, gain, 1 - root_mean_square(left) / root_mean_square(before))
 
 
-def _holds(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]) -> bool:
-    """Whether a gain is worth a name, and also lowers stretches that its own numbers were not fitted to."""
-    if one.gain < LEAST_GAIN or one.fall < LEAST_FALL:
-        return False
+def _first_that_holds(
+    tried: Sequence[Tried], model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]
+) -> tuple[Tried | None, tuple[Refused, ...]]:
+    """Return the best hypothesis that is worth a name, and those before it with what speaks against them."""
+    refused: list[Refused] = []
+    for one in tried:
+        why = _objection(one, model, base, own, runs)
+        if not why:
+            return one, tuple(refused)
+        refused.append(Refused(one, why))
+    return None, tuple(refused)
+
+
+def _objection(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]) -> str:
+    """Return why a gain is not worth a name; empty where it lowers stretches too that its numbers did not see."""
+    if one.gain <= 0:
+        return "what is left falls by less than its numbers cost"
+    if one.fall < LEAST_FALL:
+        return f"what is left falls by {one.fall:.1%}, and a name needs {LEAST_FALL:.0%}"
+    if one.gain < LEAST_GAIN:
+        return f"its gain is {one.gain:.3g}, and a name needs {LEAST_GAIN:g}"
     if one.candidate.mechanism in _OF_THE_LEVEL and level_is_off(one.model, runs):
-        return False  # it bends the level the right way and stands for something else
+        return "it bends the level the right way, which stays wrong at some speeds: it would stand for something else"
     fit, check = _halves(runs)
     start = np.concatenate([model.positions, np.zeros(len(one.candidate.knobs))])
     knobs = (*own, *one.candidate.knobs)
@@ -132,7 +156,9 @@ def _holds(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], runs
     before = fitted(base, runs, own, start=model.positions, masks=fit)
     left, first = ([each[mask] for each, mask in zip(made.residuals, check, strict=True) if mask.any()]
                    for made in (after, before))  # fmt: skip
-    return root_mean_square(left) < (1 - 0.5 * LEAST_FALL) * root_mean_square(first)
+    if root_mean_square(left) < (1 - 0.5 * LEAST_FALL) * root_mean_square(first):
+        return ""
+    return "stretches that its own numbers were not fitted to are foretold no better"
 
 
 def _halves(runs: Sequence[Moved]) -> tuple[list[Mask], list[Mask]]:
