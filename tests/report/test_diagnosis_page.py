@@ -21,10 +21,10 @@ from torquerig.diagnose.showing.comparison_curves import held_spans, line_wave, 
 from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.report.diagnosis_causes import FOUND, KNOWN, causes
+from torquerig.report.diagnosis_numbers import numbers_table, unit_of
 from torquerig.report.diagnosis_page import diagnosis_page
 from torquerig.report.diagnosis_pictures import places_picture
 from torquerig.report.diagnosis_residual_figure import residuals_to_show
-from torquerig.report.diagnosis_tables import numbers_table, unit_of
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.signals.recording import Recording
 from torquerig.simulate.simulate import simulate
@@ -180,7 +180,8 @@ def test_lines_are_labelled_by_cause(outcome: Outcome, runs: tuple[Compared, ...
 def test_the_fitted_numbers_stand_in_their_declared_units(outcome: Outcome) -> None:
     assert unit_of(outcome.completed.part("wear_part"), "inertia") == "kg*m^2"
     assert unit_of(outcome.completed.part("load"), "mean_by_occupancy_percent") == "N*m"
-    rows = {row[0].text: [cell.text for cell in row] for row in numbers_table(outcome).rows}
+    table = numbers_table(outcome.before.nominal, outcome.before.model, outcome.after.model)
+    rows = {row[0].text: [cell.text for cell in row] for row in table.rows}
     assert rows["wear part.inertia"][1:3] == ["0.002", "10.5 %"]
     assert rows["wear part.inertia"][-1] == "kg*m^2"
 

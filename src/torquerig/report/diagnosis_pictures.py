@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.diagnosis import HeldOut, Mismatch
+from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.showing.comparison import Compared, most_telling
 from torquerig.report.diagnosis_causes import causes
 from torquerig.report.diagnosis_course_figure import diagnosis_course_figure
@@ -13,7 +13,6 @@ from torquerig.report.diagnosis_places_figure import MOST, diagnosis_places_figu
 from torquerig.report.diagnosis_residual_figure import diagnosis_residual_figure, residuals_to_show
 from torquerig.report.diagnosis_spectrum_figure import diagnosis_spectrum_figure
 from torquerig.report.diagnosis_window_figure import diagnosis_window_figure
-from torquerig.report.layout import plain
 from torquerig.report.picture import Picture, picture
 from torquerig.scenario.kinematics import kinematics_of
 
@@ -74,9 +73,3 @@ def telling_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Pictur
             )
         )
     return tuple(pictures)
-
-
-def improvement_text(fit: HeldOut) -> str:
-    """Return the improvement on held-out data with its interval."""
-    value, low, high = (100 * each for each in fit.improvement)
-    return f"{plain(value)} % (95 %: {plain(low)} to {plain(high)} %)"
