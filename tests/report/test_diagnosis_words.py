@@ -38,6 +38,8 @@ def test_under_measured_motion_an_error_falls_in_per_cent() -> None:
     said = verdict_sentence(replace(BASE, fit=fit), (), yardstick=EFFORT)
     assert said.endswith("with it the error on data that no fit has seen falls from 67 % to 5.5 % of the effort.")
     fine = verdict_sentence(replace(BASE, fit=fit, verdict="adequate", findings=()), (), yardstick=EFFORT)
+    open_end = verdict_sentence(replace(BASE, fit=fit, verdict="unexplained"), (), yardstick=EFFORT)
+    assert open_end.endswith("what speaks against the model stands at no place, but in the remarks.")
     assert fine.endswith("the model's error on data that no fit has seen is 67 % of the effort.")
 
 

@@ -32,12 +32,15 @@ class Yardstick:
         Of what, behind the number.
     true : str
         What a true model has, as a clause.
+    placeless : str
+        What is said of an unexplained rest that stands at no place.
     """
 
     name: str
     percent: bool = False
     of: str = ""
     true: str = ""
+    placeless: str = "what is left is in the samples themselves"
 
     def said(self, value: float) -> str:
         """Return a misfit as it is said."""
@@ -45,7 +48,10 @@ class Yardstick:
 
 
 FEATURES = Yardstick(name="misfit on data that no fit has seen", true=", where a true model has about 1")
-EFFORT = Yardstick(name="error on data that no fit has seen", percent=True, of=" of the effort")
+EFFORT = Yardstick(
+    name="error on data that no fit has seen", percent=True, of=" of the effort",
+    placeless="what speaks against the model stands at no place, but in the remarks",
+)  # fmt: skip
 
 
 def mechanism_text(name: str) -> str:
@@ -66,7 +72,7 @@ def verdict_sentence(diagnosis: Diagnosis, left: Sequence[Mismatch], *, yardstic
     if diagnosis.verdict == "missing_physics":
         them = "it" if len(diagnosis.findings) == 1 else "them"
         return f"The model lacks {named}; with {them} {falls}{yardstick.true}."
-    where = f"what is left stands {place_text(left[0])}" if left else "what is left is in the samples themselves"
+    where = f"what is left stands {place_text(left[0])}" if left else yardstick.placeless
     if not diagnosis.findings:
         return f"Something is missing that no mechanism of the library explains: {where}."
     rest = f"but that is not all, and no mechanism of the library explains the rest: {where}"

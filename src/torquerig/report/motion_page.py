@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from torquerig.diagnose.motion.diagnose_motion import METRIC, MotionOutcome
+from torquerig.diagnose.motion.level import TOLERANCE
 from torquerig.diagnose.showing.motion_comparison import motion_compared, scale_of
 from torquerig.report import motion_tables as tables
 from torquerig.report.diagnosis_numbers import added_numbers_table, numbers_table
@@ -19,7 +20,7 @@ LIMITS = (
     "A mechanism that is not in the library can only be located, never named.",
     "Motion and effort are compared below a tenth of the sample rate; beyond it the acceleration is noise.",
     "The motion is imposed as it was measured: an error of the encoder counts as effort.",
-    "A mean off by less than 3 % of the effort is not told, nor a line that lowers what is left by less than 0.2 %.",
+    f"A mean off by less than {TOLERANCE:.0%} of the effort is not told, nor a line that hardly lowers what is left.",
     "Held-out data are other stretches of the same runs: they rule out a fit to chance, and say nothing of other rigs.",
 )
 

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from torquerig.diagnose.diagnosis import Finding
-from torquerig.diagnose.motion.completing import Step
+from torquerig.diagnose.motion.completing import LEAST_FALL, Step
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
+from torquerig.diagnose.motion.evidence import LEAST_GAIN
 from torquerig.diagnose.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnose.showing.motion_scores import Score, scores, without
 from torquerig.report.diagnosis_words import mechanism_text
@@ -44,8 +45,9 @@ def _rivals(finding: Finding, step: Step, outcome: MotionOutcome) -> Table:
         head=("mechanism", "gain", "of the best", "residual falls by", "held-out error", "judgement"),
         rows=(*rows, nothing), emphasised=frozenset({0}),
         note="The gain is twice the growth of the log likelihood on what fits see, with the colour of what is left "
-        "reckoned with and each further number paid for; below 40, or where the residual falls by less than 3 %, "
-        "nothing is named. What gains clearly less by its own numbers alone is not fitted with all of the model.",
+        f"reckoned with and each further number paid for; below {LEAST_GAIN:g}, or where the residual falls by less "
+        f"than {LEAST_FALL:.0%}, nothing is named. What gains clearly less by its own numbers alone is not fitted "
+        "with all of the model.",
     )  # fmt: skip
 
 
