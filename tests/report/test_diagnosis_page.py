@@ -21,8 +21,10 @@ from torquerig.diagnose.showing.comparison_curves import held_spans, line_wave, 
 from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.report.diagnosis_causes import FOUND, KNOWN, causes
+from torquerig.report.diagnosis_numbers import numbers_table, unit_of
 from torquerig.report.diagnosis_page import diagnosis_page
-from torquerig.report.diagnosis_tables import numbers_table, unit_of
+from torquerig.report.diagnosis_pictures import places_picture
+from torquerig.report.diagnosis_residual_figure import residuals_to_show
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.signals.recording import Recording
 from torquerig.simulate.simulate import simulate
@@ -102,6 +104,36 @@ def test_the_same_outcome_gives_the_same_page(page: str, outcome: Outcome) -> No
     assert again == page
 
 
+def test_a_picture_of_places_is_drawn_only_where_there_is_something_to_see(outcome: Outcome) -> None:
+    """pytest turns matplotlib's complaints about an empty or squeezed picture into errors."""
+    (worst, *_) = outcome.diagnosis.mismatch
+    shares = ((0.0,), (1e-6,), (0.0, 0.0))
+    assert places_picture(()) is None
+    assert all(places_picture([replace(worst, share_of_misfit=one) for one in each]) is None for each in shares)
+    small = places_picture([replace(worst, share_of_misfit=1e-3)])
+    assert small is not None
+    assert small.caption.startswith("Each place")
+
+
+def test_residuals_are_drawn_only_where_there_are_some(runs: tuple[Compared, ...]) -> None:
+    steady = runs[0]
+    bare = replace(steady, held=replace(steady.held, places=(), power=np.zeros(0)))
+    assert residuals_to_show(steady, ())
+    assert residuals_to_show(None, runs[1:])
+    assert not residuals_to_show(bare, ())
+
+
+def test_the_page_of_nothing_missing_says_so_in_words(outcome: Outcome) -> None:
+    fine = replace(outcome.diagnosis, verdict="adequate", mismatch=(), findings=())
+    told = diagnosis_page(replace(outcome, diagnosis=fine, left=()), title="a", command="b", model=None, seed=0)
+    assert "Nothing is missing that these recordings can show" in told
+    assert "Nowhere by more than chance leaves, so there is no picture of it." in told
+    shareless = tuple(replace(one, share_of_misfit=0.0) for one in outcome.diagnosis.mismatch)
+    none = replace(outcome, diagnosis=replace(fine, verdict="unexplained", mismatch=shareless))
+    told = diagnosis_page(none, title="a", command="b", model=None, seed=0)
+    assert "none of these places has a share of the misfit that could be seen" in told
+
+
 def test_only_what_no_fit_has_seen_is_compared(runs: tuple[Compared, ...]) -> None:
     steady, turning = runs
     assert np.array(held_spans(steady.held)) == pytest.approx(np.array([[10 / 3, 25 / 6], [25 / 6, 5.0]]), abs=1e-3)
@@ -148,7 +180,8 @@ def test_lines_are_labelled_by_cause(outcome: Outcome, runs: tuple[Compared, ...
 def test_the_fitted_numbers_stand_in_their_declared_units(outcome: Outcome) -> None:
     assert unit_of(outcome.completed.part("wear_part"), "inertia") == "kg*m^2"
     assert unit_of(outcome.completed.part("load"), "mean_by_occupancy_percent") == "N*m"
-    rows = {row[0].text: [cell.text for cell in row] for row in numbers_table(outcome).rows}
+    table = numbers_table(outcome.before.nominal, outcome.before.model, outcome.after.model)
+    rows = {row[0].text: [cell.text for cell in row] for row in table.rows}
     assert rows["wear part.inertia"][1:3] == ["0.002", "10.5 %"]
     assert rows["wear part.inertia"][-1] == "kg*m^2"
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, Mismatch
-from torquerig.report.diagnosis_words import chance_text, kind_text, place_text, verdict_sentence
+from torquerig.report.diagnosis_words import EFFORT, chance_text, kind_text, place_text, verdict_sentence
 
 FIT = HeldOut(nominal=9.0, before=8.0, after=1.05, improvement=(0.87, 0.8, 0.9))
 MESH = Finding(mechanism="gear_mesh", variant="", explanation="", confidence=0.9, parameters={}, gain=100.0)
@@ -31,6 +31,16 @@ def test_one_finding_is_one_sentence() -> None:
         "The model lacks gear mesh; with it the misfit on data that no fit has seen falls from 8 to 1.05, where a true "
         "model has about 1."
     )
+
+
+def test_under_measured_motion_an_error_falls_in_per_cent() -> None:
+    fit = HeldOut(nominal=0.9, before=0.67, after=0.055, improvement=(0.9, 0.8, 0.95))
+    said = verdict_sentence(replace(BASE, fit=fit), (), yardstick=EFFORT)
+    assert said.endswith("with it the error on data that no fit has seen falls from 67 % to 5.5 % of the effort.")
+    fine = verdict_sentence(replace(BASE, fit=fit, verdict="adequate", findings=()), (), yardstick=EFFORT)
+    open_end = verdict_sentence(replace(BASE, fit=fit, verdict="unexplained"), (), yardstick=EFFORT)
+    assert open_end.endswith("what speaks against the model stands at no place, but in the remarks.")
+    assert fine.endswith("the model's error on data that no fit has seen is 67 % of the effort.")
 
 
 def test_what_cannot_be_told_is_in_the_sentence() -> None:
@@ -67,6 +77,8 @@ def test_the_unexplained_is_located_and_never_named() -> None:
         (TONE, "at 281.12 Hz", "fixed in frequency"),
         (place("frequency", "Hz", 100.0, 50.0), "from 80 to 130 Hz", "a band of the spectrum"),
         (place("speed", "rpm", 3.0, 10.0), "in the slow torque at 3 rpm", "goes with the speed"),
+        (place("speed", "m/s", -0.125, 0.01), "in the mean force at -0.125 m/s", "goes with the speed"),
+        (place("order", "cycles/m", 399.69, 4.0), "at 399.69 cycles/m of the motion", "periodic in the position"),
     ],
 )  # fmt: skip
 def test_a_place_is_said_in_neutral_terms(mismatch: Mismatch, where: str, kind: str) -> None:

@@ -6,6 +6,7 @@ import json
 import os
 import shlex
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -17,6 +18,10 @@ from torquerig.scenario.readings import other_readings
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.signals.files import read_recording
 from torquerig.signals.files.sidecar import sidecar_path
+
+if TYPE_CHECKING:
+    from torquerig.diagnose.diagnose import Outcome
+    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
 
 _PAGE = "<!-- written by torquerig diagnose -->"
 _MOST_WORKERS = 4  # of their own accord: each holds some 200 MB of its own
@@ -50,7 +55,7 @@ def command(
     Exit code 0 means that a diagnosis was reached, whatever it says.
     """
     from torquerig.cli.progress import stages
-    from torquerig.diagnose.diagnose import Outcome, diagnose
+    from torquerig.diagnose.diagnose import diagnose
     from torquerig.diagnose.diagnosis import SCHEMA, as_json
     from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
     from torquerig.diagnose.side_by_side import side_by_side
@@ -60,8 +65,6 @@ def command(
     check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     document, catalog = edited(scenario, settings), catalog_beside(scenario, catalogs)
     made = read_scenario(document, catalog, seed=seed)
-    if report is not None and under_measured_motion(made.rig):
-        raise InputError("there is no page for rigs under measured motion; leave --report out, the JSON has it all")
     read = [read_recording(path) for path in recordings]
     if len({recording.name for recording in read}) < len(read):
         raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
@@ -81,16 +84,24 @@ def command(
         write_scenario(target, text, overwrite=True)
         data["model"] = str(target)
     text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
-    if report is not None and isinstance(outcome, Outcome):
-        from torquerig.report.diagnosis_page import diagnosis_page
-
+    if report is not None:
         again = _command(recordings, scenario, settings=settings, seed=seed)
-        page = diagnosis_page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed)
+        page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed)
         report.write_text(page, encoding="utf-8")
     if out == "-":
         click.echo(text, nl=False)
     else:
         Path(out).write_text(text, encoding="utf-8")
+
+
+def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:
+    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
+    from torquerig.report.diagnosis_page import diagnosis_page
+    from torquerig.report.motion_page import motion_page
+
+    if isinstance(outcome, MotionOutcome):
+        return motion_page(outcome, title=title, command=command, model=model, seed=seed)
+    return diagnosis_page(outcome, title=title, command=command, model=model, seed=seed)
 
 
 def _command(recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], seed: int) -> str:

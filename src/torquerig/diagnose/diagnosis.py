@@ -85,9 +85,9 @@ class UsedRecording:
 class Diagnosis:
     """What a diagnosis says.
 
-    ``set_aside`` holds a reason for each mechanism that is neither found nor a rival of what is. ``next_experiment`` is
-    the run that would tell between the hypotheses that explain part of an ``unexplained`` rest, where there are two or
-    more.
+    ``set_aside`` holds a reason for each mechanism that is neither found nor a rival of what is; under measured motion
+    for rivals too, which are judged again beside what was found. ``next_experiment`` is the run that would tell between
+    the hypotheses that explain part of an ``unexplained`` rest, where there are two or more.
     """
 
     verdict: Verdict

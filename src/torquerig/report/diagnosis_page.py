@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from torquerig import __version__
 from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.diagnosis import METRIC, Finding
+from torquerig.diagnose.diagnosis import METRIC
 from torquerig.diagnose.showing.comparison import Compared, compared
 from torquerig.report import diagnosis_pictures as pictures
 from torquerig.report import diagnosis_tables as tables
-from torquerig.report.diagnosis_words import WORDS, mechanism_text, verdict_sentence
+from torquerig.report.diagnosis_numbers import numbers_table
+from torquerig.report.diagnosis_told import NOWHERE, rendered, told
+from torquerig.report.diagnosis_words import FEATURES
 
 LIMITS = (
     "A mechanism that is not in the library can only be located, never named.",
@@ -33,55 +34,28 @@ def diagnosis_page(outcome: Outcome, *, title: str, command: str, model: str | N
     model : str or None
         Where the completed scenario was written.
     """
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
-    runs = compared(outcome)
-    content = {
-        "title": title.replace("_", " "), "command": command, "model": model, "seed": seed, "version": __version__,
-        "limits": LIMITS, "metric": METRIC, **_said(outcome), **_shown(outcome, runs),
-    }  # fmt: skip
-    return environment.get_template("diagnosis.html").render(content)
-
-
-def _said(outcome: Outcome) -> Mapping[str, Any]:
     diagnosis = outcome.diagnosis
-    return {
-        "verdict": WORDS[diagnosis.verdict],
-        "sentence": verdict_sentence(diagnosis, outcome.left),
-        "fit": diagnosis.fit,
-        "improvement": pictures.improvement_text(outcome) if diagnosis.findings else None,
-        "findings": tuple(_finding(each) for each in diagnosis.findings),
-        "next_experiment": diagnosis.next_experiment,
-        "remarks": diagnosis.remarks,
-    }
-
-
-def _finding(finding: Finding) -> Mapping[str, Any]:
-    return {
-        "name": mechanism_text(finding.mechanism) + (f" ({finding.variant})" if finding.variant else ""),
-        "explanation": finding.explanation,
-        "confidence": f"{100 * finding.confidence:.0f} %",
-        "parameters": tables.parameters_table(finding),
-        "rivals": tables.rivals_table(finding) if finding.rivals else None,
-        "equivalents": tuple(mechanism_text(name) for name in finding.equivalent_to),
-        "next_experiment": finding.next_experiment,
-    }
+    rivals = [tables.rivals_table(each) if each.rivals else None for each in diagnosis.findings]
+    content = {
+        "limits": LIMITS, "metric": f"The misfit is the {METRIC}.",
+        **told(diagnosis, outcome.left, yardstick=FEATURES, rivals=rivals), **_shown(outcome, compared(outcome)),
+    }  # fmt: skip
+    return rendered(content, title=title, command=command, model=model, seed=seed)
 
 
 def _shown(outcome: Outcome, runs: Sequence[Compared]) -> Mapping[str, Any]:
-    left = outcome.left if outcome.diagnosis.findings else ()
+    diagnosis, left = outcome.diagnosis, outcome.left if outcome.diagnosis.findings else ()
+    before, after = outcome.before.model, outcome.after.model
     return {
-        "mismatch": tables.mismatch_table(outcome.diagnosis.mismatch) if outcome.diagnosis.mismatch else None,
-        "places": pictures.places_picture(outcome),
+        "mismatch": tables.mismatch_table(diagnosis.mismatch) if diagnosis.mismatch else None,
+        "places": pictures.places_picture(diagnosis.mismatch),
+        "nowhere": NOWHERE,
         "left": tables.mismatch_table(left) if left else None,
         "held_out": tables.held_out_table(runs),
-        "course": pictures.course_picture(runs),
-        "telling": pictures.telling_pictures(outcome, runs),
-        "aside": tables.aside_table(outcome) if outcome.diagnosis.set_aside else None,
-        "numbers": tables.numbers_table(outcome) if outcome.before.model.knobs else None,
+        "telling": (*pictures.telling_pictures(outcome, runs), pictures.course_picture(runs)),
+        "not_drawn": (),
+        "aside": tables.aside_table(diagnosis.set_aside) if diagnosis.set_aside else None,
+        "numbers": numbers_table(outcome.before.nominal, before, after) if before.knobs else None,
+        "added": None,
         "recordings": tables.runs_table(outcome),
     }

@@ -5,22 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnose.diagnose import Outcome
+from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.showing.comparison import Compared, most_telling
 from torquerig.report.diagnosis_causes import causes
 from torquerig.report.diagnosis_course_figure import diagnosis_course_figure
-from torquerig.report.diagnosis_places_figure import MOST, diagnosis_places_figure
-from torquerig.report.diagnosis_residual_figure import diagnosis_residual_figure
+from torquerig.report.diagnosis_places_figure import MOST, diagnosis_places_figure, to_be_seen
+from torquerig.report.diagnosis_residual_figure import diagnosis_residual_figure, residuals_to_show
 from torquerig.report.diagnosis_spectrum_figure import diagnosis_spectrum_figure
 from torquerig.report.diagnosis_window_figure import diagnosis_window_figure
-from torquerig.report.layout import plain
 from torquerig.report.picture import Picture, picture
 from torquerig.scenario.kinematics import kinematics_of
 
 
-def places_picture(outcome: Outcome) -> Picture | None:
-    """Return where the misfit is, or None where there is no mismatch."""
-    listed = outcome.diagnosis.mismatch
-    if not listed:
+def places_picture(listed: Sequence[Mismatch]) -> Picture | None:
+    """Return where the misfit is, or None where there is no mismatch, or none that has a share of the misfit."""
+    if not to_be_seen(listed):
         return None
     which = "Each place" if len(listed) <= MOST else f"The {MOST} largest of {len(listed)} places"
     return picture(
@@ -64,7 +63,7 @@ def telling_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Pictur
                 told="amplitude over order, recording and model, lines labelled by cause",
             )
         )
-    if shown is not None or turning:
+    if residuals_to_show(shown, turning):
         pictures.append(
             picture(
                 diagnosis_residual_figure(shown, turning),
@@ -74,9 +73,3 @@ def telling_pictures(outcome: Outcome, runs: Sequence[Compared]) -> tuple[Pictur
             )
         )
     return tuple(pictures)
-
-
-def improvement_text(outcome: Outcome) -> str:
-    """Return the improvement on held-out data with its interval."""
-    value, low, high = (100 * each for each in outcome.diagnosis.fit.improvement)
-    return f"{plain(value)} % (95 %: {plain(low)} to {plain(high)} %)"

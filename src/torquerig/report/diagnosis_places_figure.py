@@ -15,6 +15,12 @@ COLOURS = {
     "distribution": "#8d6bb5",
 }  # fmt: skip
 MOST = 12
+_LEAST = 5e-4  # a share that is written as 0.0 %
+
+
+def to_be_seen(mismatches: Sequence[Mismatch]) -> bool:
+    """Whether any bar would be more than a line at zero."""
+    return any(one.share_of_misfit >= _LEAST for one in mismatches)
 
 
 def diagnosis_places_figure(mismatches: Sequence[Mismatch]) -> Figure:
@@ -25,9 +31,10 @@ def diagnosis_places_figure(mismatches: Sequence[Mismatch]) -> Figure:
     shares = [100 * one.share_of_misfit for one in shown]
     axes.barh(range(len(shown)), shares, color=[COLOURS[one.domain] for one in shown], height=0.7)
     for row, (one, share) in enumerate(zip(shown, shares, strict=True)):
-        axes.text(share + 0.6, row, f"{share:.1f} %, p {chance_text(one.p_value)}", va="center", fontsize=7.5)
+        said = f"  {share:.1f} %, p {chance_text(one.p_value)}"
+        axes.text(share, row, said, va="center", fontsize=7.5, clip_on=True)
     axes.set_yticks(range(len(shown)), [place_text(one) for one in shown])
-    axes.set_xlim(0, 1.25 * max(shares, default=1.0))
+    axes.set_xlim(0, 1.25 * max(shares))
     axes.set_xlabel("share of the misfit [%]")
     present = dict.fromkeys(one.domain for one in reversed(shown))
     handles = [axes.barh([0], [0], color=COLOURS[domain], label=_words(domain)) for domain in present]

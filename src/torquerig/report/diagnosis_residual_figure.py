@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -22,7 +22,7 @@ _TICKS = (-1000, -300, -100, -30, -10, -3, 0, 3, 10, 30, 100, 300, 1000)
 
 def diagnosis_residual_figure(shown: Compared | None, turning: Sequence[Compared]) -> Figure:
     """Return panels of the residuals: of one run's spectrum and lines, and of the first run that turns back."""
-    panels = [] if shown is None else [_bands, _lines] if shown.held.power.size else [_lines]
+    panels = _panels(shown)
     count = len(panels) + bool(turning)
     figure = new_figure(10.5, 0.4 + 2.5 * count)
     axes = figure.subplots(count, 1, squeeze=False)[:, 0]
@@ -33,6 +33,17 @@ def diagnosis_residual_figure(shown: Compared | None, turning: Sequence[Compared
         _turning(axes[-1], turning[0])
     axes[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
     return figure
+
+
+def residuals_to_show(shown: Compared | None, turning: Sequence[Compared]) -> bool:
+    """Whether there is a spectrum, a line or a turn to draw."""
+    return bool(_panels(shown) or turning)
+
+
+def _panels(shown: Compared | None) -> list[Callable[[Axes, Compared], None]]:
+    if shown is None:
+        return []
+    return [*([_bands] if shown.held.power.size else []), *([_lines] if shown.held.places else [])]
 
 
 def _sides(one: Compared) -> list[tuple[Side, str, str]]:

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from math import exp, pi
-from typing import Any, get_args, get_type_hints
-
-import numpy as np
+from collections.abc import Mapping, Sequence
+from math import pi
 
 from torquerig.diagnose.diagnose import Outcome
 from torquerig.diagnose.diagnosis import Finding, Mismatch
-from torquerig.diagnose.fitting.calibration import Calibrated
-from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.showing.comparison import Compared
-from torquerig.parameter import Parameter
 from torquerig.report.diagnosis_words import chance_text, kind_text, mechanism_text, place_text
 from torquerig.report.layout import Cell, Table, number, plain, words
-from torquerig.units import in_unit
+
+SIZES = "The size of a line is its residual over its spread, that of a band the recording over the model."
 
 
 def parameters_table(finding: Finding) -> Table:
@@ -52,8 +47,8 @@ def _judged(finding: Finding, name: str) -> str:
     return "cannot be told from it" if name in finding.equivalent_to else "fits worse than chance allows"
 
 
-def mismatch_table(mismatches: Sequence[Mismatch]) -> Table:
-    """Return the places where recordings and calibrated model differ."""
+def mismatch_table(mismatches: Sequence[Mismatch], *, sizes: str = SIZES) -> Table:
+    """Return the places where recordings and calibrated model differ; ``sizes`` says what their size counts."""
     rows = [
         (*words(place_text(each), kind_text(each)), number(f"{each.excess_dB:.1f}"),
          number(f"{100 * each.share_of_misfit:.1f} %"), number(chance_text(each.p_value)),
@@ -63,18 +58,17 @@ def mismatch_table(mismatches: Sequence[Mismatch]) -> Table:
     return Table(
         caption="Where recordings and model differ, largest share first",
         head=("place", "kind", "size [dB]", "share of misfit", "p", "recordings"), rows=tuple(rows),
-        note="p is the chance that so large a difference stands anywhere among all places looked at (Bonferroni). The "
-        "size of a line is its residual over its spread, that of a band the recording over the model.",
+        note="p is the chance that so large a difference stands anywhere among all places looked at (Bonferroni). "
+        + sizes,
     )  # fmt: skip
 
 
-def aside_table(outcome: Outcome) -> Table:
+def aside_table(
+    reasons: Mapping[str, str], *, note: str = "Judged by what the calibrated nominal model leaves."
+) -> Table:
     """Return the mechanisms that were set aside, each with its reason."""
-    rows = tuple(words(mechanism_text(name), why) for name, why in outcome.diagnosis.set_aside.items())
-    return Table(
-        caption="Mechanisms that were set aside, and why", head=("mechanism", "reason"), rows=rows,
-        note="Judged by what the calibrated nominal model leaves.",
-    )  # fmt: skip
+    rows = tuple(words(mechanism_text(name), why) for name, why in reasons.items())
+    return Table(caption="Mechanisms that were set aside, and why", head=("mechanism", "reason"), rows=rows, note=note)
 
 
 def held_out_table(runs: Sequence[Compared]) -> Table:
@@ -106,54 +100,3 @@ def runs_table(outcome: Outcome) -> Table:
         caption="The recordings", rows=tuple(rows),
         head=("recording", "profile", "speed held [rpm]", "mean speed [rpm]", "occupancy", "length [s]", "shaft angle"),
     )  # fmt: skip
-
-
-def numbers_table(outcome: Outcome) -> Table:
-    """Return every number that was fitted: nominal, stated spread, fitted before and after."""
-    before, after = outcome.before.model, outcome.after.model
-    rows = [tuple(_number(knob, outcome, before, after)) for knob in before.knobs]
-    return Table(
-        caption="The model's own numbers, fitted before anything is called missing",
-        head=("number", "nominal", "stated spread", "fitted", "with what was found", "known to", "unit"),
-        rows=tuple(rows),
-        note="Known to: one sigma that the recordings leave, together with the stated spread. A number that moved by "
-        "more than two of its stated spreads is marked.",
-    )  # fmt: skip
-
-
-def _number(knob: Knob, outcome: Outcome, before: Calibrated, after: Calibrated) -> Iterator[Cell]:
-    unit = unit_of(outcome.before.nominal.part(knob.part), knob.field)
-    nominal = knob.value(outcome.before.nominal)
-    index, final = before.knobs.index(knob), after.knobs.index(knob) if knob in after.knobs else None
-    moved = abs(float(before.positions[index])) if final is None else abs(float(after.positions[final]))
-    yield Cell(text=knob.name.replace("_", " "))
-    yield number(_shown(nominal, unit))
-    yield number(_spread(knob, knob.spread, unit))
-    yield number(_shown(knob.value(before.rig), unit))
-    yield number(_shown(knob.value(after.rig), unit), style="background:#fdf0c4" if moved > 2 else "")
-    model, place = (before, index) if final is None else (after, final)
-    sigma = float(np.sqrt(max(model.covariance[place, place], 0.0)))
-    yield number(_spread(knob, knob.spread * min(sigma, 1.0), unit))
-    yield Cell(text="" if unit == "1" else unit)
-
-
-def _shown(value: float, unit: str) -> str:
-    return plain(in_unit(value, unit), 4)
-
-
-def _spread(knob: Knob, sigma: float, unit: str) -> str:
-    return f"{100 * (exp(sigma) - 1):.1f} %" if knob.factor else f"± {_shown(sigma, unit)}"
-
-
-def unit_of(part: Any, field: str) -> str:
-    """Return the unit that a part declares for a field, ``1`` where it declares none."""
-    found = next(_declared(get_type_hints(type(part), include_extras=True)[field]), None)
-    return "1" if found is None else found.unit
-
-
-def _declared(hint: Any) -> Iterator[Parameter]:
-    for each in getattr(hint, "__metadata__", ()):
-        if isinstance(each, Parameter):
-            yield each
-    for inner in get_args(hint):
-        yield from _declared(inner)

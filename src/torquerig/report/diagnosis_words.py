@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, Mismatch
 from torquerig.report.layout import plain
 
 _SMALLEST = 1e-12
 _SHAFT = {"output_shaft": "output shaft", "motor_shaft": "motor shaft"}
+_ANGLE = {axis: f"angle of the {shaft}" for axis, shaft in _SHAFT.items()}
 WORDS = {
     "adequate": "adequate",
     "missing_physics": "missing physics",
@@ -16,25 +18,61 @@ WORDS = {
 }
 
 
+@dataclass(frozen=True, kw_only=True)
+class Yardstick:
+    """How the misfit on held-out data is said.
+
+    Parameters
+    ----------
+    name : str
+        What falls.
+    percent : bool
+        Whether it is a share, said in per cent.
+    of : str
+        Of what, behind the number.
+    true : str
+        What a true model has, as a clause.
+    placeless : str
+        What is said of an unexplained rest that stands at no place.
+    """
+
+    name: str
+    percent: bool = False
+    of: str = ""
+    true: str = ""
+    placeless: str = "what is left is in the samples themselves"
+
+    def said(self, value: float) -> str:
+        """Return a misfit as it is said."""
+        return f"{plain(100 * value)} %" if self.percent else plain(value)
+
+
+FEATURES = Yardstick(name="misfit on data that no fit has seen", true=", where a true model has about 1")
+EFFORT = Yardstick(
+    name="error on data that no fit has seen", percent=True, of=" of the effort",
+    placeless="what speaks against the model stands at no place, but in the remarks",
+)  # fmt: skip
+
+
 def mechanism_text(name: str) -> str:
     """Return a mechanism's name as it is said."""
     return name.replace("_", " ")
 
 
-def verdict_sentence(diagnosis: Diagnosis, left: Sequence[Mismatch]) -> str:
+def verdict_sentence(diagnosis: Diagnosis, left: Sequence[Mismatch], *, yardstick: Yardstick = FEATURES) -> str:
     """Return the verdict as one sentence; ``left`` is what the completed model still misses."""
-    fit = diagnosis.fit
+    fit, name = diagnosis.fit, yardstick.name
     named = " and ".join(_named(finding) for finding in diagnosis.findings)
-    falls = f"the misfit on data that no fit has seen falls from {plain(fit.before)} to {plain(fit.after)}"
+    falls = f"the {name} falls from {yardstick.said(fit.before)} to {yardstick.said(fit.after)}{yardstick.of}"
     if diagnosis.verdict == "adequate":
         return (
-            "Nothing is missing that these recordings can show: with its own numbers fitted, the model's misfit on "
-            f"data that no fit has seen is {plain(fit.before)}, where a true model has about 1."
+            f"Nothing is missing that these recordings can show: with its own numbers fitted, the model's {name} is "
+            f"{yardstick.said(fit.before)}{yardstick.of}{yardstick.true}."
         )
     if diagnosis.verdict == "missing_physics":
         them = "it" if len(diagnosis.findings) == 1 else "them"
-        return f"The model lacks {named}; with {them} {falls}, where a true model has about 1."
-    where = f"what is left stands {place_text(left[0])}" if left else "what is left is in the samples themselves"
+        return f"The model lacks {named}; with {them} {falls}{yardstick.true}."
+    where = f"what is left stands {place_text(left[0])}" if left else yardstick.placeless
     if not diagnosis.findings:
         return f"Something is missing that no mechanism of the library explains: {where}."
     rest = f"but that is not all, and no mechanism of the library explains the rest: {where}"
@@ -51,13 +89,17 @@ def _named(finding: Finding) -> str:
 def place_text(mismatch: Mismatch) -> str:
     """Return where a mismatch stands, as one reads it aloud."""
     at, width = plain(mismatch.at, 5), mismatch.width
+    if mismatch.domain == "order" and mismatch.axis in _SHAFT:
+        return f"at order {at} of the {_SHAFT[mismatch.axis]}"
     if mismatch.domain == "order":
-        return f"at order {at} of the {_SHAFT.get(mismatch.axis, mismatch.axis)}"
+        return f"at {at} {mismatch.axis} of the motion"
     if mismatch.domain == "frequency" and width < 0.02 * mismatch.at:
         return f"at {at} Hz"
     if mismatch.domain == "frequency":
         low = max(mismatch.at - 0.5 * width, mismatch.at**2 / (mismatch.at + 0.5 * width))
         return f"from {plain(low)} to {plain(low + width)} Hz"
+    if mismatch.axis == "m/s":
+        return f"in the mean force at {at} m/s"
     return (
         f"in the {'slow torque' if mismatch.domain in ('speed', 'level') else mismatch.domain} at {at} {mismatch.axis}"
     )
@@ -66,7 +108,7 @@ def place_text(mismatch: Mismatch) -> str:
 def kind_text(mismatch: Mismatch) -> str:
     """Return the neutral term for a mismatch: what it is fixed to."""
     if mismatch.domain == "order":
-        return f"periodic in the angle of the {_SHAFT.get(mismatch.axis, mismatch.axis)}"
+        return f"periodic in the {_ANGLE.get(mismatch.axis, 'position')}"
     if mismatch.domain == "frequency":
         return "fixed in frequency" if mismatch.width < 0.02 * mismatch.at else "a band of the spectrum"
     return {"speed": "goes with the speed", "level": "mean of a run", "time": "transient"}.get(

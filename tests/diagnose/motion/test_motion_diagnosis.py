@@ -15,8 +15,12 @@ from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.cli.diagnose import command
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
+from torquerig.diagnose.motion.lines import lines_in
+from torquerig.diagnose.motion.moved import moved
+from torquerig.diagnose.motion.set_aside import CLASSES
 from torquerig.document import parse_document
 from torquerig.errors import RecordingError
+from torquerig.rig.parts import ImposedMotion
 from torquerig.scenario.reading import read_scenario
 from torquerig.signals.files import read_recording, write_recording
 from torquerig.signals.recording import Channel, Recording
@@ -57,6 +61,11 @@ def test_a_wrong_mass_is_no_missing_physics(diagnosed: Diagnosed, carriage: Carr
     assert outcome.after.rig.part("carriage").mass == pytest.approx(10.0, rel=5e-3)
     fit = outcome.diagnosis.fit
     assert fit.before == fit.after < 0.2 * fit.nominal
+    aside = outcome.diagnosis.set_aside
+    assert set(aside) == set(CLASSES)
+    assert aside["stribeck_friction"].startswith("tried: what is left falls by less than its numbers cost")
+    assert aside["backlash"] == "the rig has no gear and no link in which there could be play"
+    assert aside["cogging"] == "what is moved is no motor"
 
 
 def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, carriage: Carriage) -> None:
@@ -71,6 +80,10 @@ def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, c
     assert told["viscous_Nms_forward"] == pytest.approx(8.0, rel=0.1)
     assert told["viscous_Nms_backward"] == pytest.approx(20.0, rel=0.1)
     assert outcome.diagnosis.fit.improvement[1] > 0.8
+    aside = outcome.diagnosis.set_aside
+    assert set(aside) == set(CLASSES) - {"stribeck_friction"}
+    assert aside["quadratic_drag"].startswith("tried beside stribeck friction: ")
+    assert (outcome.left, outcome.diagnosis.mismatch) == ((), outcome.missed)
 
 
 def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(
@@ -81,6 +94,8 @@ def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(
     outcome = diagnosed(carriage(friction))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
     assert outcome.diagnosis.mismatch[0].domain == "speed"
+    assert outcome.diagnosis.set_aside["stribeck_friction"] == "not in the library"
+    assert outcome.diagnosis.set_aside["quadratic_drag"].startswith("tried: its gain is ")
 
 
 @pytest.mark.parametrize(
@@ -152,3 +167,20 @@ def test_a_recording_without_effort_or_motion_is_refused_in_one_sentence(
     )
     with pytest.raises(RecordingError, match=r"run.csv: there is no torque, force or motor_torque channel"):
         diagnosed(place)
+    quiet = {**whole.channels, "force_N": Channel(values=np.zeros(whole.samples), quantity="force", unit="N")}
+    with pytest.raises(RecordingError, match=r"run.csv: its effort is zero all along"):
+        diagnosed(Recording(sample_rate=whole.sample_rate, channels=quiet, name="run.csv"))
+
+
+def test_a_motion_that_has_every_frequency_hides_them_and_breaks_nothing() -> None:
+    """Forth and back at one speed: its square wave leaves no frequency in which a line could be told from it."""
+    rate = 400.0
+    time = np.arange(8000) / rate
+    channels = {
+        "force_N": Channel(values=np.full(time.size, 20.0), quantity="force", unit="N"),
+        "position_m": Channel(values=0.05 * np.abs((time + 5.0) % 10.0 - 5.0), quantity="position", unit="m"),
+    }
+    part = ImposedMotion(name="motion", at="carriage", channel="position")
+    run = moved(Recording(sample_rate=rate, channels=channels, name="even.csv"), part)
+    left = 0.1 * np.random.default_rng(5).standard_normal(time.size)
+    assert lines_in([left], [run]) == ()

@@ -3,78 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion import cogging, friction, gap, hum, others
-from torquerig.diagnose.motion.convincing import convincing, viscous_alone
-from torquerig.diagnose.motion.evidence import LEAST_GAIN, gained, root_mean_square, samples_that_count
+from torquerig.diagnose.motion.evidence import gained, root_mean_square, samples_that_count
 from torquerig.diagnose.motion.fitted import FittedMotion, fitted
-from torquerig.diagnose.motion.moved import STRETCHES, Mask, Moved
+from torquerig.diagnose.motion.moved import Moved
+from torquerig.diagnose.motion.objections import LEAST_FALL, first_that_holds
+from torquerig.diagnose.motion.tried import Refused, Step, Tried
 from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
-LEAST_FALL = 0.03  # of the rms residual: a smaller gain is no physics worth naming
 _ALONE = 8  # evaluations while the model's own numbers are held
 _AS_CLOSE = 0.05  # of the rms residual: what a simpler variant may leave more
 _WORTHWHILE = 0.25  # of the best gain alone: less is not caught up by fitting all numbers
 _ROOMS = (friction, gap, cogging, hum, others)
 
 
-@dataclass(frozen=True, eq=False)
-class Tried:
-    """A hypothesis fitted together with all numbers of the model.
-
-    Parameters
-    ----------
-    gain : float
-        See ``evidence.gained``.
-    fall : float
-        By how much of itself the rms residual fell [1].
-    freed : bool
-        Whether all numbers of the model were fitted beside its own: only such a fit can be kept.
-    """
-
-    candidate: Candidate
-    model: FittedMotion
-    gain: float
-    fall: float
-    freed: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Step:
-    """A hypothesis that was kept, and all that were tried in its place."""
-
-    kept: Tried
-    before: FittedMotion
-    tried: tuple[Tried, ...]
-
-
 def completed(
     nominal: Rig, runs: Sequence[Moved], knobs: Sequence[Knob], *, progress: Callable[[str], None]
-) -> tuple[FittedMotion, tuple[Step, ...], tuple[Tried, ...]]:
+) -> tuple[FittedMotion, tuple[Step, ...], tuple[Refused, ...]]:
     """Return the calibrated nominal model, the steps that complete it, and what was tried last without being kept."""
     start = model = fitted(nominal, runs, knobs)
     base, own = nominal, tuple(knobs)
     steps: list[Step] = []
-    last: tuple[Tried, ...] = ()
     while len(steps) < MOST_EFFECTS:
         progress(
             "trying the library's effects" if not steps else f"trying what {steps[-1].kept.candidate.mechanism} leaves"
         )
-        last = tuple(_tried(model, base, own, runs))
-        kept = _first_that_holds(last, model, base, own, runs)
+        tried = tuple(_tried(model, base, own, runs))
+        kept, refused = first_that_holds(tried, model, base, own, runs)
         if kept is None:
-            break
-        steps.append(Step(kept, model, last))
+            return start, tuple(steps), refused
+        steps.append(Step(kept, model, tried))
         base, own = kept.candidate.added_to(base), (*own, *kept.candidate.knobs)
-        model, last = kept.model, ()
-    return start, tuple(steps), last
+        model = kept.model
+    return start, tuple(steps), ()
 
 
 def _proposals(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
@@ -146,47 +115,3 @@ def _weighed(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
     before, left = model.of(runs), made.of(runs)
     gain = gained(before, left, numbers=len(candidate.knobs))
     return Tried(candidate, made, gain, 1 - root_mean_square(left) / root_mean_square(before))
-
-
-def _first_that_holds(
-    tried: Sequence[Tried], model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]
-) -> Tried | None:
-    """Return the best that holds; none where viscous friction alone, which has no name, does better."""
-    for one in tried:
-        if lacks_viscous(one, runs):
-            return None
-        if _holds(one, model, base, own, runs):
-            return one
-    return None
-
-
-def lacks_viscous(one: Tried, runs: Sequence[Moved]) -> bool:
-    """Whether a hypothesis of dry friction gains by the viscous friction that comes with it, and no other way."""
-    worth = one.freed and one.gain > LEAST_GAIN and one.fall > LEAST_FALL
-    return worth and one.candidate.mechanism == "stribeck_friction" and viscous_alone(one.candidate, one.model, runs)
-
-
-def _holds(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]) -> bool:
-    """Whether a gain is worth a name, and also lowers stretches that its own numbers were not fitted to."""
-    if not one.freed or one.gain < LEAST_GAIN or one.fall < LEAST_FALL:
-        return False
-    if not convincing(one.candidate, one.model, model, runs):
-        return False
-    fit, check = _halves(runs)
-    start = np.concatenate([model.positions, np.zeros(len(one.candidate.knobs))])
-    knobs = (*own, *one.candidate.knobs)
-    after = fitted(one.candidate.added_to(base), runs, knobs, start=start, masks=fit)
-    before = fitted(base, runs, own, start=model.positions, masks=fit)
-    left, first = ([each[mask] for each, mask in zip(made.residuals, check, strict=True) if mask.any()]
-                   for made in (after, before))  # fmt: skip
-    return root_mean_square(left) < (1 - 0.5 * LEAST_FALL) * root_mean_square(first)
-
-
-def _halves(runs: Sequence[Moved]) -> tuple[list[Mask], list[Mask]]:
-    """Return what fits may see, in stretches of a quarter of the usual, by turns."""
-    fit, check = [], []
-    for run in runs:
-        turn = np.arange(run.seen.size) * STRETCHES * 4 // run.seen.size % 4 < 2
-        fit.append(run.seen & turn)
-        check.append(run.seen & ~turn)
-    return fit, check

@@ -26,8 +26,8 @@ _SWINGS = 0.5  # of the rms residual that a mode lowers beside all lines
 _LEAST_DAMPING, _MOST_DAMPING = 0.001, 0.2  # steel in one piece rings no longer; what hardly rings is a damper
 
 
-def convincing(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> bool:
-    """Whether a hypothesis that was fitted in ``made`` is what ``model`` lacks.
+def doubt_in(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> str:
+    """Return why a hypothesis that was fitted in ``made`` is not what ``model`` lacks; empty where it may be.
 
     A drag or a drift must leave a level that is right at all speeds and times: else it bends the level the right way
     and stands for something else. Friction must be dry, and hold more than it slides where a peak was fitted. A mode
@@ -35,15 +35,26 @@ def convincing(candidate: Candidate, made: FittedMotion, model: FittedMotion, ru
     the measured motion, twice differentiated, looks like one (on six rigs without any it was named six times).
     """
     part: Any = made.rig.part(candidate.parts[0].name)
-    if candidate.mechanism in _OF_THE_LEVEL:
-        return not level_is_off(made, runs) and step_in(made, runs) is None
-    if candidate.mechanism == "stribeck_friction":
-        return friction.possible(part, candidate.variant) and not viscous_alone(candidate, made, runs)
+    if candidate.mechanism in _OF_THE_LEVEL and level_is_off(made, runs):
+        return "it bends the level the right way, which stays wrong at some speeds: it would stand for something else"
+    if candidate.mechanism in _OF_THE_LEVEL and step_in(made, runs) is not None:
+        return "it bends the level the right way, which still steps at a moment: it would stand for something else"
+    if candidate.mechanism == "stribeck_friction" and viscous_alone(candidate, made, runs):
+        return "what explains is the viscous friction that was fitted with it; there is hardly any dry friction"
+    if candidate.mechanism == "stribeck_friction" and not friction.possible(part, candidate.variant):
+        return "it would hold less than it slides"
     if candidate.mechanism == "torsional_mode":
-        before, after = (_beside_lines(one, model, runs) for one in (model, made))
-        rings = _LEAST_DAMPING < part.damping_ratio < _MOST_DAMPING
-        return rings and after < (1 - _SWINGS) * before and not mismatches(made, runs)
-    return True
+        return _of_a_mode(part, made, model, runs)
+    return ""
+
+
+def _of_a_mode(part: Any, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> str:
+    if not _LEAST_DAMPING < part.damping_ratio < _MOST_DAMPING:
+        return f"its damping ratio would be {part.damping_ratio:.2g}, which no shaft has that rings"
+    before, after = (_beside_lines(one, model, runs) for one in (model, made))
+    if after > (1 - _SWINGS) * before:
+        return f"beside single lines what is left falls by {1 - after / before:.0%}, and a mode needs {_SWINGS:.0%}"
+    return "places that stay wrong speak against it" if mismatches(made, runs) else ""
 
 
 def viscous_alone(candidate: Candidate, made: FittedMotion, runs: Sequence[Moved]) -> bool:

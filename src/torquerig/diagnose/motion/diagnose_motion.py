@@ -12,14 +12,17 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
 from torquerig.diagnose.fitting.knobs import nuisance_knobs
-from torquerig.diagnose.motion.completing import Step, Tried, completed, lacks_viscous
+from torquerig.diagnose.motion.completing import completed
 from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, residuals_of
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
 from torquerig.diagnose.motion.lines import in_a_line, lines_in
 from torquerig.diagnose.motion.moved import STRETCHES, Moved, imposed_part, moved_runs
 from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
+from torquerig.diagnose.motion.objections import lacks_viscous
 from torquerig.diagnose.motion.places import mismatches
+from torquerig.diagnose.motion.set_aside import set_aside
 from torquerig.diagnose.motion.told import finding, relative_error
+from torquerig.diagnose.motion.tried import Refused, Step
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -42,8 +45,12 @@ class MotionOutcome:
     ----------
     diagnosis : Diagnosis
     runs : tuple of Moved
+    nominal : Rig
+        The scenario's.
     before, after : FittedMotion
         The nominal model calibrated, and with the findings in it.
+    missed, left : tuple of Mismatch
+        Where the calibrated model is wrong, and where the one with the findings still is.
     steps : tuple of Step
         Each kept hypothesis with its rivals.
     neutrals : tuple of Neutral
@@ -54,8 +61,11 @@ class MotionOutcome:
 
     diagnosis: Diagnosis
     runs: tuple[Moved, ...]
+    nominal: Rig
     before: FittedMotion
     after: FittedMotion
+    missed: tuple[Mismatch, ...]
+    left: tuple[Mismatch, ...]
     steps: tuple[Step, ...]
     neutrals: tuple[Neutral, ...]
     completed: Rig
@@ -98,35 +108,32 @@ def diagnose_motion(
     runs = moved_runs(recordings, rig, held_out=held_out)
     progress("fitting the nominal model's own numbers")
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
-    before, steps, last = completed(rig, runs, knobs, progress=progress)
+    before, steps, refused = completed(rig, runs, knobs, progress=progress)
     after = steps[-1].kept.model if steps else before
     progress("predicting what no fit has seen")
     left = mismatches(after, runs)
+    missed = mismatches(before, runs) if steps else left
     lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
     neutrals = tuple(neutral(line, after.residuals, runs) for line in lines)
     findings = tuple(finding(step, after, runs) for step in steps)
     ends = at_their_ends(after, of=before.knobs)
     verdict: Verdict = "unexplained" if left or ends else "missing_physics" if findings else "adequate"
     diagnosis = Diagnosis(
-        verdict=verdict, mismatch=_mismatch(before, runs, left, bool(findings)), findings=findings,
+        verdict=verdict, mismatch=_mismatch(missed, left), findings=findings,
         fit=_held_out(rig, before, after, runs, seed), recordings=tuple(_used(run) for run in runs),
-        remarks=(*_remarks(neutrals, after, runs), *_of_viscous(last, runs), *ends),
+        remarks=(*_remarks(neutrals, after, runs), *_of_viscous(refused, runs), *ends),
+        set_aside=set_aside(rig, steps, refused),
     )  # fmt: skip
     return MotionOutcome(
-        diagnosis=diagnosis, runs=runs, before=before, after=after, steps=steps, neutrals=neutrals,
-        completed=_written(after, neutrals, runs),
+        diagnosis=diagnosis, runs=runs, nominal=rig, before=before, after=after, missed=missed, left=left, steps=steps,
+        neutrals=neutrals, completed=_written(after, neutrals, runs),
     )  # fmt: skip
 
 
-def _mismatch(
-    before: FittedMotion, runs: Sequence[Moved], left: tuple[Mismatch, ...], found: bool
-) -> tuple[Mismatch, ...]:
+def _mismatch(missed: tuple[Mismatch, ...], left: tuple[Mismatch, ...]) -> tuple[Mismatch, ...]:
     """Return what was wrong before, and behind it what still is."""
-    if not found:
-        return left
-    first = mismatches(before, runs)
-    places = {(one.domain, round(one.at, 1)) for one in first}
-    return (*first, *(one for one in left if (one.domain, round(one.at, 1)) not in places))
+    places = {(one.domain, round(one.at, 1)) for one in missed}
+    return (*missed, *(one for one in left if (one.domain, round(one.at, 1)) not in places))
 
 
 def _held_out(nominal: Rig, before: FittedMotion, after: FittedMotion, runs: Sequence[Moved], seed: int) -> HeldOut:
@@ -161,9 +168,9 @@ def _remarks(neutrals: Sequence[Neutral], after: FittedMotion, runs: Sequence[Mo
     return (*said, f"{zero}; where nothing else tells, dry friction that differs by direction would look the same")
 
 
-def _of_viscous(tried: Sequence[Tried], runs: Sequence[Moved]) -> Iterator[str]:
-    """Yield what friction in proportion to the speed the scenario lacks, where the best of what was tried is that."""
-    best = next((one for one in tried if one.freed), None)
+def _of_viscous(refused: Sequence[Refused], runs: Sequence[Moved]) -> Iterator[str]:
+    """Yield what friction in proportion to the speed the scenario lacks, where nothing was named for it."""
+    best = refused[-1].tried if refused else None
     if best is None or not lacks_viscous(best, runs):
         return
     at = best.candidate.parts[0].name

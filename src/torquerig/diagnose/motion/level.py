@@ -15,7 +15,7 @@ from torquerig.diagnose.motion.moved import Moved
 
 BINS = 12
 _OUT = 6.0  # standard deviations of a bin's mean
-_TOLERANCE = 0.03  # of the rms effort: what nobody models
+TOLERANCE = 0.03  # of the rms effort: what nobody models
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,7 +50,7 @@ def level_off(model: FittedMotion, runs: Sequence[Moved]) -> LevelOff | None:
     spreads = [every[row].std() / sqrt(max(row.size * count / every.size, 1.0)) + 1e-300 for row in rows]
     worst = int(np.argmax(np.abs(means)))
     out = float(abs(means[worst]) / spreads[worst])
-    if out < _OUT or abs(means[worst]) < _TOLERANCE * root_mean_square([run.effort[run.seen] for run in runs]):
+    if out < _OUT or abs(means[worst]) < TOLERANCE * root_mean_square([run.effort[run.seen] for run in runs]):
         return None
     share = float((means**2 * np.array([row.size for row in rows])).sum() / (every @ every))
     here = speed[rows[worst]]

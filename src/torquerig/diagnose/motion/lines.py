@@ -28,7 +28,7 @@ _CELLS, _BY_HAND = 16, 100  # cells per shortest wave: its size is within 0.7 % 
 _PER_PLACE = 2  # points looked at per resolved place
 
 
-_Pair = tuple[Floats, Moved, Mask]
+Pair = tuple[Floats, Moved, Mask]  # what is left of a run, the run, and which samples of it are looked at
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,6 +76,13 @@ def lines_in(residuals: Sequence[Floats], runs: Sequence[Moved], *, held: bool =
     fixed in frequency only where that lowers the residual clearly more than the place does that it stands for: at one
     steady speed the two cannot be told apart.
     """
+    return lines_and_rest(residuals, runs, held=held)[0]
+
+
+def lines_and_rest(
+    residuals: Sequence[Floats], runs: Sequence[Moved], *, held: bool = False
+) -> tuple[tuple[Line, ...], list[Pair]]:
+    """Return the significant lines, strongest first, and what is left without them where there is enough to look at."""
     masks = [(run.held if held else run.seen) & even(run) for run in runs]
     whole = zip(residuals, runs, masks, strict=True)
     pairs = [(each.copy(), run, mask) for each, run, mask in whole if mask.sum() > _FEWEST]
@@ -91,17 +98,29 @@ def lines_in(residuals: Sequence[Floats], runs: Sequence[Moved], *, held: bool =
         best = int(np.argmax(falls))
         found.append(worth[best])
         pairs = without[best]
-    return tuple(found)
+    return tuple(found), pairs
 
 
-def _candidates(pairs: Sequence[_Pair]) -> list[Line]:
+def amplitudes(pairs: Sequence[Pair], domain: str) -> tuple[Floats, Floats]:
+    """Return places [1/rev], [cycles/m] or [Hz] and what stands there, zero to peak; empty where too few are resolved.
+
+    What is ``amplitude`` of a line is this at its place, summed in power over runs and directions.
+    """
+    grid, scale, _ = _places(pairs, domain) if pairs else (np.zeros(0), 1.0, 0.0)
+    if grid.size == 0:
+        return grid, grid
+    power, _ = _power(pairs, domain, grid * scale)
+    return grid, 2 * np.sqrt(power / sum(int(mask.sum()) for *_, mask in pairs))
+
+
+def _candidates(pairs: Sequence[Pair]) -> list[Line]:
     """Return the strongest line over places and over time, where not by chance, and the order of a frequency."""
     peaks = [line for line in (_strongest(pairs, domain) for domain in ("order", "frequency")) if line]
     peaks = [line for line in peaks if line.p_value < SIGNIFICANT]
     return [*peaks, *(_twin(pairs, line) for line in peaks if line.domain == "frequency")]
 
 
-def _twin(pairs: Sequence[_Pair], line: Line) -> Line:
+def _twin(pairs: Sequence[Pair], line: Line) -> Line:
     """Return the order that a frequency stands for at the runs' usual speed."""
     scale = turn_of([run for _, run, _ in pairs])
     usual = float(np.median(np.concatenate([np.abs(run.speed[mask]) for _, run, mask in pairs]))) * scale / (2 * np.pi)
@@ -112,7 +131,7 @@ def _twin(pairs: Sequence[_Pair], line: Line) -> Line:
     return replace(line, domain="order", at=float(near[int(np.argmax(power))]), width=width)
 
 
-def _without(pairs: Sequence[_Pair], line: Line) -> list[_Pair]:
+def _without(pairs: Sequence[Pair], line: Line) -> list[Pair]:
     return [(each - waves(run, line, each, mask), run, mask) for each, run, mask in pairs]
 
 
@@ -149,11 +168,11 @@ def phase_of(run: Moved, line: Line) -> Floats:
     return np.asarray(turn_of([run]) * line.at * run.position)
 
 
-def _rms(pairs: Sequence[_Pair]) -> float:
+def _rms(pairs: Sequence[Pair]) -> float:
     return root_mean_square([each[mask] for each, _, mask in pairs])
 
 
-def _in_the_motion(pairs: Sequence[_Pair], places: Floats) -> Mask:
+def _in_the_motion(pairs: Sequence[Pair], places: Floats) -> Mask:
     """Whether the speed itself swings at a frequency: what friction leaves there is no line."""
     own, _ = _power([(run.speed, run, np.ones_like(mask)) for _, run, mask in pairs], "frequency", places)
     return np.asarray(own > _OWN * own.max())
@@ -163,7 +182,8 @@ def _same(one: Line, other: Line) -> bool:
     return one.domain == other.domain and abs(one.at - other.at) < 0.5 * one.width
 
 
-def _strongest(pairs: Sequence[_Pair], domain: str) -> Line | None:
+def _places(pairs: Sequence[Pair], domain: str) -> tuple[Floats, float, float]:
+    """Return where lines are looked for, none where too few are resolved; the angle of a cycle; the step resolved."""
     scale = 2 * np.pi if domain == "frequency" else turn_of([run for _, run, _ in pairs])
     spans, tops = [], []
     for _, run, mask in pairs:
@@ -173,16 +193,21 @@ def _strongest(pairs: Sequence[_Pair], domain: str) -> Line | None:
     step = 1 / max(spans)
     first, last = _LOWEST * step, min(tops)
     count = min(round((last - first) / step * _PER_PLACE), _POINTS)
-    if count < _LEAST_PLACES:
+    return np.linspace(first, last, count) if count >= _LEAST_PLACES else np.zeros(0), scale, step
+
+
+def _strongest(pairs: Sequence[Pair], domain: str) -> Line | None:
+    grid, scale, step = _places(pairs, domain)
+    count = grid.size
+    if count == 0:
         return None
-    grid = np.linspace(first, last, count)
     power, terms = _power(pairs, domain, grid * scale)
     over = power / _floor(power, terms)
     if domain == "frequency":
         over[_in_the_motion(pairs, grid * scale)] = 0.0
     peak = int(np.argmax(over))
     ratio = float(over[peak])
-    if not ratio > 1:
+    if ratio <= 1:  # nothing stands out, or the motion itself has every frequency
         return None
     # each run and direction gives the square of a complex normal number: the tail of their sum, Chernoff's bound
     chance = count / _PER_PLACE * np.exp(-terms * max(ratio - 1 - np.log(max(ratio, 1.0)), 0.0))
@@ -199,7 +224,7 @@ def _axis(run: Moved, domain: str) -> Floats:
     return run.recording.time() if domain == "frequency" else run.position
 
 
-def _power(pairs: Sequence[_Pair], domain: str, places: Floats) -> tuple[Floats, int]:
+def _power(pairs: Sequence[Pair], domain: str, places: Floats) -> tuple[Floats, int]:
     """Squared size of the residuals' part at each place, summed over runs and directions, and of how many those are."""
     total, terms = np.zeros(places.size), 0
     for residual, run, mask in pairs:

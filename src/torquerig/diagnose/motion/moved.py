@@ -106,8 +106,8 @@ def moved(recording: Recording, part: ImposedMotion, *, held_out: bool | None = 
     if not np.ptp(position) > 0:
         raise RecordingError(f"{recording.name}: nothing moves in it; diagnose a recording with motion")
     inner = np.zeros(recording.samples, dtype=bool)
-    if not np.ptp(channel.values) > 0:
-        raise RecordingError(f"{recording.name}: its effort is the same all along; diagnose a recording that shows one")
+    if not np.any(channel.values):
+        raise RecordingError(f"{recording.name}: its effort is zero all along; diagnose a recording that shows one")
     edge = min(round(_EDGE / BAND), recording.samples // 20)
     inner[edge:-edge] = True
     seen = _parted(recording.samples) if held_out is None else np.full(recording.samples, not held_out)

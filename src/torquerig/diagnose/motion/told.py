@@ -8,12 +8,12 @@ from typing import Any
 
 from torquerig.diagnose.choosing.confidence import confidence
 from torquerig.diagnose.diagnosis import Finding, Stated
-from torquerig.diagnose.motion.completing import Step, Tried
 from torquerig.diagnose.motion.evidence import root_mean_square
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
 from torquerig.diagnose.motion.lines import in_a_line
 from torquerig.diagnose.motion.moved import Moved
+from torquerig.diagnose.motion.tried import Step, Tried
 
 _95 = 1.96
 _ALIKE = 0.12  # a rival within this share of the winner's gain cannot be told from it
