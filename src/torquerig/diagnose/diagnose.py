@@ -15,7 +15,7 @@ from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
-from torquerig.diagnose.judging.withdrawn import LEAVES_A_REST, why_withdrawn
+from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, why_withdrawn
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.own_gap import MECHANISM
@@ -105,14 +105,16 @@ def diagnose(
 
     why = ""
     for sought in all_found.in_turn(before, used):
-        if sought.accepted and why == LEAVES_A_REST:
+        if sought.accepted and why in (LEAVES_A_REST, COMES_AND_GOES):
             continue  # numbers that stand still explain no more of it
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
         left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
         detail = detail_of(before, after, left)
         left = left if detail is None else ()
-        if not sought.accepted or not (refused := why_withdrawn(fit, left)):
+        resembled = any(each.trial.candidate.resembled for each in sought.accepted)
+        refused = why_withdrawn(fit, left, resembled=resembled, passing=came_and_went)
+        if not (sought.accepted and refused):
             break
         why = refused
     gap_told = own_gap is not None and after.has(MECHANISM)

@@ -9,7 +9,7 @@ from typing import cast
 import pytest
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.hypotheses import cogging, commutation_ripple, gear_mesh
+from torquerig.diagnose.hypotheses import blade_pass, cogging, commutation_ripple, gear_mesh
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import order
 from torquerig.scenario.reading import Scenario
@@ -18,7 +18,7 @@ from torquerig.scenario.reading import Scenario
 @pytest.fixture
 def with_lines_left(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Case]:
     """Return the wear rig with lines left at orders of the motor [1/rev], clearest first, each of any size."""
-    for hypothesis in (cogging, commutation_ripple, gear_mesh):
+    for hypothesis in (blade_pass, cogging, commutation_ripple, gear_mesh):
         monkeypatch.setattr(hypothesis, "line_factor", lambda case, rig, place: 1.0)
 
     def made(*at: float) -> Case:

@@ -31,3 +31,10 @@ def fit(before: float, after: float, explained: float) -> HeldOut:
 def test_a_rest_at_its_own_places_tells_a_stand_in(held: HeldOut, left: Any, why: str) -> None:
     assert why in why_withdrawn(held, left)
     assert bool(why_withdrawn(held, left)) is bool(why)
+
+
+@pytest.mark.parametrize(("resembled", "times", "gone"), [(True, 2, True), (True, 1, False), (False, 3, False)])
+def test_what_noise_resembles_falls_where_noise_comes_and_goes(resembled: bool, times: int, gone: bool) -> None:
+    """Rattling in bursts has a mean spectrum, and a mode fits that."""
+    why = why_withdrawn(fit(6.3, 2.6, 0.8), (), resembled=resembled, passing=SOMEWHERE * times)
+    assert ("comes and goes" in why) is gone

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from torquerig import mechanisms
-from torquerig.diagnose.case import Candidate, Case, line_factor
+from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.diagnose.linear.twin import Twin
@@ -37,5 +37,5 @@ def propose(case: Case) -> Iterator[Candidate]:
                 mechanism="blade_pass",
                 parts=(replace(part, amplitude=amplitude),),
                 knobs=(Knob(part.name, "amplitude", 1.0),),
-                place=peak.place,
+                place=left_line(case, whole * turns),  # half as many blades are another hypothesis
             )

@@ -16,9 +16,13 @@ LEAVES_A_REST = (
     f"fitted, and withdrawn: of what no fit has seen it explains less than {LEAST_SHARE:.0%} at its places, "
     "and more is left"
 )
+COMES_AND_GOES = "fitted, and withdrawn: in several runs noise comes and goes, and its mean over a run looks like this"
+_SEVERAL = 2  # runs
 
 
-def why_withdrawn(fit: HeldOut, left: Sequence[Mismatch]) -> str:
+def why_withdrawn(
+    fit: HeldOut, left: Sequence[Mismatch], *, resembled: bool = False, passing: Sequence[Mismatch] = ()
+) -> str:
     """Return why what was found is not to be believed; nothing where it is.
 
     Parameters
@@ -27,7 +31,13 @@ def why_withdrawn(fit: HeldOut, left: Sequence[Mismatch]) -> str:
         Before and with it.
     left : sequence of Mismatch
         Where the completed model is still significantly wrong.
+    resembled : bool
+        Whether something was found that noise resembles.
+    passing : sequence of Mismatch
+        Times at which the spectrum of a steady run stands elsewhere.
     """
+    if resembled and len(passing) >= _SEVERAL:
+        return COMES_AND_GOES
     if fit.after > _WORSE * fit.before:
         return _PREDICTS_WORSE
     missing, rest = fit.before - 1, fit.after - 1
