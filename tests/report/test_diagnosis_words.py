@@ -79,6 +79,7 @@ def test_the_unexplained_is_located_and_never_named() -> None:
         (place("speed", "rpm", 3.0, 10.0), "in the slow torque at 3 rpm", "goes with the speed"),
         (place("speed", "m/s", -0.125, 0.01), "in the mean force at -0.125 m/s", "goes with the speed"),
         (place("order", "cycles/m", 399.69, 4.0), "at 399.69 cycles/m of the motion", "periodic in the position"),
+        (place("level", "m", 0.0462, 0.03), "where the motion passes 0.0462 m", "comes again at a place of the stroke"),
     ],
 )  # fmt: skip
 def test_a_place_is_said_in_neutral_terms(mismatch: Mismatch, where: str, kind: str) -> None:

@@ -9,6 +9,7 @@ from torquerig.diagnose.diagnosis import Diagnosis, Finding, Mismatch
 from torquerig.report.layout import plain
 
 _SMALLEST = 1e-12
+_STROKE = ("m", "rad")  # where the motion was measured, and is no count of turns
 _SHAFT = {"output_shaft": "output shaft", "motor_shaft": "motor shaft"}
 _ANGLE = {axis: f"angle of the {shaft}" for axis, shaft in _SHAFT.items()}
 WORDS = {
@@ -98,6 +99,8 @@ def place_text(mismatch: Mismatch) -> str:
     if mismatch.domain == "frequency":
         low = max(mismatch.at - 0.5 * width, mismatch.at**2 / (mismatch.at + 0.5 * width))
         return f"from {plain(low)} to {plain(low + width)} Hz"
+    if mismatch.axis in _STROKE:
+        return f"where the motion passes {at} {mismatch.axis}"
     if mismatch.axis == "m/s":
         return f"in the mean force at {at} m/s"
     return (
@@ -111,6 +114,8 @@ def kind_text(mismatch: Mismatch) -> str:
         return f"periodic in the {_ANGLE.get(mismatch.axis, 'position')}"
     if mismatch.domain == "frequency":
         return "fixed in frequency" if mismatch.width < 0.02 * mismatch.at else "a band of the spectrum"
+    if mismatch.axis in _STROKE:
+        return "comes again at a place of the stroke"
     return {"speed": "goes with the speed", "level": "mean of a run", "time": "transient"}.get(
         mismatch.domain, "distribution of the values"
     )
