@@ -99,13 +99,16 @@ def place_text(mismatch: Mismatch) -> str:
     if mismatch.domain == "frequency":
         low = max(mismatch.at - 0.5 * width, mismatch.at**2 / (mismatch.at + 0.5 * width))
         return f"from {plain(low)} to {plain(low + width)} Hz"
+    return _of_the_level(mismatch, at)
+
+
+def _of_the_level(mismatch: Mismatch, at: str) -> str:
     if mismatch.axis in _STROKE:
         return f"where the motion passes {at} {mismatch.axis}"
     if mismatch.axis == "m/s":
         return f"in the mean force at {at} m/s"
-    return (
-        f"in the {'slow torque' if mismatch.domain in ('speed', 'level') else mismatch.domain} at {at} {mismatch.axis}"
-    )
+    what = "slow torque" if mismatch.domain in ("speed", "level") else mismatch.domain
+    return f"in the {what} at {at} {mismatch.axis}"
 
 
 def kind_text(mismatch: Mismatch) -> str:
