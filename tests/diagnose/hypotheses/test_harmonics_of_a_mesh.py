@@ -18,3 +18,11 @@ def test_harmonics_that_show_are_the_mesh_s(multiples: tuple[int, ...], with_lin
     meshes = [each for each in gear_mesh.propose(case) if cast(Any, each.parts[0]).order_output == 84.0]
     told = [knob.key for knob in meshes[0].knobs if knob.field == "transmission_error"]
     assert told == [multiple - 1 for multiple in multiples]
+
+
+def test_a_mesh_whose_first_two_lines_are_the_motor_s_own_is_proposed(with_lines_left: Callable[..., Case]) -> None:
+    """Of 60 teeth behind 5:1 the lines 12 and 24 stand on the rig's own; 36 is left, with side lines of planets."""
+    case = with_lines_left(36.0, 23.4, 24.6)
+    meshes = [cast(Any, each.parts[0]) for each in gear_mesh.propose(case)]
+    (sixty,) = [mesh for mesh in meshes if mesh.order_output == 60.0]
+    assert len(sixty.transmission_error) >= 3

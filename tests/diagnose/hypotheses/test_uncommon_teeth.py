@@ -16,7 +16,7 @@ from torquerig.scenario.reading import Scenario
 
 @pytest.mark.parametrize(
     ("line", "expected"),
-    [(58.0, {290: 12.0, 145: 0.0}), (38.0, {190: 6.0, 95: 0.0}), (16.8, {84: 0.0, 42: 0.0})],
+    [(58.0, {290: 12.0, 145: 0.0}), (38.0, {190: 6.0, 95: 0.0}), (16.8, {84: 0.0, 42: 0.0, 28: 0.0})],
 )
 def test_many_teeth_cost(line: float, expected: dict[int, float], with_lines_left: Callable[..., Case]) -> None:
     found: list[Any] = list(gear_mesh.propose(with_lines_left(line)))
@@ -24,10 +24,11 @@ def test_many_teeth_cost(line: float, expected: dict[int, float], with_lines_lef
 
 
 def test_teeth_pay_where_slots_and_poles_put_cogging(with_lines_left: Callable[..., Case]) -> None:
-    """Behind 5:1 four of 141 numbers of teeth put their first line on a multiple of 12 or 14, nine the second."""
+    """Behind 5:1 four of 141 numbers of teeth put their first line on a multiple of 12 or 14, nine the second, eight the third."""
     found: list[Any] = list(gear_mesh.propose(with_lines_left(42.0)))
     prices = {round(each.parts[0].order_output): each.price for each in found}
-    assert prices == {210: pytest.approx(12.0 + 2 * log(141 / 4)), 105: pytest.approx(2 * log(141 / 9))}
+    second, third = pytest.approx(2 * log(141 / 9)), pytest.approx(2 * log(141 / 8))
+    assert prices == {210: pytest.approx(12.0 + 2 * log(141 / 4)), 105: second, 70: third}
 
 
 @pytest.mark.parametrize(("sizes", "possible"), [((5e-8, 2e-5), False), ((2e-5, 1e-5), True), ((4e-6, 2e-5), True)])

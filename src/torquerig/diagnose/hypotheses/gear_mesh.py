@@ -27,12 +27,15 @@ _STRONG = 100.0  # power over the floor of a line whose harmonics may be smeared
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield a mesh for each of the strongest lines that could be a first or second tooth harmonic."""
+    """Yield a mesh for each of the strongest lines that could be a first, second or third tooth harmonic.
+
+    Where the rig's own lines hide the first two, the third is the first to be left.
+    """
     lines = [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]
     tried: set[tuple[str, int]] = set()
     for gear in gears_to_sensor(case.nominal):
         for peak in lines:
-            for harmonic in (1, 2):
+            for harmonic in (1, 2, 3):
                 teeth = peak.place.at * abs(gear.ratio) / harmonic
                 whole = round(teeth)
                 near = abs(teeth - whole) < SAME_ORDER * abs(gear.ratio)
