@@ -24,7 +24,7 @@ def test_many_teeth_cost(line: float, expected: dict[int, float], with_lines_lef
 
 
 def test_teeth_pay_where_slots_and_poles_put_cogging(with_lines_left: Callable[..., Case]) -> None:
-    """Behind 5:1 four of 141 numbers of teeth put their first line on a multiple of 12 or 14, nine the second, eight the third."""
+    """Of 141 numbers of teeth behind 5:1 four put their first line on a multiple of 12 or 14, nine, eight the next."""
     found: list[Any] = list(gear_mesh.propose(with_lines_left(42.0)))
     prices = {round(each.parts[0].order_output): each.price for each in found}
     second, third = pytest.approx(2 * log(141 / 9)), pytest.approx(2 * log(141 / 8))
