@@ -66,7 +66,9 @@ def told(rig: Rig, seen: Features) -> dict[float, float]:
     model, sway = expected(rig, seen), swayed(rig, seen)
     sizes = np.array([model.amplitude[:, seen.places.index(order(line.order))] for line in Twin(rig).lines()])
     assert model.amplitude[:, fast].mean() == pytest.approx(np.abs(seen.amplitude[:, fast]).mean(), rel=0.05)
-    return {place.at: float(size.mean()) for place, size in sway.beside(sizes, model.power) if place.at in SIDES}
+    orders, beside = sway.beside(sizes, model.power)
+    each = zip(orders.round(6).tolist(), beside, strict=True)
+    return {at: float(size.mean()) for at, size in each if at in SIDES}
 
 
 @pytest.mark.parametrize("slow", [0.03, 0.06, 0.12])
@@ -78,11 +80,11 @@ def test_a_line_loses_what_the_slow_one_takes_from_its_phase(slow: float, wear_r
         seen = looked(rig, measured=measured)
         column = seen.places.index(order(FAST))
         shown[measured] = float(np.abs(seen.amplitude[:, column]).mean())
-        assert np.all(swayed(rig, seen).left() == 1.0)
-        left = swayed(rig, moving(seen)).left()[[line.order for line in Twin(rig).lines()].index(FAST)]
+        assert np.all(swayed(rig, seen).left == 1.0)
+        left = swayed(rig, moving(seen)).left[[line.order for line in Twin(rig).lines()].index(FAST)]
         assert shown[True] == pytest.approx(expected(rig, seen).amplitude[:, column].mean(), rel=0.05)
     assert shown[False] / shown[True] == pytest.approx(left.mean(), abs=0.1 * (1 - left.mean()))
-    assert np.all(swayed(rig, moving(looked(rig, measured=True))).left() == 1.0)
+    assert np.all(swayed(rig, moving(looked(rig, measured=True))).left == 1.0)
 
 
 @pytest.mark.parametrize("measured", [False, True])

@@ -118,9 +118,7 @@ def _slow_part(seen: Features) -> Features:
     """Keep of a run only what no gap changes: its level, or the blocks of a run that turns back."""
     if seen.turning is not None:
         return seen
-    return replace(
-        seen, amplitude=np.full(seen.amplitude.shape, np.nan, dtype=complex), power=np.full(seen.power.shape, np.nan)
-    )
+    return replace(seen.without(seen.places), power=np.full(seen.power.shape, np.nan))
 
 
 def _simulated(case: Case, rigs: Sequence[Rig], gap: float) -> tuple[tuple[Expectation, ...], list[list[Observed]]]:

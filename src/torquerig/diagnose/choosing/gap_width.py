@@ -28,11 +28,11 @@ from torquerig.rig.rig import Rig
 
 Floats = NDArray[np.float64]
 
-_GAPS = np.array([1.5, 3.0, 5.0, 8.0, 12.0, 18.0, 28.0, 45.0]) * ARCMIN  # [rad]
+_GAPS = np.geomspace(1.5, 45.0, 6) * ARCMIN  # [rad]
 _BEYOND, _SHORT = 0.15, 0.3  # [1] of the logarithm: wider than the longest flight, narrower than where it was measured
 _FINE = np.geomspace(_GAPS[0], _GAPS[-1], 121)
 _LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
-_TURNS = 4  # in which the gaps are simulated, so that a few of their recordings are held at a time
+_TURNS = 3  # in which the gaps are simulated, so that a few of their recordings are held at a time
 _SEEDS = (1, 2)
 _ALIKE = 4.0  # of the misfit: 95 % of one number
 _CONTACT = 0.55  # of the logarithm: how flanks meet changes how they fly, and no model knows it (29 blind rigs)

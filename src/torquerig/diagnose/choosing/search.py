@@ -52,8 +52,9 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
     may be left out.
     """
     sources = (*proposers(case), descriptions)
-    of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], sources)
-    tried = sorted((trial for each in of_sources for trial in each), key=lambda trial: -trial.gain)
+    last_first = sources[::-1]  # they take longest
+    of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], last_first)
+    tried = sorted((trial for each in reversed(of_sources) for trial in each), key=lambda trial: -trial.gain)
     last = [*finalists(tried), *given_way_to(case, tried)]
     fitted = _one_of_a_kind(sorted(of_each(partial(_joint, case), last), key=lambda trial: -trial.gain))
     promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]

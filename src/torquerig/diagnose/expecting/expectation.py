@@ -93,14 +93,20 @@ class _Shown:
         self.doubt[at] = np.hypot(self.doubt[at], crossed)
         _spread(size, route, self.power, seen)
 
-    def doubt_by(self, seen: Features, place: Place, size: Floats, bands: Floats) -> None:
-        """Put a line that may stand there into the doubt of the place that shows it, or its density into ``bands``."""
-        if not self.doubt.size:
+    def doubt_by(self, seen: Features, orders: Floats, size: Floats, bands: Floats) -> None:
+        """Put lines that may stand at orders into the doubt of the places that show them, or their density into bands.
+
+        ``size`` is of shape (orders, stretches).
+        """
+        if not self.doubt.size or not orders.size:
             return
-        route = seen.route(place)
-        at = route.rows, route.column
-        self.doubt[at] = np.hypot(self.doubt[at], size[route.rows] * route.part)
-        _spread(size, route, bands, seen)
+        routes = seen.routes(orders)
+        squares = (size[routes.line, routes.row] * routes.part) ** 2
+        at = routes.row * self.doubt.shape[1] + routes.column
+        added = np.bincount(at, weights=squares, minlength=self.doubt.size).reshape(self.doubt.shape)
+        self.doubt[:] = np.sqrt(self.doubt**2 + added)
+        density = 0.5 * (size[routes.unplaced] ** 2).mean(axis=1) / seen.width[routes.band]
+        bands += np.bincount(routes.band, weights=density, minlength=bands.size)
 
 
 def _spread(size: Floats, route: Route, bands: Floats, seen: Features) -> None:
@@ -125,13 +131,12 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     shown = _Shown(power, *(np.zeros((stretches, len(seen.places))) for _ in range(2)))
     sizes = _sizes(twin, points, balance.motor, steady=observed.steady)
     sway = Sway(twin, seen, turns=np.abs(seen.speed).mean(axis=1) / (2 * pi), motor=balance.motor)
-    for line, size in zip(twin.lines(), sizes * sway.left(), strict=True):
+    for line, size in zip(twin.lines(), sizes * sway.left, strict=True):
         shown.add(seen, order(line.order), size)
     for tone, volts in added.tones:
         shown.add(seen, frequency(tone), np.full(stretches, volts))
     sides = np.zeros(power.size)
-    for place, size in sway.beside(sizes, power):
-        shown.doubt_by(seen, place, size, sides)
+    shown.doubt_by(seen, *sway.beside(sizes, power), sides)
     level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
     beside = (skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)) + sides
     power = power + beside

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from itertools import chain
 from math import inf
 
 import numpy as np
@@ -65,21 +66,25 @@ def _mended(recording: Recording, rig: Rig) -> Recording:
 
 
 def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
-    """Return one simulation per seed of every run, those of one length together; of one rig, or of one for each run."""
+    """Return one simulation per seed of every run, of one rig or of one for each; runs of one length are one batch."""
     rigs = [rig] * len(seen) if isinstance(rig, Rig) else rig
     jobs = [(each, features.observed, seed) for each, features in zip(rigs, seen, strict=True) for seed in seeds]
     alike: dict[tuple[float, float], list[int]] = {}
     for row, (_, observed, _) in enumerate(jobs):
         alike.setdefault((observed.recording.duration, observed.rate), []).append(row)
-    copies: dict[int, Observed] = {}
+
+    def together(group: tuple[tuple[float, float], list[int]]) -> list[Recording]:
+        (duration, rate), rows = group
+        return simulate_batch(
+            [jobs[row][0].at(jobs[row][1].run) for row in rows], seeds=[jobs[row][2] for row in rows],
+            duration=duration, sample_rate=rate, workers=_WORKERS,
+        )  # fmt: skip
+
     with ThreadPoolExecutor(_WORKERS) as pool:
-        for (duration, rate), rows in alike.items():
-            recordings = simulate_batch(
-                [jobs[row][0].at(jobs[row][1].run) for row in rows], seeds=[jobs[row][2] for row in rows],
-                duration=duration, sample_rate=rate, workers=_WORKERS,
-            )  # fmt: skip
-            of_rows = [(recording, *jobs[row][:2]) for recording, row in zip(recordings, rows, strict=True)]
-            copies |= zip(rows, pool.map(lambda job: _looked_at(*job), of_rows), strict=True)
+        rows = [row for group in alike.values() for row in group]
+        recordings = chain.from_iterable(pool.map(together, alike.items()))
+        of_rows = [(each, *jobs[row][:2]) for each, row in zip(recordings, rows, strict=True)]
+        copies = dict(zip(rows, pool.map(lambda job: _looked_at(*job), of_rows), strict=True))
     each = len(seeds)
     return [[copies[at] for at in range(row * each, (row + 1) * each)] for row in range(len(seen))]
 

@@ -5,7 +5,8 @@ The side lines are wanted as a doubt and not as lines: what stands at one is not
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,6 @@ from scipy.special import j0, j1
 from torquerig.diagnose.expecting.skirts import FOLLOWED
 from torquerig.diagnose.linear.twin import LineSource, Twin, passed
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.places import Place, order
 from torquerig.diagnose.looking.side_lines import REACH
 from torquerig.signals.angle_within_a_turn import SLOW
 
@@ -55,8 +55,9 @@ class Sway:
         self.phase = self.orders[:, None] * _sways(twin, slow, turns, motor) if slow else np.zeros((0, 0, turns.size))
         self.phase[self.slow >= self.orders] = 0.0
 
+    @cached_property
     def left(self) -> Floats:
-        """Return what is left of each line, shape (lines, stretches)."""
+        """What is left of each line, shape (lines, stretches)."""
         if self.seen.observed.angle_measured or not self.slow.size:
             return np.ones((len(self.lines), self.turns.size))
         unseen = self.slow[:, None] * self.turns > FOLLOWED
@@ -67,8 +68,10 @@ class Sway:
         left[loses] = j0(self.phase[loses])
         return np.asarray(np.abs(np.prod(left, axis=1)))
 
-    def beside(self, sizes: Floats, power: Floats) -> Iterator[tuple[Place, Floats]]:
-        """Yield where more or less than the rig's lines may stand, and how much [N m], shape (stretches,).
+    def beside(self, sizes: Floats, power: Floats) -> tuple[Floats, Floats]:
+        """Return orders beside which more or less than the rig's lines may stand, shape (n,), and how much [N m].
+
+        The latter is of shape (n, stretches).
 
         Parameters
         ----------
@@ -78,24 +81,21 @@ class Sway:
             Density that the lines stand in [(N m)^2/Hz]: side lines below the spread of an amplitude are passed over.
         """
         if not self.slow.size:
-            return
-        doubt = _DOUBT * (1 - self.left()) * sizes
+            return np.zeros(0), np.zeros((0, self.turns.size))
+        doubt = _DOUBT * (1 - self.left) * sizes
         spread = np.sqrt(np.interp(self.orders * self.turns, self.seen.band, np.nan_to_num(power)) / self.seen.duration)
-        for row in np.flatnonzero((doubt > spread).any(axis=1)):
-            yield order(self.lines[row].order), doubt[row]
+        own = np.flatnonzero((doubt > spread).any(axis=1))
+        orders, much = [self.orders[own, 0]], [doubt[own]]
         fast, by = np.nonzero((0.5 * self.phase * sizes[:, None] > spread[:, None]).any(axis=2))
         if fast.size:
             side = j1(np.minimum(self.phase[fast, by], _LARGEST)) * sizes[fast]
-            yield from self._side_lines(fast, self.slow[by, None], side)
-
-    def _side_lines(self, fast: NDArray[np.intp], apart: Floats, size: Floats) -> Iterator[tuple[Place, Floats]]:
-        """Yield the side lines of some lines, so many orders to both sides, as the shafts pass them."""
-        through = [self.lines[row].transfer for row in fast]
-        own = passed(through, self.orders[fast] * self.turns)
-        for orders in (self.orders[fast] - apart, self.orders[fast] + apart):
-            relative = passed(through, orders * self.turns) / own
-            passing = np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)
-            yield from zip(map(order, orders[:, 0].tolist()), size * passing, strict=True)
+            through = [self.lines[row].transfer for row in fast]
+            at_line, apart = passed(through, self.orders[fast] * self.turns), self.slow[by, None]
+            for beside in (self.orders[fast] - apart, self.orders[fast] + apart):
+                relative = passed(through, beside * self.turns) / at_line
+                orders.append(beside[:, 0])
+                much.append(side * (np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)))
+        return np.concatenate(orders), np.concatenate(much)
 
 
 def _sways(twin: Twin, slow: Sequence[LineSource], turns: Floats, motor: Floats) -> Floats:

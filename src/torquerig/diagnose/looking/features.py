@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.bands import bands, no_bands, spectrum
 from torquerig.diagnose.looking.observed import Observed, Stretch
-from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, SAME_ORDER, Place
-from torquerig.diagnose.looking.route import Route, hann_transform
+from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, SAME_ORDER, Place, order
+from torquerig.diagnose.looking.route import Route, Routes, hann_transform
 from torquerig.diagnose.looking.stretch_lines import StretchLines, stretch_lines
 from torquerig.diagnose.looking.turning import Turning, turning, turns_back
 from torquerig.diagnose.looking.without_tones import without_tones
@@ -89,6 +89,7 @@ class Features:
     beneath: float | Floats = 0.0
     unknown: tuple[Place, ...] = ()
     _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
+    _of_orders: dict[float, Route] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
     def line_frequency(self) -> Floats:
@@ -113,13 +114,22 @@ class Features:
         """Return the same features, the lines at ``places`` not shown."""
         amplitude = self.amplitude.copy()
         amplitude[:, [index for index, place in enumerate(self.places) if place in places]] = np.nan
-        return replace(self, amplitude=amplitude, _routes={})
+        return replace(self, amplitude=amplitude, _routes={}, _of_orders={})
 
     def route(self, place: Place) -> Route:
         """Return where a line shows: in which place of each stretch, else in which band."""
         if place not in self._routes:
             self._routes[place] = self._routed(place)
         return self._routes[place]
+
+    def routes(self, orders: Floats) -> Routes:
+        """Return where lines at orders of the motor show, shape (lines,)."""
+        found = []
+        for at in orders.tolist():
+            if at not in self._of_orders:
+                self._of_orders[at] = self.route(order(at))
+            found.append(self._of_orders[at])
+        return Routes.of(found)
 
     def _routed(self, place: Place) -> Route:
         at = np.array([place.frequency(float(speed)) for speed in np.abs(self.speed).mean(axis=1)])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +23,34 @@ class Route:
     part: Floats
     guest: NDArray[np.bool_]
     band: int | None
+
+
+@dataclass(frozen=True)
+class Routes:
+    """Many lines' routes in one: entry by entry which ``line`` shows in which ``row`` and ``column``, and its ``part``.
+
+    Those that no place shows are ``unplaced``, each in its ``band``; what has neither is in none of them.
+    """
+
+    line: NDArray[np.int64]
+    row: NDArray[np.int64]
+    column: NDArray[np.int64]
+    part: Floats
+    unplaced: NDArray[np.int64]
+    band: NDArray[np.int64]
+
+    @staticmethod
+    def of(routes: Sequence[Route]) -> Routes:
+        """Return the routes of lines, at least one of them."""
+        unplaced = {at: route.band for at, route in enumerate(routes) if not route.rows.size and route.band is not None}
+        return Routes(
+            line=np.repeat(np.arange(len(routes)), [route.rows.size for route in routes]),
+            row=np.concatenate([route.rows for route in routes]),
+            column=np.concatenate([route.column for route in routes]),
+            part=np.concatenate([route.part for route in routes]),
+            unplaced=np.array([*unplaced], dtype=np.int64),
+            band=np.array([*unplaced.values()], dtype=np.int64),
+        )
 
 
 def hann_transform(bins: Floats) -> Floats:
