@@ -13,7 +13,8 @@ beginning    the case that a search begins with, of the rig that fits where a ca
 diagnose     all of it in order
 motion/      rigs whose motion was measured, sample by sample       showing/  what a report shows
 
-Beside them: ``rig_under_test`` (are these runs of that rig), ``sample_findings`` (faults of samples as effects),
+Beside them: ``rig_under_test`` (are these runs of that rig), ``sheet_ratio`` (does a sheet state another gear
+ratio than the lines), ``sample_findings`` (faults of samples as effects),
 ``untrue_samples`` (what is no reading of the torque, taken out and told), ``own_gap`` (one that a scenario states
 itself), ``free_names``, ``sentences``, ``null_table`` (least gains from clean rigs, by the scenario's content), and
 below them all ``side_by_side`` (independent fits on several processors).

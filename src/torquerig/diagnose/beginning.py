@@ -25,6 +25,7 @@ from torquerig.diagnose.own_gap import OwnGap, closed
 from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS
+from torquerig.diagnose.sheet_ratio import at_ratio_of, off_ratios
 from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
@@ -90,14 +91,15 @@ def begun(
 def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progress) -> Beginning:
     thresholds, unknown = null_table(scenario), without_table(scenario)
     scenario = with_free_names(scenario, MECHANISMS)
+    check_recordings(recordings)
+    sheets, recordings = recordings, at_ratio_of(recordings, scenario.rig)
     whole = with_free_load(scenario.rig.at(recordings[0].run))
-    check_recordings(recordings, whole)
     nominal, own_gap = closed(whole)
     progress("looking at the samples")
     faults = sample_findings(recordings, nominal)
     progress("following the shaft")
     runs = followed(recordings, faults.recordings, nominal)
-    untrue = (*faults.untrue, *off_set_points(recordings, runs))
+    untrue = (*faults.untrue, *off_ratios(sheets, runs, nominal), *off_set_points(recordings, runs))
     progress("fitting the nominal model's own numbers")
     before, held = opened(scenario, runs, nominal, faults)
     before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
