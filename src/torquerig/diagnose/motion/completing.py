@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from torquerig.diagnose.motion.evidence import gained, root_mean_square, samples
 from torquerig.diagnose.motion.fitted import FittedMotion, fitted
 from torquerig.diagnose.motion.moved import Moved
 from torquerig.diagnose.motion.objections import LEAST_FALL, first_that_holds
+from torquerig.diagnose.motion.pairs import pair_that_holds
+from torquerig.diagnose.motion.places import mismatches
 from torquerig.diagnose.motion.tried import Refused, Step, Tried
 from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
@@ -38,11 +41,16 @@ def completed(
         )
         tried = tuple(_tried(model, base, own, runs))
         kept, refused = first_that_holds(tried, model, base, own, runs)
-        if kept is None:
+        new: tuple[Step, ...] = (Step(kept, model, tried),) if kept else ()
+        if not new and len(steps) + 2 <= MOST_EFFECTS and mismatches(model, runs):
+            progress("trying two effects at once")
+            new = pair_that_holds(tried, model, base, own, runs, beside=partial(_tried, runs=runs))
+        if not new:
             return start, tuple(steps), refused
-        steps.append(Step(kept, model, tried))
-        base, own = kept.candidate.added_to(base), (*own, *kept.candidate.knobs)
-        model = kept.model
+        for step in new:
+            steps.append(step)
+            base, own = step.kept.candidate.added_to(base), (*own, *step.kept.candidate.knobs)
+            model = step.kept.model
     return start, tuple(steps), ()
 
 

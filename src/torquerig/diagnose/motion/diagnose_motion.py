@@ -21,6 +21,7 @@ from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
 from torquerig.diagnose.motion.objections import lacks_viscous
 from torquerig.diagnose.motion.places import mismatches
 from torquerig.diagnose.motion.set_aside import set_aside
+from torquerig.diagnose.motion.sign_smoothed import knobs_of_the_sign
 from torquerig.diagnose.motion.told import finding, relative_error
 from torquerig.diagnose.motion.tried import Refused, Step
 from torquerig.rig.rig import Rig
@@ -108,6 +109,7 @@ def diagnose_motion(
     runs = moved_runs(recordings, rig, held_out=held_out)
     progress("fitting the nominal model's own numbers")
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
+    knobs = (*knobs, *knobs_of_the_sign(rig, knobs))
     before, steps, refused = completed(rig, runs, knobs, progress=progress)
     after = steps[-1].kept.model if steps else before
     progress("predicting what no fit has seen")

@@ -25,6 +25,7 @@ _OWN = 1e-4  # of its strongest: where the motion itself has so much, what is le
 _FEWEST = 200  # samples in motion
 _TIE = 1.1  # so much better a fixed frequency must be than the place that it stands for
 _CELLS, _BY_HAND = 16, 100  # cells per shortest wave: its size is within 0.7 % then; fewer places are summed directly
+_ROUND = 0.3  # of a full cycle's spread, which samples of one direction must have to tell a wave
 _PER_PLACE = 2  # points looked at per resolved place
 
 
@@ -153,12 +154,21 @@ def waves(run: Moved, line: Line, residual: Floats, mask: Mask) -> Floats:
     made = np.zeros(residual.size)
     for way in (1.0, -1.0):
         going = run.speed * way > 0
-        if (going & mask).sum() < 50:
+        if (going & mask).sum() < 50 or _round(phase[going & mask]) < _ROUND:
             continue
         basis = np.column_stack([np.cos(phase), np.sin(phase), np.ones(phase.size)])
         held = np.linalg.lstsq(basis[going & mask], residual[going & mask], rcond=None)[0]
         made[going] = basis[going][:, :2] @ held[:2]
     return made
+
+
+def _round(phase: Floats) -> float:
+    """Return how well samples go round a cycle [1]: 1 all round, 0 where they stay at one phase.
+
+    From few phases a wave of any size is told with its mean to match, and is none at the others.
+    """
+    wave = np.column_stack([np.cos(phase), np.sin(phase)])
+    return float(np.sqrt(2) * np.linalg.svd(wave - wave.mean(axis=0), compute_uv=False)[-1] / np.sqrt(phase.size))
 
 
 def phase_of(run: Moved, line: Line) -> Floats:
