@@ -10,7 +10,7 @@ import numpy as np
 
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.motion import cogging, friction, gap, hum, others
+from torquerig.diagnose.motion import cogging, friction, friction_peak, gap, hum, others
 from torquerig.diagnose.motion.evidence import gained, root_mean_square, samples_that_count
 from torquerig.diagnose.motion.fitted import FittedMotion, fitted
 from torquerig.diagnose.motion.moved import Moved
@@ -25,7 +25,7 @@ MOST_EFFECTS = 3
 _ALONE = 8  # evaluations while the model's own numbers are held
 _AS_CLOSE = 0.05  # of the rms residual: what a simpler variant may leave more
 _WORTHWHILE = 0.25  # of the best gain alone: less is not caught up by fitting all numbers
-_ROOMS = (friction, gap, cogging, hum, others)
+_ROOMS = (friction, friction_peak, gap, cogging, hum, others)
 
 
 def completed(

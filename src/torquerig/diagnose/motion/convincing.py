@@ -42,7 +42,7 @@ def doubt_in(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
     if candidate.mechanism == "stribeck_friction" and viscous_alone(candidate, made, runs):
         return "what explains is the viscous friction that was fitted with it; there is hardly any dry friction"
     if candidate.mechanism == "stribeck_friction" and not friction.possible(part, candidate.variant):
-        return "it would hold less than it slides"
+        return "it would hold no more than it slides"
     if candidate.mechanism == "torsional_mode":
         return _of_a_mode(part, made, model, runs)
     return ""
@@ -60,7 +60,7 @@ def _of_a_mode(part: Any, made: FittedMotion, model: FittedMotion, runs: Sequenc
 def viscous_alone(candidate: Candidate, made: FittedMotion, runs: Sequence[Moved]) -> bool:
     """Whether what was fitted as dry friction is next to none beside the viscous friction that came with it."""
     part: Any = made.rig.part(candidate.parts[0].name)
-    dry = max(part.coulomb, part.coulomb_backward or 0.0)
+    dry = max(part.coulomb, part.coulomb_backward or 0.0, part.static if candidate.variant == friction.PEAKED else 0.0)
     return bool(dry < _DRY * root_mean_square([run.effort[run.seen] for run in runs if run.seen.any()]))
 
 

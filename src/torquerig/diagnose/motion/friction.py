@@ -29,7 +29,7 @@ _LEAST_PEAK = 1.05  # times what slides
 _SMOOTHED, _SMOOTHED_BEHIND = 2e-3, 0.1  # of the top speed; behind a spring a sharper sign asks for tiny steps
 _BENDS = (0.01, 0.05, 0.2)  # of the stroke: how far the bristles bend before they slide
 _DAMPED = 2e-3  # [s] of the bristles, s1 over s0
-_HOLDS, _FALLS = 1.5, 0.05  # times what slides; of the top speed, by which it has fallen to that
+HOLDS, FALLS = 1.5, 0.05  # times what slides; of the top speed, by which it has fallen to that
 _NO_PEAK = 1e-6  # of the top speed: a Stribeck speed that no sample sees
 _SHARED = 0.1
 STOOD_IN = ("viscous", "viscous_backward", "coulomb")  # of a model, fitted in place of what is missing
@@ -69,9 +69,9 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     sliding: dict[str, Any] = {"viscous": max(drag_ahead, share), "viscous_backward": max(drag_back, share)}
     ways = ("coulomb", "coulomb_backward", *sliding)
     yield _candidate(replace(part, **both, **sliding), ways, "by_direction")
-    peak: dict[str, Any] = {"static": _HOLDS * dry, "stribeck_speed": _FALLS * top}
+    peak: dict[str, Any] = {"static": HOLDS * dry, "stribeck_speed": FALLS * top}
     yield _candidate(replace(part, **drag, **peak), ("coulomb", *peak, *viscous), PEAKED)
-    peak |= {"static": _HOLDS * ahead, "static_backward": _HOLDS * back}
+    peak |= {"static": HOLDS * ahead, "static_backward": HOLDS * back}
     yield _candidate(replace(part, **{**both, **sliding, **peak}), (*ways, *peak), PEAKED_BY_DIRECTION)
     if not hasattr(mechanisms, "LugreFriction"):
         return
@@ -92,10 +92,15 @@ def turns_back(runs: Sequence[Moved]) -> bool:
 
 
 def possible(part: Part, variant: str) -> bool:
-    """Whether a friction that was fitted with a peak holds more than it slides; all else is possible."""
+    """Whether a friction that was fitted with a peak holds more than it slides; all else is possible.
+
+    A peak narrower than the speed over which the sign is smoothed is the sign's own shape.
+    """
     if variant not in (PEAKED, PEAKED_BY_DIRECTION):
         return True
     values: Any = part
+    if values.stribeck_speed < values.smoothing:
+        return False
     sides = [(values.coulomb, values.static)]
     sides += [] if values.static_backward is None else [(values.coulomb_backward, values.static_backward)]
     return all(holds >= _LEAST_PEAK * slides for slides, holds in sides)

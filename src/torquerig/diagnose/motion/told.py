@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import exp, pi
 from typing import Any
 
@@ -11,6 +12,7 @@ from torquerig.diagnose.diagnosis import Finding, Stated
 from torquerig.diagnose.motion.evidence import root_mean_square
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
+from torquerig.diagnose.motion.friction_peak import dry_beside
 from torquerig.diagnose.motion.lines import in_a_line
 from torquerig.diagnose.motion.moved import Moved
 from torquerig.diagnose.motion.tried import Step, Tried
@@ -94,10 +96,12 @@ def _friction(part: Any, final: FittedMotion, torque: str, line: bool) -> dict[s
     answer: dict[str, Stated] = {}
     ways = ("forward", "backward") if part.coulomb_backward is not None else ("",)
     peaked = without_peak(part, final.knobs) is part
+    beside = dry_beside(final.rig, part)
     for way in ways:
         back, end = "_backward" if way == "backward" else "", f"_{way}" if way else ""
         dry = _stated(final, part.name, f"coulomb{back}", getattr(part, f"coulomb{back}"), torque)
         holds = _stated(final, part.name, f"static{back}", getattr(part, f"static{back}"), torque) if peaked else dry
+        dry, holds = (_more(one, beside[way == "backward"]) for one in (dry, holds))
         answer |= {f"coulomb_Nm{end}": dry, f"static_Nm{end}": holds}
         if peaked:
             falls = _stated(final, part.name, "stribeck_speed", part.stribeck_speed, "m/s" if line else "rad/s")
@@ -142,6 +146,11 @@ def _stated(
                 return Stated(value=value, low=value * exp(-reach), high=value * exp(reach), unit=unit)
             return Stated(value=value, low=value - reach * factor, high=value + reach * factor, unit=unit)
     return Stated(value=value, low=value, high=value, unit=unit)
+
+
+def _more(stated: Stated, by: float) -> Stated:
+    """Return a number with so much added that other parts of the same shaft make."""
+    return replace(stated, value=stated.value + by, low=stated.low + by, high=stated.high + by)
 
 
 def _sentence(kept: Tried, parameters: Mapping[str, Stated], share: float, rivals: Sequence[tuple[str, float]]) -> str:
