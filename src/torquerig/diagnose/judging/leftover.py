@@ -18,6 +18,7 @@ from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squ
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.judging.one_load import load_contradictions
+from torquerig.diagnose.judging.scattered_levels import scattered_levels
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
@@ -49,6 +50,7 @@ def mismatches(case: Case, beyond: Sequence[Correction] = ()) -> tuple[Mismatch,
         found += [*_bands(features, eased, total, places), *_levels(features, eased, total, places)]
         found += [*_turning(features, eased, total, places)]
     found += [*_flights(case), *load_contradictions(case, total), *narrow_humps(case, total, beyond)]
+    found += [*scattered_levels(case, total)]
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
 
 
