@@ -10,6 +10,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, Mismatch, UsedRecording, Verdict
 from torquerig.diagnose.findings import faults_found, reasons, run_for_the_rest, searched
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
+from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
@@ -103,13 +104,15 @@ def diagnose(
             completed, fitted = own_gap.reopened(completed), own_gap.reopened(fitted, width=width)
         return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed)
 
+    changed = changing([run for run in before.runs if run.name not in faults.clipped])
+    changes = () if changed is None else (changed.mismatch,)
     why = ""
     for sought in all_found.in_turn(before, used):
         if sought.accepted and why in (LEAVES_A_REST, COMES_AND_GOES):
             continue  # numbers that stand still explain no more of it
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
-        left = (*left_by_simulation(after, mismatches(after)), *came_and_went)
+        left = (*left_by_simulation(after, mismatches(after)), *came_and_went, *changes)
         detail = detail_of(before, after, left)
         left = left if detail is None else ()
         resembled = any(each.trial.candidate.resembled for each in sought.accepted)
@@ -127,7 +130,7 @@ def diagnose(
     diagnosis = Diagnosis(
         verdict=verdict,
         mismatch=(
-            *((*mismatches(before), *came_and_went) if found_more else left),
+            *((*mismatches(before), *came_and_went, *changes) if found_more else left),
             *(mismatch for _, mismatch in start.untrue),
         ),
         findings=tuple(found),
@@ -137,6 +140,7 @@ def diagnose(
             *(sentence for sentence, _ in start.untrue),
             *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
             *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
+            *([] if changed is None else [changed.sentence]),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
             *start.remarks,
