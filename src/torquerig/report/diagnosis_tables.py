@@ -12,6 +12,7 @@ from torquerig.report.diagnosis_words import chance_text, kind_text, mechanism_t
 from torquerig.report.layout import Cell, Table, number, plain, words
 
 SIZES = "The size of a line is its residual over its spread, that of a band the recording over the model."
+BONFERRONI = "Bonferroni"
 
 
 def parameters_table(finding: Finding) -> Table:
@@ -47,8 +48,11 @@ def _judged(finding: Finding, name: str) -> str:
     return "cannot be told from it" if name in finding.equivalent_to else "fits worse than chance allows"
 
 
-def mismatch_table(mismatches: Sequence[Mismatch], *, sizes: str = SIZES) -> Table:
-    """Return the places where recordings and calibrated model differ; ``sizes`` says what their size counts."""
+def mismatch_table(mismatches: Sequence[Mismatch], *, sizes: str = SIZES, chance: str = BONFERRONI) -> Table:
+    """Return the places where recordings and calibrated model differ.
+
+    ``sizes`` says what their size counts, ``chance`` where their probability comes from.
+    """
     rows = [
         (*words(place_text(each), kind_text(each)), number(f"{each.excess_dB:.1f}"),
          number(f"{100 * each.share_of_misfit:.1f} %"), number(chance_text(each.p_value)),
@@ -58,8 +62,8 @@ def mismatch_table(mismatches: Sequence[Mismatch], *, sizes: str = SIZES) -> Tab
     return Table(
         caption="Where recordings and model differ, largest share first",
         head=("place", "kind", "size [dB]", "share of misfit", "p", "recordings"), rows=tuple(rows),
-        note="p is the chance that so large a difference stands anywhere among all places looked at (Bonferroni). "
-        + sizes,
+        note="p is the chance that so large a difference stands anywhere among all places looked at "
+        f"({chance}). {sizes}",
     )  # fmt: skip
 
 

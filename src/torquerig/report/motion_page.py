@@ -51,10 +51,12 @@ def _shown(outcome: MotionOutcome) -> Mapping[str, Any]:
     left = outcome.left if outcome.steps else ()
     aside, before = outcome.diagnosis.set_aside, outcome.before
     return {
-        "mismatch": mismatch_table(outcome.missed, sizes=tables.SIZES) if outcome.missed else None,
+        "mismatch": mismatch_table(outcome.missed, sizes=tables.SIZES, chance=tables.CHANCE)
+        if outcome.missed
+        else None,
         "places": places_picture(outcome.missed),
         "nowhere": tables.NOWHERE if outcome.steps else NOWHERE,
-        "left": mismatch_table(left, sizes=tables.SIZES) if left else None,
+        "left": mismatch_table(left, **told_by) if left else None,
         "held_out": tables.held_out_table(runs, scale=scale),
         "telling": drawn,
         "not_drawn": not_drawn,

@@ -20,6 +20,10 @@ SIZES = (
     "The size of a line is its power over the floor beside it, that of a speed the mean residual there over its "
     "standard deviation. Shares overlap, for what goes with the speed has lines too."
 )
+CHANCE = (
+    "of lines and speeds by Bonferroni, of times and places of a stroke by as many stretches in another order or of "
+    "another sign, which tell no less than 0.001"
+)
 NOWHERE = (
     "No line and no speed stands out of what the calibrated model leaves, so there is no picture of places: what was "
     "found shows in the course of the effort, below."

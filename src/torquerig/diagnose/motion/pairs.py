@@ -49,8 +49,9 @@ def pair_that_holds(
         alone = fitted(with_second, runs, of_second, start=start)
         again = _beside(alone, first, second, runs)
         if first_that_holds([again], alone, with_second, of_second, runs)[0] is not None:
-            kept = replace(first, gain=again.gain, fall=again.fall)
-            return Step(kept, model, tuple(tried)), Step(second, first.model, seconds)
+            kept = replace(first, gain=again.gain, fall=again.fall, beside=second.candidate.mechanism)
+            others = tuple(one for one in tried if one is not first)
+            return Step(kept, model, (kept, *others)), Step(second, first.model, seconds)
     return ()
 
 

@@ -158,7 +158,9 @@ def _sentence(kept: Tried, parameters: Mapping[str, Stated], share: float, rival
     what = _VARIANT.get(candidate.variant) or _PLAIN.get(candidate.mechanism, candidate.mechanism.replace("_", " "))
     values = {name: stated.value for name, stated in parameters.items()}
     joint = getattr(candidate.parts[0], "gear", "")
+    beside = f" once {_PLAIN.get(kept.beside, kept.beside.replace('_', ' '))} is in it" if kept.beside else ""
     said = f"The model lacks {what.format(joint=joint, **values)}; it explains {share:.0%} of what the model leaves"
+    said += beside
     helping = [(name, gain) for name, gain in rivals if gain > 0]
     if not helping:
         return said + ", where no other mechanism of the library helps."

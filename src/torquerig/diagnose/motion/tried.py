@@ -20,6 +20,8 @@ class Tried:
         By how much of itself the rms residual fell [1].
     freed : bool
         Whether all numbers of the model were fitted beside its own: only such a fit can be kept.
+    beside : str
+        The effect that it was weighed beside, where alone it gains too little.
     """
 
     candidate: Candidate
@@ -27,6 +29,7 @@ class Tried:
     gain: float
     fall: float
     freed: bool = False
+    beside: str = ""
 
 
 @dataclass(frozen=True, eq=False)
