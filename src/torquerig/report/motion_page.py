@@ -50,10 +50,9 @@ def _shown(outcome: MotionOutcome) -> Mapping[str, Any]:
     drawn, not_drawn = motion_pictures(outcome, runs)
     left = outcome.left if outcome.steps else ()
     aside, before = outcome.diagnosis.set_aside, outcome.before
+    told_by = {"sizes": tables.SIZES, "chance": tables.CHANCE}
     return {
-        "mismatch": mismatch_table(outcome.missed, sizes=tables.SIZES, chance=tables.CHANCE)
-        if outcome.missed
-        else None,
+        "mismatch": mismatch_table(outcome.missed, **told_by) if outcome.missed else None,
         "places": places_picture(outcome.missed),
         "nowhere": tables.NOWHERE if outcome.steps else NOWHERE,
         "left": mismatch_table(left, **told_by) if left else None,
