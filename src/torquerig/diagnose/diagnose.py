@@ -104,15 +104,14 @@ def diagnose(
             completed, fitted = own_gap.reopened(completed), own_gap.reopened(fitted, width=width)
         return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed)
 
-    changed = changing([run for run in before.runs if run.name not in faults.clipped])
-    changes = () if changed is None else (changed.mismatch,)
+    changes = changing([run for run in before.runs if run.name not in faults.clipped])
     why = ""
     for sought in all_found.in_turn(before, used):
         if sought.accepted and why in (LEAVES_A_REST, COMES_AND_GOES):
             continue  # numbers that stand still explain no more of it
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
-        left = (*left_by_simulation(after, mismatches(after)), *came_and_went, *changes)
+        left = (*left_by_simulation(after, mismatches(after)), *came_and_went, *(mismatch for _, mismatch in changes))
         detail = detail_of(before, after, left)
         left = left if detail is None else ()
         resembled = any(each.trial.candidate.resembled for each in sought.accepted)
@@ -130,7 +129,7 @@ def diagnose(
     diagnosis = Diagnosis(
         verdict=verdict,
         mismatch=(
-            *((*mismatches(before), *came_and_went, *changes) if found_more else left),
+            *((*mismatches(before), *came_and_went, *(mismatch for _, mismatch in changes)) if found_more else left),
             *(mismatch for _, mismatch in start.untrue),
         ),
         findings=tuple(found),
@@ -140,7 +139,7 @@ def diagnose(
             *(sentence for sentence, _ in start.untrue),
             *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
             *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
-            *([] if changed is None else [changed.sentence]),
+            *(sentence for sentence, _ in changes),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
             *start.remarks,

@@ -8,7 +8,6 @@ whose numbers stay reached 6.6 spreads where no run was at a limit, a coupling t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -30,42 +29,35 @@ _MEDIAN = 1.57  # variance of a median over that of a mean
 _APART, _OVERDISPERSED = 9.0, 2.0  # spreads; by which steady rigs' largest exceed those of normal variates
 
 
-@dataclass(frozen=True)
-class Change:
-    """What is told of a change: a sentence, and where."""
-
-    sentence: str
-    mismatch: Mismatch
-
-
-def changing(runs: Sequence[Observed]) -> Change | None:
-    """Return the bands that differ most between the beginnings and the ends of the steady runs, or None.
+def changing(runs: Sequence[Observed]) -> tuple[tuple[str, Mismatch], ...]:
+    """Return a sentence and a mismatch for the bands that end most unlike they begin; nothing where that is chance.
 
     Of each band the median over its bins, which no line moves. Runs with moments without signal or at a limit are left
     out: those ring through the spectrum where they happen to be.
     """
     whole = [run for run in runs if run.steady and not run.rebuilt and not moments_lost(run.recording)]
     if not whole:
-        return None
+        return ()
     every = np.array([_fall(run) for run in whole])
     fall, spread = every[:, 0].sum(axis=0), np.sqrt((every[:, 1] ** 2).sum(axis=0))
     together = np.convolve(fall / spread, np.ones(_TOGETHER), "valid") / np.sqrt(_TOGETHER)
     at = int(np.argmax(np.abs(together)))
     if abs(together[at]) < _APART:
-        return None
+        return ()
     low, high = (float(edge) for edge in _edges()[[at, at + _TOGETHER]])
     changed = 10 / np.log(10) * float(every[:, 0, at : at + _TOGETHER].mean())
     longest = max(run.recording.duration for run in whole)
     way = "below" if changed > 0 else "above"
-    return Change(
+    sentence = (
         f"between {low:.0f} and {high:.0f} Hz the steady runs end {abs(changed):.1f} dB {way} what they "
-        "begin with: something changes while they run, and the numbers of a rig are constants",
-        Mismatch(
-            domain="time", axis="s", at=(1 - 0.5 * _PART) * longest, width=_PART * longest,
-            recordings=tuple(run.name for run in whole), excess_dB=-changed, share_of_misfit=0.0,
-            p_value=by_chance(abs(float(together[at])) / _OVERDISPERSED, together.size),
-        ),
+        "begin with: something changes while they run, and the numbers of a rig are constants"
+    )
+    mismatch = Mismatch(
+        domain="time", axis="s", at=(1 - 0.5 * _PART) * longest, width=_PART * longest,
+        recordings=tuple(run.name for run in whole), excess_dB=-changed, share_of_misfit=0.0,
+        p_value=by_chance(abs(float(together[at])) / _OVERDISPERSED, together.size),
     )  # fmt: skip
+    return ((sentence, mismatch),)
 
 
 def _edges() -> Floats:

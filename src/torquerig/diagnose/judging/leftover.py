@@ -15,7 +15,7 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squares
-from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.judging.chance import beyond_chance, by_chance
 from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.judging.one_load import load_contradictions
 from torquerig.diagnose.judging.scattered_levels import scattered_levels
@@ -33,7 +33,6 @@ _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and 
 _DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
 _ELSEWHERE, _BETTER = 0.5, 2.0  # of what is left: more at places that got better by less than this is no detail
 _LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
-_BY_CHANCE = 4.0  # squares of residuals below this are no misfit
 _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
 _MEAN_SQUARE = 3.0  # of all bands of a run
 
@@ -74,8 +73,7 @@ def _left_elsewhere(before: Sequence[Misfit], after: Sequence[Misfit]) -> float:
     old, new = (robust_squares(np.concatenate([each.all() for each in every])) for every in (before, after))
     if old.size != new.size:
         return 0.0
-    left = np.maximum(new - _BY_CHANCE, 0.0)
-    return float(left[old - new <= _BETTER].sum() / max(left.sum(), 1e-12))
+    return beyond_chance(new[old - new <= _BETTER]) / max(beyond_chance(new), 1e-12)
 
 
 def _every(case: Case) -> list[Misfit]:
@@ -84,7 +82,7 @@ def _every(case: Case) -> list[Misfit]:
 
 def _excess(every: Sequence[Misfit]) -> float:
     squares = np.concatenate([robust_squares(eased.all()) for eased in every])
-    return float(np.maximum(squares - _BY_CHANCE, 0).sum()) + 1e-12
+    return beyond_chance(squares) + 1e-12
 
 
 def _eased(case: Case, features: Features, misfit: Misfit) -> Misfit:
@@ -103,7 +101,7 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
             if features.turning is not None:
                 continue
             residual = np.atleast_2d(misfit.lines)[:, column]
-            square += float(np.maximum(robust_squares(residual) - _BY_CHANCE, 0).sum())
+            square += beyond_chance(robust_squares(residual))
             if _of_a_law(case, features, column):
                 continue
             size = float(np.abs(residual).max(initial=0.0))
@@ -220,4 +218,4 @@ def _slack(case: Case) -> float:
 
 
 def _share(residual: NDArray[np.float64], total: float) -> float:
-    return float(np.maximum(robust_squares(residual) - _BY_CHANCE, 0).sum()) / total
+    return beyond_chance(robust_squares(residual)) / total

@@ -17,10 +17,10 @@ from scipy.stats import chi2
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.misfit import robust_squares
+from torquerig.diagnose.judging.chance import beyond_chance
 
 _FEWEST = 8  # stretches
 _CHANCE = 1e-3
-_BY_CHANCE = 4.0  # squares of residuals below this are no misfit
 
 
 def scatter(levels: NDArray[np.float64]) -> float:
@@ -34,8 +34,7 @@ def scatter(levels: NDArray[np.float64]) -> float:
     levels : ndarray, shape (stretches,)
         Residuals in units of their spread, in the order of time.
     """
-    apart = levels[1:-1] - 0.5 * (levels[:-2] + levels[2:])
-    return sqrt(float(np.mean(apart**2)) / 1.5)
+    return sqrt(float(np.mean(_apart(levels) ** 2)) / 1.5)
 
 
 def scattered_levels(case: Case, total: float) -> Iterator[Mismatch]:
@@ -55,11 +54,15 @@ def scattered_levels(case: Case, total: float) -> Iterator[Mismatch]:
         p_value = min(1.0, len(moving) * float(chi2.sf(free * size**2, free)))
         if p_value > _CHANCE:
             continue
-        apart = np.abs(levels[1:-1] - 0.5 * (levels[:-2] + levels[2:]))
-        worst = features.parts[int(np.argmax(apart)) + 1]
+        worst = features.parts[int(np.argmax(np.abs(_apart(levels)))) + 1]
         start, stop = (sample / features.observed.rate for sample in (worst.start, worst.stop))
         yield Mismatch(
             domain="time", axis="s", at=0.5 * (start + stop), width=stop - start,
             recordings=(features.observed.name,), excess_dB=20 * log10(size),
-            share_of_misfit=float(np.maximum(robust_squares(levels) - _BY_CHANCE, 0).sum()) / total, p_value=p_value,
+            share_of_misfit=beyond_chance(robust_squares(levels)) / total, p_value=p_value,
         )  # fmt: skip
+
+
+def _apart(levels: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return by how much each level but the outer two stands off the mean of its neighbours."""
+    return np.asarray(levels[1:-1] - 0.5 * (levels[:-2] + levels[2:]))
