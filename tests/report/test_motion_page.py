@@ -13,14 +13,13 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from torquerig.catalog.reading import Catalog
+from tests.moved_rigs import CARRIAGE, RATE, ROTOR, Floats, diagnosed, recorded
 from torquerig.cli import main
-from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
+from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
 from torquerig.diagnose.motion.set_aside import CLASSES
 from torquerig.diagnose.showing.motion_comparison import IN_A_LINE, TURNING, motion_compared
 from torquerig.diagnose.showing.motion_curves import level_over_speed, telling_window
 from torquerig.diagnose.showing.motion_lines import lines_compared
-from torquerig.document import parse_document
 from torquerig.report.diagnosis_numbers import added_numbers_table, numbers_table
 from torquerig.report.motion_course_figure import motion_course_figure
 from torquerig.report.motion_lines_figure import motion_lines_figure
@@ -29,42 +28,19 @@ from torquerig.report.motion_place_figure import motion_place_figure
 from torquerig.report.motion_speed_figure import motion_speed_figure
 from torquerig.report.motion_window_figure import motion_window_figure
 from torquerig.report.picture import svg
-from torquerig.scenario.reading import read_scenario
 from torquerig.signals.files import write_recording
 from torquerig.signals.recording import Channel, Recording
 
-RATE, COUNT = 400.0, 4800
-CARRIAGE = """
-operating_point: {}
-measured: motion
-rig:
-  carriage: {kind: slide, mass: {value: 11.5 kg, rel_sd: 0.1}}
-  motion: {kind: imposed_motion, at: carriage, channel: position}
-"""
-ROTOR = """
-operating_point: {}
-measured: motion
-rig:
-  motor: {kind: motor, inertia: 1.0e-4 kg*m^2, torque_limit: 1 N*m, pole_pairs: 7, slots: 12}
-  motion: {kind: imposed_motion, at: motor, channel: angle}
-"""
+
+def uneven(time: Floats, position: Floats, speed: Floats) -> Floats:
+    """6 N of dry friction, viscous friction, and 1 N at 150 per m."""
+    return 6.0 * np.sign(speed) + 8.0 * speed + np.cos(2 * np.pi * 150.0 * position + 0.4)
 
 
 def carriage(*, rough: bool) -> Recording:
-    """10 kg on two swings that do not meet, noise of 0.5 N; where rough, 6 N of dry friction and 1 N at 150 per m."""
-    time = np.arange(COUNT) / RATE
-    swings = ((0.1, 2 * np.pi * 0.5, 0.0), (0.02, 2 * np.pi * 1.3, 1.0))
-    position, speed, gained = (
-        np.sum([a * w**n * np.sin(w * time + p + n * np.pi / 2) for a, w, p in swings], axis=0) for n in range(3)
-    )
-    force = 10.0 * gained + 0.5 * np.random.default_rng(7).standard_normal(COUNT)
     if rough:
-        force += 6.0 * np.sign(speed) + 8.0 * speed + np.cos(2 * np.pi * 150.0 * position + 0.4)
-    channels = {
-        "force_N": Channel(values=force, quantity="force", unit="N"),
-        "position_m": Channel(values=position, quantity="position", unit="m"),
-    }
-    return Recording(sample_rate=RATE, channels=channels, name="rough.csv" if rough else "smooth.csv")
+        return recorded(uneven, name="rough.csv")
+    return recorded(lambda time, *_: np.zeros(time.size), name="smooth.csv")
 
 
 def rotor() -> Recording:
@@ -77,11 +53,6 @@ def rotor() -> Recording:
         "angle_rad": Channel(values=angle, quantity="angle", unit="rad"),
     }
     return Recording(sample_rate=100.0, channels=channels, name="turn.csv")
-
-
-def diagnosed(recording: Recording, text: str = CARRIAGE) -> MotionOutcome:
-    scenario = read_scenario(parse_document(text, Path("rig.yaml")), Catalog(), seed=0)
-    return diagnose_motion(scenario, [recording])
 
 
 def paged(outcome: MotionOutcome) -> str:

@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
 
+from tests.moved_rigs import ROTOR
 from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.cli.diagnose import command
@@ -29,14 +30,6 @@ from torquerig.simulate.simulate import simulate
 Floats = NDArray[np.float64]
 Carriage = Callable[..., Recording]
 Diagnosed = Callable[..., MotionOutcome]
-
-ROTOR = """
-operating_point: {}
-measured: motion
-rig:
-  motor: {kind: motor, inertia: 1.0e-4 kg*m^2, torque_limit: 1 N*m, pole_pairs: 7, slots: 12}
-  motion: {kind: imposed_motion, at: motor, channel: angle}
-"""
 
 
 def friction(time: Floats, position: Floats, speed: Floats) -> Floats:
