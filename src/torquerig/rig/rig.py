@@ -93,7 +93,7 @@ class Rig:
 
     @cached_property
     def _terms(self) -> tuple[Term, ...]:
-        terms = tuple(term for part in self.parts for term in part.terms(self))
+        terms = tuple(term for part in self.parts for term in self._terms_of(part))
         carried = {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
         for term in terms:
             if isinstance(term, Spring):
@@ -104,6 +104,15 @@ class Rig:
                             "that part an inertia or put an inertia after it"
                         )
         return terms
+
+    def _terms_of(self, part: Part) -> tuple[Term, ...]:
+        if part.name not in self._terms_by_part:
+            self._terms_by_part[part.name] = tuple(part.terms(self))
+        return self._terms_by_part[part.name]
+
+    @cached_property
+    def _terms_by_part(self) -> dict[str, tuple[Term, ...]]:
+        return {}
 
     def stages(self) -> tuple[Stage, ...]:
         """Return the measuring chain from the shaft to the file; parts at one position keep their order."""
@@ -117,7 +126,7 @@ class Rig:
     def speed_ratios(self, reference: str) -> dict[str, float]:
         """Return for each node how fast it turns per turn of the node ``reference``, by the gears between them."""
         shafts = [part for part in self.parts if part.opens_node]
-        springs = [term for part in shafts for term in part.terms(self) if isinstance(term, Spring)]
+        springs = [term for part in shafts for term in self._terms_of(part) if isinstance(term, Spring)]
         ratios, waiting = {reference: 1.0}, deque([reference])
         while waiting:
             here = waiting.popleft()

@@ -45,7 +45,7 @@ from torquerig.simulate.arrays import (
 from torquerig.simulate.rows import phase_of
 from torquerig.simulate.waves import WaveTable
 
-__all__ = ["Lowered", "lower", "phase_of"]
+__all__ = ["Lowered", "lower", "lower_terms", "phase_of"]
 Kind = TypeVar("Kind", bound=Term)
 NODES = ("a", "b", "on", "against", "angle")  # the fields by which terms name nodes
 
@@ -95,7 +95,11 @@ class Lowered:
 
 def lower(rig: Rig, seed: int) -> Lowered:
     """Return the rig as arrays; phases that are not stated are drawn from ``seed``, each by its own name."""
-    terms = rig.terms()
+    return lower_terms(rig.terms(), seed)
+
+
+def lower_terms(terms: Sequence[Term], seed: int) -> Lowered:
+    """Return the same of the physics of a rig alone."""
     nodes, inertia = _nodes(terms)
     number = {name: row for row, name in enumerate(nodes)} | {GROUND: len(nodes)}
     # a wave of no amplitude must not change how the others are multiplied together

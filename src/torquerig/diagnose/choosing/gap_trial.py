@@ -26,6 +26,7 @@ from torquerig.diagnose.looking.flight_statistics import chance_of_blows
 from torquerig.diagnose.looking.flights import blows
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
@@ -94,7 +95,7 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
         return replace(around(told.gap), candidate=width_told, closed=told.closed, opened=told.opened)
     if case.stated_gap:
         return around(case.stated_gap)
-    best = _of_like(case, [around(gap * ARCMIN) for gap in _CHATTERING])
+    best = _of_like(case, of_each(around, [gap * ARCMIN for gap in _CHATTERING]))
     return best if max(_unexplained(case, best.model), default=np.inf) < _LEFT else None
 
 

@@ -13,12 +13,12 @@ from torquerig.diagnose.expecting.rounding_noise import rounded_lines, rounding_
 from torquerig.diagnose.expecting.skirts import skirts
 from torquerig.diagnose.expecting.sway import Sway
 from torquerig.diagnose.linear.quasi_static import quasi_static
-from torquerig.diagnose.linear.twin import Twin, passed
+from torquerig.diagnose.linear.twin import Twin, passed, sources
 from torquerig.diagnose.linear.winding import wound_torque
 from torquerig.diagnose.looking.features import POINTS, Features
-from torquerig.diagnose.looking.places import Place, frequency, order
+from torquerig.diagnose.looking.places import frequency
 from torquerig.diagnose.looking.regression import HANN_NOISE
-from torquerig.diagnose.looking.route import Route
+from torquerig.diagnose.looking.route import Routes
 from torquerig.diagnose.looking.turning import STEPS, Turning
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load
@@ -80,18 +80,20 @@ class _Shown:
     amplitude: Floats
     doubt: Floats
 
-    def add(self, seen: Features, place: Place, size: Floats) -> None:
-        """Add a line to the place that shows it in each stretch, as powers; where none does, to its band."""
-        if not self.amplitude.size:
-            return
-        route = seen.route(place)
-        at = route.rows, route.column
-        before, own = self.amplitude[at], size[route.rows] * route.part
-        both = np.hypot(before, own)
-        self.amplitude[at] = both
-        crossed = route.guest * before * own / np.maximum(np.sqrt(2) * both, 1e-12)
-        self.doubt[at] = np.hypot(self.doubt[at], crossed)
-        _spread(size, route, self.power, seen)
+    def add(self, seen: Features, routes: Routes, size: Floats) -> None:
+        """Add lines to the places that show them in each stretch, as powers; where none does, to their bands.
+
+        ``size`` is of shape (lines, stretches).
+        """
+        own = size[routes.line, routes.row] * routes.part
+        for turn in routes.turns:
+            at = routes.row[turn], routes.column[turn]
+            before = self.amplitude[at]
+            both = np.hypot(before, own[turn])
+            self.amplitude[at] = both
+            crossed = routes.guest[turn] * before * own[turn] / np.maximum(np.sqrt(2) * both, 1e-12)
+            self.doubt[at] = np.hypot(self.doubt[at], crossed)
+        self.power[:] += _in_bands(routes, size, seen)
 
     def doubt_by(self, seen: Features, orders: Floats, size: Floats, bands: Floats) -> None:
         """Put lines that may stand at orders into the doubt of the places that show them, or their density into bands.
@@ -105,14 +107,13 @@ class _Shown:
         at = routes.row * self.doubt.shape[1] + routes.column
         added = np.bincount(at, weights=squares, minlength=self.doubt.size).reshape(self.doubt.shape)
         self.doubt[:] = np.sqrt(self.doubt**2 + added)
-        density = 0.5 * (size[routes.unplaced] ** 2).mean(axis=1) / seen.width[routes.band]
-        bands += np.bincount(routes.band, weights=density, minlength=bands.size)
+        bands += _in_bands(routes, size, seen)
 
 
-def _spread(size: Floats, route: Route, bands: Floats, seen: Features) -> None:
-    """Put the power of a line that no place shows into its band."""
-    if not route.rows.size and route.band is not None:
-        bands[route.band] += 0.5 * float((size**2).mean()) / seen.width[route.band]
+def _in_bands(routes: Routes, size: Floats, seen: Features) -> Floats:
+    """Return the density in each band that lines which no place shows have there, shape (bands,)."""
+    density = 0.5 * (size[routes.unplaced] ** 2).mean(axis=1) / seen.width[routes.band]
+    return np.bincount(routes.band, weights=density, minlength=seen.band.size).astype(np.float64)
 
 
 def expected(rig: Rig, seen: Features) -> Expectation:
@@ -131,10 +132,11 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     shown = _Shown(power, *(np.zeros((stretches, len(seen.places))) for _ in range(2)))
     sizes = _sizes(twin, points, balance.motor, steady=observed.steady)
     sway = Sway(twin, seen, turns=np.abs(seen.speed).mean(axis=1) / (2 * pi), motor=balance.motor)
-    for line, size in zip(twin.lines(), sizes * sway.left, strict=True):
-        shown.add(seen, order(line.order), size)
-    for tone, volts in added.tones:
-        shown.add(seen, frequency(tone), np.full(stretches, volts))
+    if sway.lines and shown.amplitude.size:
+        shown.add(seen, seen.routes(sway.orders[:, 0]), sizes * sway.left)
+    if added.tones and shown.amplitude.size:
+        tones = Routes.of([seen.route(frequency(tone)) for tone, _ in added.tones])
+        shown.add(seen, tones, np.repeat([[volts] for _, volts in added.tones], stretches, axis=1))
     sides = np.zeros(power.size)
     shown.doubt_by(seen, *sway.beside(sizes, power), sides)
     level = np.repeat(balance.sensor, len(seen.parts) // stretches) + added.level
@@ -192,7 +194,7 @@ def _sizes(twin: Twin, points: Floats, motor: Floats, *, steady: bool) -> Floats
     orders = np.array([line.order for line in lines])[:, None]
     at_each = passed([line.transfer for line in lines], np.maximum(orders * points / (2 * pi), 0.05))
     gain = np.abs(at_each if steady else at_each.reshape(len(lines), -1, POINTS).mean(axis=2))
-    return np.asarray(gain * np.array([line.source(motor) for line in lines]))
+    return np.asarray(gain * sources(lines, motor))
 
 
 def _noise(rig: Rig, seen: Features) -> Floats:

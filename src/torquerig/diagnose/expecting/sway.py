@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.special import j0, j1
 
 from torquerig.diagnose.expecting.skirts import FOLLOWED
-from torquerig.diagnose.linear.twin import LineSource, Twin, passed
+from torquerig.diagnose.linear.twin import LineSource, Twin, passed, sources
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.side_lines import REACH
 from torquerig.signals.angle_within_a_turn import SLOW
@@ -89,12 +89,14 @@ class Sway:
         fast, by = np.nonzero((0.5 * self.phase * sizes[:, None] > spread[:, None]).any(axis=2))
         if fast.size:
             side = j1(np.minimum(self.phase[fast, by], _LARGEST)) * sizes[fast]
-            through = [self.lines[row].transfer for row in fast]
-            at_line, apart = passed(through, self.orders[fast] * self.turns), self.slow[by, None]
-            for beside in (self.orders[fast] - apart, self.orders[fast] + apart):
-                relative = passed(through, beside * self.turns) / at_line
-                orders.append(beside[:, 0])
-                much.append(side * (np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)))
+            line, apart = self.orders[fast], self.slow[by, None]
+            beside = np.concatenate([line - apart, line + apart])
+            through = 3 * [self.lines[row].transfer for row in fast]
+            at_line, below, above = np.split(passed(through, np.concatenate([line, beside]) * self.turns), 3)
+            relative = np.concatenate([below / at_line, above / at_line])
+            orders.append(beside[:, 0])
+            reached = np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)
+            much.append(np.concatenate([side, side]) * reached)
         return np.concatenate(orders), np.concatenate(much)
 
 
@@ -102,4 +104,4 @@ def _sways(twin: Twin, slow: Sequence[LineSource], turns: Floats, motor: Floats)
     """Return by how much slow lines sway the motor's angle in each stretch [rad], shape (lines, stretches)."""
     sway = [line.transfer.sway for line in slow if line.transfer.sway is not None]
     at = np.maximum(np.array([line.order for line in slow])[:, None] * turns, _SLOWEST)
-    return np.asarray(np.array([line.source(motor) for line in slow]) * np.abs(twin.shafts.each_at(sway, at)))
+    return np.asarray(sources(slow, motor) * np.abs(twin.shafts.each_at(sway, at)))

@@ -46,12 +46,13 @@ CLASSES = {
 
 
 def proposers(case: Case) -> tuple[Propose, ...]:
-    """Return, for every mechanism of the library that the case lacks, what proposes its ways to complete the model."""
-    return tuple(
-        import_module(f"{__name__}.{name}").propose
-        for name, class_name in CLASSES.items()
-        if hasattr(mechanisms, class_name) and not case.has(name)
-    )
+    """Return, for every mechanism of the library that the case lacks, what proposes its ways to complete the model.
+
+    A mechanism that is long to seek has several in its ``WAYS``, so that they are sought side by side.
+    """
+    lacking = [name for name, of in CLASSES.items() if hasattr(mechanisms, of) and not case.has(name)]
+    rooms = [import_module(f"{__name__}.{name}") for name in lacking]
+    return tuple(way for room in rooms for way in getattr(room, "WAYS", (room.propose,)))
 
 
 def is_possible(candidate: Candidate, rig: Rig) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
@@ -25,21 +26,37 @@ _BEST = 3
 _RINGS, _NEVER_DIES = 0.2, 0.001
 
 
-def propose(case: Case) -> Iterator[Candidate]:
-    """Yield the heavy and the light branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part.
+def heavy(case: Case) -> Iterator[Candidate]:
+    """Yield the heavy branches that fit best among frequencies of 15 to 900 Hz, hung on the loaded part.
 
     The model's numbers give way to each: its stiffness and inertia may have stood in for one. Below its frequency a
-    branch is but more inertia of the part it hangs on, which may have been fitted too heavy. A light one resembles
-    noise in a narrow band, which comes again in what no fit has seen.
+    branch is but more inertia of the part it hangs on, which may have been fitted too heavy.
     """
+    yield from _best(case, *_HEAVY)
+
+
+def light(case: Case) -> Iterator[Candidate]:
+    """Yield the light ones, which resemble noise in a narrow band, and that comes again in what no fit has seen."""
+    yield from _best(case, *_LIGHT)
+
+
+WAYS = (heavy, light)
+
+
+def propose(case: Case) -> Iterator[Candidate]:
+    """Yield both."""
+    for way in WAYS:
+        yield from way(case)
+
+
+def _best(case: Case, frequencies: NDArray[np.float64], shares: tuple[float, ...]) -> list[Candidate]:
     at = loaded_part(case.nominal)
     body = None if at is None else case.nominal.part(at)
     if not isinstance(body, Body):
-        return
-    for frequencies, shares in (_HEAVY, _LIGHT):
-        tried = [_branch(body, float(hertz), share * body.inertia) for share in shares for hertz in frequencies]
-        tried.sort(key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
-        yield from tried[:_BEST]
+        return []
+    tried = [_branch(body, float(hertz), share * body.inertia) for share in shares for hertz in frequencies]
+    tried.sort(key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
+    return tried[:_BEST]
 
 
 def _branch(body: Body, frequency: float, inertia: float) -> Candidate:

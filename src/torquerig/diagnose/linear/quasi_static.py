@@ -13,6 +13,8 @@ from torquerig.rig.terms import BladeTorque, Friction, Inertia, Load
 
 Floats = NDArray[np.float64]
 
+OPPOSING = (Inertia, Friction, Load, BladeTorque)  # what asks for a slow torque
+
 
 @dataclass(frozen=True)
 class QuasiStatic:
@@ -31,8 +33,10 @@ def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiSta
     sensor, motor = np.zeros(speed.shape), np.zeros(speed.shape)
     behind, efficiency = behind_sensor(twin), _efficiency(twin)
     for term in twin.terms:
-        node = getattr(term, "on", getattr(term, "node", None))
-        if node is None or node not in twin.turns:
+        if not isinstance(term, OPPOSING):
+            continue
+        node = term.node if isinstance(term, Inertia) else term.on
+        if node not in twin.turns:
             continue
         torque = _opposing(term, speed * twin.turns[node], acceleration * twin.turns[node])
         motor += torque * twin.turns[node] / efficiency.get(node, 1.0)

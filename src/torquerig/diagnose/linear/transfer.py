@@ -15,7 +15,7 @@ from scipy.linalg import eigh
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Drive, Friction, Inertia, Spring, Term
 from torquerig.simulate.linear import Matrices, matrices
-from torquerig.simulate.lower import lower
+from torquerig.simulate.lower import lower_terms
 
 Response = NDArray[np.complex128]
 
@@ -90,9 +90,10 @@ def on_grid(rig: Rig, terms: Sequence[Term]) -> Shafts:
     The speed loops are closed, the sampled control taken as continuous (true far below the sample rate); losses of the
     gears are those of power that flows to the load.
     """
-    key = (rig.measured, _structure(terms))
+    structure = _structure(terms)
+    key = (rig.measured, structure)
     if key not in _solved:
-        _solved[key] = _solve(rig, terms)
+        _solved[key] = _solve(rig.measured, structure)
         if len(_solved) > _KEPT:
             _solved.popitem(last=False)
     return _solved[key]
@@ -105,16 +106,17 @@ def _structure(terms: Sequence[Term]) -> tuple[Term, ...]:
         if isinstance(term, Inertia):
             kept.append(term)
         elif isinstance(term, Spring):
-            kept.append(replace(term, error=()))
+            waves = term.error or term.stiffness_waves
+            kept.append(replace(term, error=(), stiffness_waves=()) if waves else term)
         elif isinstance(term, Friction):
             kept.append(Friction(name=term.name, on=term.on, against=term.against, viscous=term.viscous))
         elif isinstance(term, Drive):
-            kept.append(replace(term, ripple=()))
+            kept.append(replace(term, ripple=()) if term.ripple else term)
     return tuple(kept)
 
 
-def _solve(rig: Rig, terms: Sequence[Term]) -> Shafts:
-    system = matrices(lower(rig, 0))
+def _solve(measured: str, terms: Sequence[Term]) -> Shafts:
+    system = matrices(lower_terms(terms, 0))
     grid = _refined(system)
     s = 2j * pi * grid
     wide = s[:, None, None]
@@ -129,7 +131,7 @@ def _solve(rig: Rig, terms: Sequence[Term]) -> Shafts:
     loops = [np.asarray((drive.kp * s + drive.ki) / (1 + s * drive.lag)) for drive in drives]
     for drive, loop in zip(drives, loops, strict=True):
         dynamic[:, row[drive.on], row[drive.on]] += loop
-    spring = next(term for term in terms if isinstance(term, Spring) and term.name == rig.measured)
+    spring = next(term for term in terms if isinstance(term, Spring) and term.name == measured)
     asked = np.zeros((s.size, len(row), 1 + len(drives[:1])), dtype=complex)
     asked[:, row[spring.a], 0] += 1 / spring.ratio
     asked[:, row[spring.b], 0] -= 1.0

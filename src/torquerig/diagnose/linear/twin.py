@@ -58,9 +58,14 @@ class LineSource:
     transfer: Passage
     by_load: bool = False
 
-    def source(self, motor: Floats) -> Floats:
-        """Return its amplitude at its source where the motor gives so much torque [N m], shape as that."""
-        return np.asarray(self.amplitude * (np.abs(motor) if self.by_load else np.ones(motor.shape)))
+
+def sources(lines: Sequence[LineSource], motor: Floats) -> Floats:
+    """Return the lines' amplitudes at their sources, shape (lines, stretches), the motor's torque being (stretches,).
+
+    In the unit of each line's own source.
+    """
+    amplitude, by_load = np.array([line.amplitude for line in lines]), np.array([line.by_load for line in lines])
+    return np.asarray(amplitude[:, None] * np.where(by_load[:, None], np.abs(motor), 1.0))
 
 
 class _Torque(NamedTuple):

@@ -23,6 +23,7 @@ Floats = NDArray[np.float64]
 
 _PARTS = 4  # of a stretch of a steady run
 POINTS = 9  # speeds kept of each stretch
+_KEPT = 256  # sets of lines whose routes are kept
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,6 +91,7 @@ class Features:
     unknown: tuple[Place, ...] = ()
     _routes: dict[Place, Route] = field(default_factory=dict, repr=False, compare=False)
     _of_orders: dict[float, Route] = field(default_factory=dict, repr=False, compare=False)
+    _together: dict[bytes, Routes] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
     def line_frequency(self) -> Floats:
@@ -114,7 +116,7 @@ class Features:
         """Return the same features, the lines at ``places`` not shown."""
         amplitude = self.amplitude.copy()
         amplitude[:, [index for index, place in enumerate(self.places) if place in places]] = np.nan
-        return replace(self, amplitude=amplitude, _routes={}, _of_orders={})
+        return replace(self, amplitude=amplitude, _routes={}, _of_orders={}, _together={})
 
     def route(self, place: Place) -> Route:
         """Return where a line shows: in which place of each stretch, else in which band."""
@@ -124,12 +126,17 @@ class Features:
 
     def routes(self, orders: Floats) -> Routes:
         """Return where lines at orders of the motor show, shape (lines,)."""
-        found = []
-        for at in orders.tolist():
-            if at not in self._of_orders:
-                self._of_orders[at] = self.route(order(at))
-            found.append(self._of_orders[at])
-        return Routes.of(found)
+        key = orders.tobytes()
+        if key not in self._together:
+            if len(self._together) >= _KEPT:
+                self._together.clear()
+            self._together[key] = Routes.of([self._of_order(at) for at in orders.tolist()])
+        return self._together[key]
+
+    def _of_order(self, at: float) -> Route:
+        if at not in self._of_orders:
+            self._of_orders[at] = self.route(order(at))
+        return self._of_orders[at]
 
     def _routed(self, place: Place) -> Route:
         at = np.array([place.frequency(float(speed)) for speed in np.abs(self.speed).mean(axis=1)])

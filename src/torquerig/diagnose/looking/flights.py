@@ -63,13 +63,11 @@ def blows(observed: Observed, *, held: bool | None = False) -> list[int]:
     left = noise / np.sqrt(max(1, _SMOOTHED * observed.rate))
     within = max(min(_QUIET * left, _QUIET_AT_MOST), _NOISY * left)
     wanted = observed.mask(held=held)
-    return [
-        at
-        for at in starts[starts > 2 * quiet].tolist()
-        if wanted[at]
-        and np.ptp(smooth[at - quiet : at]) < within
-        and abs(float(np.median(smooth[at - quiet : at]))) < UNDRIVEN
-    ]
+    starts = starts[(starts > 2 * quiet) & wanted[starts]]
+    before = np.lib.stride_tricks.sliding_window_view(smooth, quiet)[starts - quiet]
+    still = np.ptp(before, axis=1) < within
+    undriven = np.abs(np.median(before[still], axis=1)) < UNDRIVEN
+    return [int(at) for at in starts[still][undriven]]
 
 
 def flights_counted(observed: Observed, *, held: bool | None = False) -> int:
