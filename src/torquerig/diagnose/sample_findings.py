@@ -71,7 +71,8 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
         add("clipping", "Clipping", limit=flat.limit)
     elif under_hum is not None:
         add("clipping", "Clipping", limit=under_hum.limit, where="amplifier")
-    limit = full if flat is None else min(flat.limit, full)
+    own = full - 0.5 * codes.step if codes else full  # coarse codes have their last below it
+    limit = own if flat is None else min(flat.limit, own)
     cut = flat or under_hum
     clipped = () if cut is None else cut.runs
     standing = clipped if codes is None else [recording.name for recording in recordings]

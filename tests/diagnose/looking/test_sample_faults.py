@@ -84,6 +84,15 @@ def test_a_reading_that_fills_the_converter_is_no_fault_of_the_amplifier(clean: 
     assert flat_tops([full], full_range=limit, code=CODE) is None
 
 
+def test_the_last_coarse_code_below_the_converters_range_is_its_own_limit(clean: Recording) -> None:
+    volts, code = clean.channels["torque_V"].values, 0.005
+    limit = float(np.quantile(volts, 0.8))
+    coarse = with_volts(clean, code * np.round(np.minimum(volts, limit) / code))
+    top = float(coarse.channels["torque_V"].values.max())
+    assert flat_tops([coarse], full_range=top + 0.4 * code, code=code) is None
+    assert flat_tops([coarse], full_range=1.02 * top, code=code) is not None
+
+
 def test_dropouts_are_found_with_length_rate_and_level(clean: Recording) -> None:
     volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
     starts, length, level = np.arange(1500, 19_000, 2500), round(0.006 * rate), -0.4

@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 
 _FURTHEST = 1e4  # ratio of densities beyond which noise decides
 _CHANCE = 0.25  # share of a simulated change that differs from one start to the next
+_WHEN = 0.5  # share of a change in the blocks of a reversal: when flanks meet again is a matter of the last rad/s
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,8 @@ def between(
 def corrected(model: Expectation, correction: Correction) -> Expectation:
     """Return the twin's expectation with the correction applied."""
     if model.turning is not None and correction.turning is not None:
-        return replace(model, turning=model.turning + correction.turning)
+        beside = np.hypot(model.turning_tolerance, _WHEN * correction.turning)
+        return replace(model, turning=model.turning + correction.turning, turning_tolerance=beside)
     power = model.power * correction.power if model.power.size == correction.power.size else model.power
     chance = np.hypot(_CHANCE * np.log(correction.power), correction.scatter)
     return replace(

@@ -88,7 +88,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
     Parameters
     ----------
     full_range : float
-        Of the converter [V]: what stops there is the converter's own limit.
+        Of the converter [V]: what stops there, or on the last code below it, is the converter's own limit.
     code : float
         Distance of two codes of the samples [V].
     """
@@ -103,7 +103,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
             largest = level > max(float(np.abs(volts).max()) - 0.5 * code, _LOWEST_LIMIT * code)
             if largest and piled >= max(FEWEST_FLAT, FLAT_SHARE * volts.size, 2 * before):
                 found[recording.name] = (level, piled / volts.size)
-    if not found or max(level for level, _ in found.values()) > 0.999 * full_range:
+    if not found or max(level for level, _ in found.values()) > min(0.999 * full_range, full_range - 0.5 * code):
         return None
     limit = float(np.median([level for level, _ in found.values()]))
     return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
