@@ -99,7 +99,7 @@ def lower(rig: Rig, seed: int) -> Lowered:
 
 
 def lower_terms(terms: Sequence[Term], seed: int) -> Lowered:
-    """Return the same of the physics of a rig alone."""
+    """Return the same from a rig's physics, without the rig: what asks for matrices alone leaves its waves out."""
     nodes, inertia = _nodes(terms)
     number = {name: row for row, name in enumerate(nodes)} | {GROUND: len(nodes)}
     # a wave of no amplitude must not change how the others are multiplied together

@@ -38,3 +38,11 @@ def test_a_quarter_of_a_change_is_chance_beside_what_was_doubtful_before(correct
 def test_few_events_leave_all_bands_to_chance(correction: Correction) -> None:
     answer = corrected(BEFORE, replace(correction, scatter=0.8))
     assert answer.power_tolerance == pytest.approx([np.hypot(0.3, 0.8), np.hypot(0.25 * np.log(10.0), 0.8)])
+
+
+def test_half_of_a_change_at_a_reversal_is_chance_where_it_changes() -> None:
+    turning = replace(BEFORE, turning=np.array([-1.0, 0.4]), turning_tolerance=np.array([0.05, 0.05]))
+    change = between([replace(turning, turning=np.array([-0.2, 0.4]))], [turning])[0]
+    answer = corrected(turning, change)
+    assert answer.turning == pytest.approx([-0.2, 0.4])
+    assert answer.turning_tolerance == pytest.approx([np.hypot(0.05, 0.5 * 0.8), 0.05])
