@@ -12,7 +12,7 @@ from torquerig.diagnose.choosing.search import extended, trials
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Diagnosis, Finding
-from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -37,8 +37,9 @@ def oracle(scenario: Scenario, recordings: Sequence[Recording], *, true: Collect
             case = extended(case, best)
     if not forced:
         return outcome.diagnosis
+    untold = of_untold_loads(outcome.held, fitted={run.name for run in outcome.before.runs})
     fit = held_out(outcome.before.nominal, outcome.before.model.rig, _with_faults(case.model.rig, outcome),
-                   outcome.held, seed=seed)  # fmt: skip
+                   outcome.held, seed=seed, untold=untold)  # fmt: skip
     return replace(outcome.diagnosis, findings=(*outcome.diagnosis.findings, *forced), fit=fit)
 
 

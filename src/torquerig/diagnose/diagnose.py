@@ -12,7 +12,7 @@ from torquerig.diagnose.findings import faults_found, reasons, run_for_the_rest,
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
-from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
@@ -90,6 +90,7 @@ def diagnose(
     whole, own_gap, faults, before, held = start.whole, start.own_gap, start.faults, start.before, start.held
     fitted = {run.name for run in before.runs}
     used = [each for each in held if each.observed.name in fitted]
+    untold = of_untold_loads(held, fitted=fitted)
     all_found = searched(before, used, progress)
     progress("predicting what no fit has seen")
     fitted_nominal = before.model.rig
@@ -102,7 +103,7 @@ def diagnose(
         if own_gap is not None:
             width = own_gap.told(completed)
             completed, fitted = own_gap.reopened(completed), own_gap.reopened(fitted, width=width)
-        return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed)
+        return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed, untold=untold)
 
     changes = changing([run for run in before.runs if run.name not in faults.clipped])
     why = ""

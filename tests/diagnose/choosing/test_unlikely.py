@@ -22,7 +22,7 @@ def test_an_unlikely_name_falls(rival: float, stands: bool, monkeypatch: pytest.
     likely = confidence(gain=1000.0, share=0.7, rival=rival)
     assert (likely > LEAST) is stands
     monkeypatch.setattr(chain, "confidence_of", lambda final, each: likely)
-    monkeypatch.setattr(chain, "is_possible", lambda candidate, rig: True)
+    monkeypatch.setattr(chain, "can_be", lambda candidate, model: True)
     monkeypatch.setattr(chain, "rest_of", lambda final, each: 0.0)
     case: Any = SimpleNamespace(model=SimpleNamespace(rig=None))
     assert chain._stands(case, accepted()) is stands

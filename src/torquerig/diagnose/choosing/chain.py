@@ -17,11 +17,11 @@ from torquerig.diagnose.choosing.explained import (
     explained_share,
     left_at_its_places,
 )
+from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
 from torquerig.diagnose.choosing.search import MOST_EFFECTS, Tried, excess, trials
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
 from torquerig.diagnose.choosing.trial import Trial
-from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.looking.features import Features
@@ -143,7 +143,7 @@ def _together(first: Case, final: Case, accepted: Sequence[Accepted]) -> bool:
 def _stands(final: Case, accepted: Accepted) -> bool:
     """Whether an effect leaves its places right in the final model, with numbers such as can be, and is likely."""
     likely = bool(accepted.trial.candidate.description) or confidence_of(final, accepted) > LEAST_CONFIDENCE
-    possible = is_possible(accepted.trial.candidate, final.model.rig)
+    possible = can_be(accepted.trial.candidate, final.model)
     return likely and possible and rest_of(final, accepted) < LARGEST_REST
 
 

@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
+from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.screening import BENT, finalists, given_way_to, screened
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.knobs import turned
-from torquerig.diagnose.hypotheses import is_possible, proposers
+from torquerig.diagnose.hypotheses import proposers
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import Place
 from torquerig.diagnose.neutral import descriptions
@@ -65,7 +66,7 @@ def trials(case: Case, *, simulated: bool = True) -> Tried:
             fitted += _gap(case)
         except SimulationError:
             gap_failed = True
-    fitted = [trial for trial in fitted if is_possible(trial.candidate, trial.model.rig)]
+    fitted = [trial for trial in fitted if can_be(trial.candidate, trial.model)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(tried), gap_failed)
 

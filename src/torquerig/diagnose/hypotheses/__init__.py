@@ -61,3 +61,13 @@ def is_possible(candidate: Candidate, rig: Rig) -> bool:
         return True
     asked = getattr(import_module(f"{__name__}.{candidate.mechanism}"), "possible", None)
     return asked is None or all(asked(rig.part(part.name)) for part in candidate.parts)
+
+
+def told_loosely(candidate: Candidate) -> tuple[str, ...]:
+    """Return the fields of a candidate's parts that fits tell loosely, so that chance may put them beyond what can be.
+
+    A mechanism has them in its ``TOLD_LOOSELY``.
+    """
+    if candidate.mechanism not in CLASSES:
+        return ()
+    return getattr(import_module(f"{__name__}.{candidate.mechanism}"), "TOLD_LOOSELY", ())

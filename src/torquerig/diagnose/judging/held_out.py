@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -31,12 +31,12 @@ _DRAWS = 400
 
 
 def _by_simulation(
-    rig: Rig, held: Sequence[Features], *, flying: bool
+    rig: Rig, held: Sequence[Features], *, flying: bool, untold: Collection[str]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the robust square of every held-out residual of ``rig``'s simulations, run after run, and its width.
 
     ``flying`` also counts how often flanks fly, which depends on the phases of lines: they are those that each run
-    shows where fits may see it.
+    shows where fits may see it. Of runs that are ``untold`` the distribution of values alone counts.
     """
     copies = simulated_runs(as_in_runs(rig, held) if flying else rig, held, seeds=SEEDS)
     models = expected_from(rig, held, copies)
@@ -44,6 +44,10 @@ def _by_simulation(
     for features, model, each in zip(held, models, copies, strict=True):
         values = np.mean([value_features(copy, held=True) for copy in each], axis=0)
         residuals = value_misfit(value_features(features.observed, held=True), values)
+        if features.observed.name in untold:
+            squares.append(robust_squares(residuals))
+            widths.append(np.zeros(residuals.size))
+            continue
         if flying:
             residuals = np.append(residuals, _flown(features, each))
         missed = misfit(features, _left_to_blows(model, features, copies=len(each)) if flying else model)
@@ -74,7 +78,10 @@ def _flown(seen: Features, copies: Sequence[Observed]) -> float:
     return float(2 * (np.sqrt(there + 0.375) - np.sqrt(here + 0.375)) / np.sqrt(1 + 1 / len(copies)))
 
 
-def _by_the_twin(rig: Rig, held: Sequence[Features]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _by_the_twin(
+    rig: Rig, held: Sequence[Features], *, untold: Collection[str]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    held = [features for features in held if features.observed.name not in untold]
     models = [expected(rig, features) for features in held]
     missed = [misfit(features, model) for features, model in zip(held, models, strict=True)]
     squares = np.concatenate([robust_squares(each.all()) for each in missed])
@@ -87,21 +94,34 @@ def _width(missed: Misfit, model: Expectation) -> NDArray[np.float64]:
     return np.concatenate([np.zeros(before), called_chance(model), np.zeros(after)])
 
 
-def held_out(nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *, seed: int) -> HeldOut:
+def of_untold_loads(held: Sequence[Features], *, fitted: Collection[str]) -> frozenset[str]:
+    """Return the loaded runs that no fit has seen, where all that any fit has seen ran without load.
+
+    Nothing then tells the load of such a run but its prior, and its spectrum compares nothing but that.
+    """
+    loaded = {each.observed.name for each in held if each.observed.run.occupancy_percent}
+    return frozenset(loaded) if loaded.isdisjoint(fitted) else frozenset()
+
+
+def held_out(
+    nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *, seed: int, untold: Collection[str] = ()
+) -> HeldOut:
     """Return the mean of the squares of the three models, and the improvement with its 95 % bootstrap interval.
 
     A model that calls more of the slow torque chance than the nominal one misses less of it, and foretells less: the
     logarithm of the spread is counted, over the nominal model's, as in a likelihood. Where one of them has a gap, so is
     how often flanks fly across it.
 
+    Of the runs that are ``untold`` (``of_untold_loads``) the distribution of values alone counts.
+
     Where the fitted numbers of one cannot be simulated, all three are judged by their linear twins, and it is said.
     """
     flying = any(phases_tell(rig) for rig in (nominal, before, after))
     try:
-        one, two, three = _each(partial(_by_simulation, flying=flying), (nominal, before, after), held)
+        one, two, three = _each(partial(_by_simulation, flying=flying, untold=untold), (nominal, before, after), held)
         by_twin = False
     except SimulationError:
-        one, two, three = _each(_by_the_twin, (nominal, before, after), held)
+        one, two, three = _each(partial(_by_the_twin, untold=untold), (nominal, before, after), held)
         by_twin = True
     rng = np.random.default_rng(seed)
     drawn = rng.integers(0, two.size, (_DRAWS, two.size))

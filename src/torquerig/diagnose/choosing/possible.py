@@ -1,0 +1,31 @@
+"""Whether the numbers that a fit gave an effect can be: some are told so loosely that chance puts them beyond."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.knobs import turned
+from torquerig.diagnose.hypotheses import is_possible, told_loosely
+from torquerig.rig.rig import Rig
+
+_95 = 1.96
+
+
+def can_be(candidate: Candidate, model: Calibrated) -> bool:
+    """Whether the numbers of a candidate in the fitted ``model`` are such as can be.
+
+    Those that its mechanism calls told loosely are judged by the low end of their 95 % intervals: one that is too large
+    by no more than chance is no reason to give the name to a rival.
+    """
+    return is_possible(candidate, _at_low_ends(candidate, model))
+
+
+def _at_low_ends(candidate: Candidate, model: Calibrated) -> Rig:
+    own, loose = {part.name for part in candidate.parts}, told_loosely(candidate)
+    rows = [row for row, knob in enumerate(model.knobs) if knob.part in own and knob.field in loose]
+    if not rows:
+        return model.rig
+    shifts = -_95 * np.sqrt(np.maximum(np.diag(model.covariance)[rows], 0.0))
+    return turned(model.rig, [model.knobs[row] for row in rows], shifts)
