@@ -108,7 +108,7 @@ def diagnose(
     changes = changing([run for run in before.runs if run.name not in faults.clipped])
     why = ""
     for sought in all_found.in_turn(before, used):
-        if sought.accepted and why in (LEAVES_A_REST, COMES_AND_GOES):
+        if sought.numbers_held and why in (LEAVES_A_REST, COMES_AND_GOES):
             continue  # numbers that stand still explain no more of it
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from torquerig.diagnose.advising.next_run import next_run
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.chain import Progress, best_chain, rest_of
+from torquerig.diagnose.choosing.chain import Chain, Progress, best_chain, rest_of
 from torquerig.diagnose.choosing.confidence import confidence_of, rivals_of
 from torquerig.diagnose.choosing.convincing import share_of
 from torquerig.diagnose.choosing.equivalence import equivalents
@@ -44,6 +44,10 @@ class Searched:
         What the findings and descriptions tell of.
     withdrawn : tuple of str
         Mechanisms that were found, and do not hold on what no fit has seen.
+    instead : Searched or None
+        What another beginning of the search came to, which missed more of what fits may see.
+    numbers_held : bool
+        Whether the model's own numbers stand as they stood before the findings.
     """
 
     case: Case
@@ -53,18 +57,23 @@ class Searched:
     last: Tried
     accepted: tuple[Accepted, ...] = ()
     withdrawn: tuple[str, ...] = ()
+    instead: Searched | None = None
+    numbers_held: bool = False
 
     def in_turn(self, before: Case, held: Sequence[Features]) -> Iterator[Searched]:
         """Yield what is to be believed first, and what instead where that does not hold on what no fit has seen.
 
-        The same effects beside the numbers as they stood before them, and at last none of them.
+        The same effects beside the numbers as they stood before them, what another beginning came to, and at last none
+        of them.
         """
         yield self
         if not self.accepted:
             return
         held_fast = with_numbers_held(before, self.case)
         if held_fast is not None:
-            yield _told(self, held_fast, held)
+            yield replace(_told(self, held_fast, held), numbers_held=True)
+        if self.instead is not None and self.instead.accepted:
+            yield self.instead
         yield self.all_withdrawn(before)
 
     def all_withdrawn(self, before: Case) -> Searched:
@@ -75,11 +84,7 @@ class Searched:
 
 def searched(case: Case, held: Sequence[Features], progress: Progress) -> Searched:
     """Add effects as long as one is clearly missing and explains its places, then look back at each."""
-    found = best_chain(case, held, progress)
-    plain = Searched(
-        case=case, findings=(), descriptions=(), first=found.first, last=found.last, accepted=found.accepted
-    )
-    return _told(plain, found.case, held)
+    return _of_chain(best_chain(case, held, progress), held)
 
 
 def faults_found(faults: SampleFindings, case: Case, *, gain: float) -> list[Finding]:
@@ -116,6 +121,15 @@ def run_for_the_rest(found: Searched) -> str | None:
             best.setdefault(trial.candidate.mechanism, trial)
     advice = next_run(found.case, list(best.values())[:_MOST_RIVALS])
     return None if advice is None else advice.sentence()
+
+
+def _of_chain(found: Chain, held: Sequence[Features]) -> Searched:
+    """Return what a chain of effects came to, and what the one came to whose place it took."""
+    plain = Searched(
+        case=found.case, findings=(), descriptions=(), first=found.first, last=found.last, accepted=found.accepted,
+        instead=None if found.instead is None else _of_chain(found.instead, held),
+    )  # fmt: skip
+    return _told(plain, found.case, held)
 
 
 def _told(found: Searched, final: Case, held: Sequence[Features]) -> Searched:

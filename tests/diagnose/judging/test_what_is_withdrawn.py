@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, cast
 
 import pytest
@@ -31,6 +32,23 @@ def fit(before: float, after: float, explained: float) -> HeldOut:
 def test_a_rest_at_its_own_places_tells_a_stand_in(held: HeldOut, left: Any, why: str) -> None:
     assert why in why_withdrawn(held, left)
     assert bool(why_withdrawn(held, left)) is bool(why)
+
+
+@pytest.mark.parametrize(
+    ("explained", "least", "left", "resembled", "stays"),
+    [
+        (0.95, 0.05, SOMEWHERE, False, True),
+        (0.85, 0.05, SOMEWHERE, False, False),  # a stand-in
+        (0.95, -0.02, SOMEWHERE, False, False),  # chance
+        (0.95, 0.05, (), False, False),  # nothing stands out that the rest could be
+        (0.95, 0.05, SOMEWHERE, True, False),  # noise looks like it
+    ],
+)
+def test_a_line_that_is_foretold_stands_beside_a_larger_thing_that_nobody_explains(
+    explained: float, least: float, left: Any, resembled: bool, stays: bool
+) -> None:
+    held = replace(fit(7.7, 6.6, explained), improvement=(0.14, least, 0.2))
+    assert bool(why_withdrawn(held, left, resembled=resembled)) is not stays
 
 
 @pytest.mark.parametrize(("resembled", "times", "gone"), [(True, 2, True), (True, 1, False), (False, 3, False)])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from torquerig.diagnose.case import Case
@@ -35,7 +35,8 @@ _MUCH_LESS = 0.5  # of what a chain leaves, another that begins elsewhere may le
 class Chain:
     """Effects taken one after the other, what was tried first and last, and the case with them all.
 
-    ``begun`` is what was taken first, whether or not the look back left it there.
+    ``begun`` is what was taken first, whether or not the look back left it there, and ``instead`` the chain whose place
+    this one took.
     """
 
     case: Case
@@ -43,6 +44,7 @@ class Chain:
     begun: Trial | None
     first: Tried
     last: Tried
+    instead: Chain | None = None
 
 
 def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chain:
@@ -57,7 +59,7 @@ def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chai
     if rival is not None:
         progress(f"beginning again with {rival.candidate.mechanism}")
         other = _chain(case, held, progress, first=found.first, begin=rival)
-        found = other if _replaces(other, found) else found
+        found = replace(other, instead=found) if _replaces(other, found) else found
     return found
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
@@ -34,8 +35,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     motors = case.nominal.parts_of(Motor)
     if motors:
         yield from _by_its_skirts(case, motors[0])
-    for peak in [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]:
-        if motors and abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
+    for peak in _of_the_motor(case, motors[0]) if motors else []:
+        if abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
             )
@@ -48,6 +49,16 @@ def propose(case: Case) -> Iterator[Candidate]:
                 place=peak.place,
                 price=_price(motors[0], peak.place.at),
             )
+
+
+def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:
+    """Return the strongest left lines of an order, and of the weaker ones those that stand where a field's may.
+
+    Coarse codes make more lines than anyone tries.
+    """
+    lines = [peak for peak in case.left if peak.place.domain == "order"]
+    own = [peak for peak in lines[_STRONGEST:] if motor.pole_pairs and _price(motor, peak.place.at) < _NO_HARMONIC]
+    return [*lines[:_STRONGEST], *own]
 
 
 def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:

@@ -9,6 +9,7 @@ from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 
 _WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
 _CLEAR, _NEARLY_ALL = 0.3, 0.8  # of that misfit beyond chance: clearly there, and hardly less with what was found
+_ITS_PLACES = 0.9  # of what is missed where it acts: what else the rig lacks is not its to explain
 _LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
 _PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 _PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
@@ -41,6 +42,13 @@ def why_withdrawn(
     if fit.after > _WORSE * fit.before:
         return _PREDICTS_WORSE
     missing, rest = fit.before - 1, fit.after - 1
-    if missing > _CLEAR and rest > _NEARLY_ALL * missing:
+    elsewhere = bool(left) and not resembled and _clearly_there(fit)
+    if missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere:
         return _PREDICTS_NO_BETTER
     return LEAVES_A_REST if left and rest > _LARGE_REST * missing and fit.explained < LEAST_SHARE else ""
+
+
+def _clearly_there(fit: HeldOut) -> bool:
+    """Whether its places are explained where no fit has seen them, by more than chance, though they are but few."""
+    _, least, _ = fit.improvement
+    return fit.explained > _ITS_PLACES and least > 0
