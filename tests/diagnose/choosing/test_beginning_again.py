@@ -134,3 +134,13 @@ def test_two_that_hide_each_other_are_found_together_or_not_at_all(
     monkeypatch.setattr(chain, "_together", lambda start, case, accepted: True)
     found = findings.searched(case_of((), world[()]), (), lambda _: None).findings
     assert found == (("blades", "hum") if second else ())
+
+
+def test_what_the_first_beginning_found_is_kept_beside_what_took_its_place(
+    world: dict[tuple[str, ...], float],
+) -> None:
+    found = findings.searched(case_of((), world[()]), (), lambda _: None)
+    assert found.instead is not None
+    assert found.instead.findings == ("mesh",)
+    del world["blades", "hum"]
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).instead is None

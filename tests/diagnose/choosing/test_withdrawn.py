@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -50,3 +51,6 @@ def test_before_all_is_withdrawn_the_numbers_are_held(gains: bool, monkeypatch: 
     *_, last = first.in_turn(before, ())
     assert last.withdrawn == ("drag",)
     assert last.findings == last.accepted == ()
+    other = replace(first, case=cast(Any, SimpleNamespace(name="other")))
+    turns = [(each.case, each.numbers_held) for each in replace(first, instead=other).in_turn(before, ())]
+    assert turns == [(after, False), *([(held_fast, True)] if gains else []), (other.case, False), (before, False)]

@@ -30,3 +30,12 @@ def test_balanced_phases_have_torque_at_the_sixth_and_its_multiples(
     case = with_lines_left(multiple * 7.0)
     (ripple,) = [each for each in commutation_ripple.propose(case) if each.place == order(multiple * 7.0)]
     assert (ripple.price == 0.0) is free
+
+
+def test_lines_of_coarse_codes_hide_no_ripple(with_lines_left: Callable[..., Case]) -> None:
+    """They make more lines than are tried; where a field's may stand, the weakest is."""
+    case = with_lines_left(64.0, 58.0, 40.2, 63.2, 35.8, 61.0, 42.2, 42.0)
+    tried = [each.place for each in commutation_ripple.propose(case)]
+    assert order(42.0) in tried
+    assert order(61.0) not in tried, "weak, and beside the field"
+    assert order(42.2) not in tried

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.judging import held_out as judged
-from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.lines_left import known_places
 from torquerig.diagnose.looking.observed import observed
@@ -21,11 +23,13 @@ from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
+from torquerig.signals.run import Run
 
 
 @pytest.fixture(scope="module")
 def held(wear_rig: Scenario, record: Callable[..., Recording]) -> tuple[Features, ...]:
-    rig, recordings = wear_rig.rig, [record(wear_rig.rig, seed, duration=12.0) for seed in (5, 6, 7)]
+    rig = wear_rig.rig
+    recordings = [replace(record(rig, seed, duration=12.0), name=f"run{seed}.parquet") for seed in (5, 6, 7)]
     angles, factor = shaft_angles(recordings, rig)
     ratio = kinematics_of(rig).ratio
     runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(recordings, angles, strict=True)]
@@ -62,3 +66,28 @@ def test_the_improvement_is_of_the_mean_squares(wear_rig: Scenario, held: tuple[
     assert fit.after == fit.nominal
     assert fit.improvement[0] == pytest.approx(1 - fit.after / fit.before)
     assert fit.improvement[1] < fit.improvement[0] < fit.improvement[2]
+
+
+def test_a_run_of_a_load_that_no_fit_has_seen_is_judged_by_its_values_alone(
+    wear_rig: Scenario, held: tuple[Features, ...]
+) -> None:
+    """Its spectrum would compare nothing but the guess at its load: here one is wrong by half."""
+    wrong, untold = loaded(wear_rig.rig, by=1.5), [each.observed.name for each in held[1:]]
+    told, _ = judged._by_simulation(wrong, held, flying=False, untold=untold)
+    every, _ = judged._by_simulation(wrong, held, flying=False, untold=())
+    first, _ = judged._by_simulation(wrong, held[:1], flying=False, untold=())
+    assert told[: first.size] == pytest.approx(every[: first.size])
+    assert told.size == first.size + 3 * len(untold), "the distribution of values has three features"
+    assert told.mean() < every.mean()
+
+
+@pytest.mark.parametrize(
+    ("occupancies", "fitted", "untold"),
+    [((5.0, 0.0), {"run2"}, {"run1"}), ((5.0, 15.0), {"run2"}, set()), ((0.0, 0.0), {"run2"}, set())],
+)
+def test_a_load_is_untold_where_all_that_was_fitted_ran_without(
+    occupancies: tuple[float, ...], fitted: set[str], untold: set[str]
+) -> None:
+    runs = {name: Run(occupancy_percent=at) for name, at in zip(("run1", "run2"), occupancies, strict=True)}
+    held = [cast("Features", SimpleNamespace(observed=SimpleNamespace(name=at, run=run))) for at, run in runs.items()]
+    assert of_untold_loads(held, fitted=fitted) == untold

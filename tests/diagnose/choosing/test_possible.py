@@ -1,0 +1,37 @@
+"""A number that fits tell loosely is impossible only where chance does not put it there."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.choosing.possible import can_be
+from torquerig.diagnose.fitting.calibration import Calibrated
+from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.mechanisms import CommutationRipple, TorsionalMode
+from torquerig.rig.part import Part
+from torquerig.scenario.reading import Scenario
+
+
+def fitted(wear_rig: Scenario, part: Part, knob: Knob, *, spread: float) -> Calibrated:
+    own = Knob("wear_part", "inertia", 0.1)
+    covariance = np.diag([1.0, spread**2])
+    return Calibrated(wear_rig.rig + part, (own, knob), np.zeros(2), covariance, (), 0.0)
+
+
+@pytest.mark.parametrize(("depth", "spread", "possible"), [(1.35, 0.19, True), (1.35, 0.1, False), (0.6, 0.01, True)])
+def test_a_depth_is_judged_by_the_low_end_of_its_interval(
+    depth: float, spread: float, possible: bool, wear_rig: Scenario
+) -> None:
+    """No drive turns its torque round: 1.35 exp(-1.96 0.19) is 0.93 of it, 1.35 exp(-1.96 0.1) is 1.11."""
+    part, knob = CommutationRipple(name="ripple", order_motor=84.0, depth=depth), Knob("ripple", "depth", 1.0)
+    candidate = Candidate(mechanism="commutation_ripple", parts=(part,), knobs=(knob,))
+    assert can_be(candidate, fitted(wear_rig, part, knob, spread=spread)) is possible
+
+
+def test_other_numbers_are_judged_as_they_are(wear_rig: Scenario) -> None:
+    part = TorsionalMode(name="mode", after="wear_part", frequency=90.0, inertia=1e-3, damping_ratio=0.4)
+    knob = Knob("mode", "damping_ratio", 1.0)
+    candidate = Candidate(mechanism="torsional_mode", parts=(part,), knobs=(knob,))
+    assert not can_be(candidate, fitted(wear_rig, part, knob, spread=3.0))
