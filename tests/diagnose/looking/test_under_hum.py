@@ -38,6 +38,19 @@ def test_a_limit_before_the_hum_is_found(frequency: float) -> None:
     assert found.runs == ("run",)
 
 
+@pytest.mark.parametrize("cut", [True, False])
+def test_a_limit_before_an_alias_is_found(cut: bool) -> None:
+    """Its crests make the largest values rare, so that no reading stays at them."""
+    given = recording(cut=cut, hum=0.0)
+    volts = given.channels["torque_V"].values + 0.06 * np.cos(2 * pi * 1153.71 * TIME)
+    given = given.with_values("torque_V", np.round(volts / 3e-4) * 3e-4)
+    assert flat_tops([given], full_range=10.0, code=3e-4) is None
+    found = flat_under_hum([given])
+    assert (found is not None) is cut
+    if found is not None:
+        assert found.limit == pytest.approx(LIMIT, abs=1e-3)
+
+
 @pytest.mark.parametrize(
     ("cut", "hum", "after"), [(False, 0.6, True), (True, 0.0, True), (True, 0.6, False)],
     ids=["no limit", "no hum", "limit after the hum"],

@@ -1,8 +1,8 @@
-"""Flat tops that a hum rides on: an amplifier's rails cut the signal before its cable picks the hum up."""
+"""Flat tops that a hum or an alias rides on: an amplifier's rails cut the signal before its cable picks these up."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import pi
 
 import numpy as np
@@ -18,6 +18,8 @@ Floats = NDArray[np.float64]
 _BESIDE = 8.0  # [Hz] either way of the grid's frequency
 _STANDS_OUT = 30.0  # power over the median beside it
 _HARMONICS = 3
+_ALIAS_FROM, _ALIAS_BESIDE = 400.0, 50.0  # [Hz] above what shafts pass on well, and either way of an alias
+_ALIAS_STANDS_OUT = 1e4  # power over the median beside it: a smaller one hides no limit
 _TOP = 1e-3  # share of the samples above which a first guess of the limit lies
 _FIRST, _LAST = 0.02, 2e-3  # of the signal's span, and [V]: around a guess, within which samples are taken as its pile
 _CLOSER, _ROUNDS = 0.6, 12
@@ -25,33 +27,51 @@ _OVER_BESIDE = 4.0  # samples of a pile over those just below, on twice its widt
 
 
 def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
-    """Return the level at which the signal stops once the mains' hum is taken off, where it piles up there; else None.
+    """Return the level at which the signal stops once a hum or an alias is taken off, where it piles up there.
 
     The hum is fitted by least squares with the harmonics 1 to 3 of the grid, their amplitudes straight in time (which
     takes up what its frequency is misjudged by), and once more on the samples near the limit alone, closer and closer:
     a limit leaves these nothing but the hum, so that they come to lie within 2 mV of one level. Noise behind the
-    limit of more than that hides it.
+    limit of more than that hides it. So is the strongest line above 400 Hz, without harmonics: what turns with the
+    shafts is cut itself, and leaves no pile when it is taken off. None where nothing piles up.
     """
     found: dict[str, tuple[float, float]] = {}
     for recording in recordings:
         volts = recording.channels[recording.torque_name()].values
-        frequency = _grid_line(volts, recording.sample_rate)
-        if frequency is None:
-            continue
-        hum = _waves(np.arange(volts.size) / recording.sample_rate, frequency)
-        for sign in (1.0, -1.0):
-            pile = _pile(sign * volts, hum)
-            if pile is not None:
-                found[recording.name] = pile
+        for frequency, harmonics in _tones(volts, recording.sample_rate):
+            hum = _waves(np.arange(volts.size) / recording.sample_rate, frequency, harmonics)
+            for sign in (1.0, -1.0):
+                pile = _pile(sign * volts, hum)
+                if pile is not None:
+                    found[recording.name] = pile
     if not found:
         return None
     limit = float(np.median([level for level, _ in found.values()]))
     return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
 
 
-def _grid_line(volts: Floats, rate: float) -> float | None:
-    """Return the frequency [Hz] of the clearest line at a grid's frequency, between the bins; None where none is."""
+def _tones(volts: Floats, rate: float) -> Iterator[tuple[float, int]]:
+    """Yield the frequency [Hz] of a hum and of an alias that stand out, each with how many harmonics it has."""
     power, step = np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
+    grid, alias = _grid_line(power, step), _alias(power, step)
+    if grid is not None:
+        yield grid, _HARMONICS
+    if alias is not None:
+        yield alias, 1
+
+
+def _alias(power: Floats, step: float) -> float | None:
+    """Return the frequency [Hz] of the strongest line where aliases stand, between the bins; None where none is."""
+    first = int(_ALIAS_FROM / step)
+    if first + 1 >= power.size - 1:
+        return None
+    at, beside = first + int(np.argmax(power[first:-1])), int(_ALIAS_BESIDE / step)
+    near = power[max(at - beside, 0) : at + beside]
+    return step * between_bins(power, at) if power[at] > _ALIAS_STANDS_OUT * np.median(near) else None
+
+
+def _grid_line(power: Floats, step: float) -> float | None:
+    """Return the frequency [Hz] of the clearest line at a grid's frequency, between the bins; None where none is."""
     clearest, answer = _STANDS_OUT, None
     for grid in GRIDS:
         low, high = int(grid * (1 - TOLERANCE) / step), int(np.ceil(grid * (1 + TOLERANCE) / step)) + 1
@@ -65,9 +85,9 @@ def _grid_line(volts: Floats, rate: float) -> float | None:
     return answer
 
 
-def _waves(time: Floats, frequency: float) -> Floats:
+def _waves(time: Floats, frequency: float, harmonics: int) -> Floats:
     """Return one, and the harmonics' cosines and sines, constant and straight in time, shape (samples, columns)."""
-    phase = [2 * pi * frequency * harmonic * time for harmonic in range(1, _HARMONICS + 1)]
+    phase = [2 * pi * frequency * harmonic * time for harmonic in range(1, harmonics + 1)]
     waves = np.column_stack([wave(angle) for angle in phase for wave in (np.cos, np.sin)])
     course = np.linspace(-1.0, 1.0, time.size)[:, None]
     return np.hstack([np.ones((time.size, 1)), waves, waves * course])
