@@ -108,8 +108,8 @@ def diagnose(
     changes = changing([run for run in before.runs if run.name not in faults.clipped])
     why = ""
     for sought in all_found.in_turn(before, used):
-        if sought.numbers_held and why in (LEAVES_A_REST, COMES_AND_GOES):
-            continue  # numbers that stand still explain no more of it
+        if sought.numbers_held and (why == COMES_AND_GOES or (why == LEAVES_A_REST and not sought.all_lines)):
+            continue  # numbers that stand still explain no more of it; with a line, others may have moved
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
         left = (*left_by_simulation(after, mismatches(after)), *came_and_went, *(mismatch for _, mismatch in changes))

@@ -60,6 +60,11 @@ class Searched:
     instead: Searched | None = None
     numbers_held: bool = False
 
+    @property
+    def all_lines(self) -> bool:
+        """Whether all that was accepted sets out to explain a line."""
+        return all(each.trial.candidate.place is not None for each in self.accepted)
+
     def in_turn(self, before: Case, held: Sequence[Features]) -> Iterator[Searched]:
         """Yield what is to be believed first, and what instead where that does not hold on what no fit has seen.
 

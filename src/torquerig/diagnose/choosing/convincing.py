@@ -49,6 +49,8 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     """
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
+    if trial.candidate.resembled and trial.candidate.bends and any(each.candidate.description for each in earlier):
+        return False  # a mode beside noise that was described takes up what its description leaves
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     missed = min(max(trial.model.cost / feature_count(trial.model), 1.0), _MOST_MISSED)
     least = _least_gain(case, trial) * missed
@@ -123,11 +125,14 @@ def worthiest(case: Case, found: Sequence[Trial]) -> Trial:
 
 
 def share_of(case: Case, trial: Trial) -> float:
-    """Return the part of the misfit at its places that the trial explains [1]; what else moved with it is not its."""
+    """Return the part of the misfit at its places that the trial explains [1]; what else moved with it is not its.
+
+    Where another effect bends the model's numbers, much moves with a line; it is judged beside these as they stood.
+    """
     before, after = case.model.misfits, trial.model.misfits
     if trial.candidate.slow:
         before, after = tuple(each.slow() for each in before), tuple(each.slow() for each in after)
-    return explained_share(before, after, beside=trial.beside)
+    return max(explained_share(before, after, beside=trial.beside), trial.alone)
 
 
 def _gained_again(case: Case, trial: Trial, held: Sequence[Features]) -> float | None:

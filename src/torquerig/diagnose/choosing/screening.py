@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing.explained import explained_share
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.profiled import profiled_cost
@@ -31,7 +32,10 @@ def screened(case: Case, candidate: Candidate) -> Trial:
     ]
     kept = case.model.positions[~np.array(bent, dtype=bool)]
     before = case.model.cost - float(kept @ kept)
-    return Trial(candidate, model, before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price)
+    gain = before - model.cost - PER_KNOB * len(candidate.knobs) - candidate.price
+    line = candidate.place is not None and not loose
+    alone = explained_share(case.model.misfits, model.misfits) if line else 0.0
+    return Trial(candidate, model, gain, alone=alone)
 
 
 def finalists(tried: Sequence[Trial]) -> list[Trial]:

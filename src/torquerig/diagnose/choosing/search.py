@@ -140,7 +140,8 @@ def _joint(case: Case, trial: Trial) -> Trial:
             placed.added_to(base), case.seen, (*case.model.knobs, *placed.knobs), start=start,
             derivatives=_JOINT_DERIVATIVES, corrections=held, jacobian=case.model.jacobian, near=near,
         )  # fmt: skip
-        return Trial(placed, model, case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price)
+        gain = case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price
+        return Trial(placed, model, gain, alone=trial.alone)
 
     answer = fitted(trial.model.rig, case.model.positions, near=True)
     if answer.model.cost < WELL * feature_count(answer.model):

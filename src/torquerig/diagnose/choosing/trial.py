@@ -16,7 +16,8 @@ class Trial:
     """A candidate fitted together with all numbers of the model; ``gain`` is what the misfit fell by, knobs paid.
 
     ``beside`` is the misfit of what no twin expects, before and with it: how flanks fly across a gap. ``gap`` takes the
-    place of one that was found earlier, where its width was told again around the candidate.
+    place of one that was found earlier, where its width was told again around the candidate. ``alone`` is the share of
+    its places that a line's candidate explained while all numbers of the model stood still; 0 where nobody asked.
     """
 
     candidate: Candidate
@@ -24,3 +25,4 @@ class Trial:
     gain: float
     beside: tuple[float, float] = (0.0, 0.0)
     gap: Candidate | None = None
+    alone: float = 0.0

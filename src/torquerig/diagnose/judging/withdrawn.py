@@ -8,6 +8,7 @@ from torquerig.diagnose.diagnosis import HeldOut, Mismatch
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 
 _WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
+_NO_BETTER = 0.98  # of it: less than so much of a fall is none, for what is there foretells at least twice as much
 _CLEAR, _NEARLY_ALL = 0.3, 0.8  # of that misfit beyond chance: clearly there, and hardly less with what was found
 _ITS_PLACES = 0.9  # of what is missed where it acts: what else the rig lacks is not its to explain
 _LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
@@ -41,6 +42,8 @@ def why_withdrawn(
         return COMES_AND_GOES
     if fit.after > _WORSE * fit.before:
         return _PREDICTS_WORSE
+    if fit.after > _NO_BETTER * fit.before:
+        return _PREDICTS_NO_BETTER
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
     if missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere:
