@@ -239,3 +239,23 @@ def test_a_large_gain_may_leave_more_where_all_of_it_comes_again(
     effect = trial(wear_rig.rig, "blade_pass", *[1.5] * 41, before=before)
     assert 100.0 < effect.gain < 150.0
     assert judged_again(before, effect, share=share, held_gain=held_gain) is named
+
+
+def test_a_line_is_judged_by_its_places_beside_numbers_that_stand_still(case: Case, wear_rig: Scenario) -> None:
+    """Something else bends the numbers; with all of them free much moves with the line that is not its."""
+    freed = trial(wear_rig.rig, "mains_interference", *[1.0] * 20, *[7.0] * 20, before=case.model)
+    assert judging.share_of(case, freed) < 0.8
+    assert judging.share_of(case, replace(freed, alone=0.95)) == 0.95
+
+
+@pytest.mark.parametrize(("bends", "named"), [((), True), (("wear_part.inertia",), False)])
+def test_no_mode_is_named_beside_noise_that_is_only_described(
+    bends: tuple[str, ...], named: bool, case: Case, wear_rig: Scenario
+) -> None:
+    """What the description of a band of noise leaves, a mode takes up; a low-pass does not."""
+    hump = trial(wear_rig.rig, "noise_hump", *[5.0] * 40, before=case.model)
+    hump = replace(hump, candidate=replace(hump.candidate, description="noise of a fixed band"))
+    found = trial(wear_rig.rig, "torsional_mode", *[1.0] * 40, before=case.model)
+    found = replace(found, candidate=replace(found.candidate, resembled=True, bends=bends))
+    assert judging.convincing(case, found, earlier=(hump,), held=()) is named
+    assert judging.convincing(case, found, earlier=(), held=())

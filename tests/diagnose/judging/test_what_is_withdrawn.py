@@ -22,7 +22,8 @@ def fit(before: float, after: float, explained: float) -> HeldOut:
     [
         (fit(5.0, 5.1, 0.9), SOMEWHERE, "predicted worse"),
         (fit(1.68, 1.64, 0.9), (), "hardly predicted better"),
-        (fit(0.6, 0.6, 0.9), (), ""),  # what is chance already cannot fall
+        (fit(0.6, 0.57, 0.9), (), ""),  # what is chance already cannot fall far
+        (fit(0.6, 0.595, 0.9), (), "hardly predicted better"),  # but somewhat it does where something is there
         (fit(5.0, 4.0, 0.6), SOMEWHERE, "less than 80% at its places"),
         (fit(5.0, 4.0, 0.6), (), ""),  # nothing stands out: the rest is chance
         (fit(5.0, 4.0, 0.85), SOMEWHERE, ""),  # right where it acts, and something else beside it

@@ -73,7 +73,7 @@ def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
             candidate, replace(case.model, rig=rig), before - profiled_cost(case.model, rig, case.seen) - paid
         )
         best = answer.get(candidate.mechanism, trial)
-        if trial.gain > _PROMISED * LEAST_GAIN and trial.gain >= best.gain:
+        if trial.gain + candidate.price > _PROMISED * LEAST_GAIN and trial.gain >= best.gain:
             answer[candidate.mechanism] = trial
     return [*answer.values()]
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.hypotheses.motor_orders import cogging_orders, native_order
+from torquerig.diagnose.hypotheses.motor_orders import BY_SKIRTS, cogging_orders, native_order
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.rig.parts import Motor
 
@@ -53,6 +53,7 @@ def _by_its_skirts(case: Case, part: mechanisms.Cogging, native: int) -> Iterato
             parts=(part.with_amplitudes({native: _SKIRTED}),),
             knobs=(Knob(part.name, field, 1.0, key=key),),
             place=order(native),
+            price=BY_SKIRTS,
         )
 
 

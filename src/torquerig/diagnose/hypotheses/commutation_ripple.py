@@ -8,6 +8,7 @@ from dataclasses import replace
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.hypotheses.motor_orders import BY_SKIRTS
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
@@ -22,7 +23,6 @@ _HARMONICS = 4
 _BESIDE_THE_FIELD = 100.0  # no current of the motor turns so: what else it may be is likelier, if not by far the worse
 _NO_HARMONIC = 20.0  # balanced phases have torque at 6p and its multiples alone, offsets of current p, unequal gains 2p
 _TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
-_BY_SKIRTS = 20.0  # what one that shows no line must gain beside: other things leave noise there as well
 _DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a factor of two
 TOLD_LOOSELY = ("depth",)  # at one speed no better than what the rig passes on at the line's frequency
 
@@ -75,7 +75,7 @@ def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
             knobs = (Knob(part.name, "depth", 1.0),)
             yield Candidate(
                 mechanism="commutation_ripple", parts=(part,), knobs=knobs, place=order(order_motor),
-                price=_price(motor, order_motor) + _BY_SKIRTS,
+                price=_price(motor, order_motor) + BY_SKIRTS,
             )  # fmt: skip
 
 
