@@ -58,8 +58,6 @@ def test_before_all_is_withdrawn_the_numbers_are_held(gains: bool, monkeypatch: 
 
 def test_lines_alone_are_asked_again_beside_numbers_that_stand_still() -> None:
     """With a line others may have moved that it does not explain; a drag that leaves a rest leaves it anyhow."""
-    line, drag = (
-        cast(Any, SimpleNamespace(trial=SimpleNamespace(candidate=SimpleNamespace(place=at)))) for at in (1, None)
-    )
+    line, drag = (SimpleNamespace(trial=SimpleNamespace(candidate=SimpleNamespace(place=at))) for at in (1, None))
     found = Searched(case=cast(Any, None), findings=(), descriptions=(), first=Tried((), ()), last=Tried((), ()))
-    assert [replace(found, accepted=each).all_lines for each in ((line,), (line, drag))] == [True, False]
+    assert [replace(found, accepted=cast(Any, each)).all_lines for each in ((line,), (line, drag))] == [True, False]
