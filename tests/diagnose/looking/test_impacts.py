@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.looking.impacts import impact_orders
+from torquerig.diagnose.looking.impacts import _Beats, _fundamental, impact_orders
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import order
 
@@ -45,3 +45,14 @@ def test_the_order_of_the_impacts_is_told(order_output: float, swing: float, by_
 def test_the_lowest_order_is_told_where_every_third_impact_is_the_strongest(by_hand: ByHand) -> None:
     runs = [struck(by_hand, 7.95, every=3, seed=seed) for seed in (1, 2)]
     assert RATIO * impact_orders(runs, KNOWN)[0].motor_order == pytest.approx(7.95 / 3, abs=0.02)
+
+
+@pytest.mark.parametrize(("below", "told"), [(0.3, 0.859), (1.5, 1.718)])
+def test_what_is_as_strong_as_the_order_itself_is_no_side_line_of_it(below: float, told: float) -> None:
+    """Short runs do not resolve 4.295 output orders from a side line of 8.59, which has a quarter of its power."""
+    step = 0.015
+    log = np.zeros(2000)
+    for multiple in range(1, 8):
+        at = round(multiple * 0.859 / step)
+        log[at - 1 : at + 2] = 6.0 - (below if multiple % 2 else 0.0)
+    assert _fundamental([_Beats(log, step)], 1.718, KNOWN) == pytest.approx(told)

@@ -21,6 +21,7 @@ _CLEAR = 12.0  # summed log power over the local floor, for each run; two clean 
 _HARMONICS = 3
 _RESOLVED = 2.5  # steps of the spectrum: half the main lobe of a Hann window and half a step
 _MOST_PARTS, _BETWEEN = 5, 2.0  # mean log power at the other multiples of a lower order; 0.2 by chance
+_AS_STRONG = 0.7  # of log power below the order's own multiples: rings that come and go leave a quarter, 1.4 below
 
 
 @dataclass(frozen=True)
@@ -100,16 +101,23 @@ def _fundamental(beats: Sequence[_Beats], at: float, known: Sequence[Place]) -> 
     """Return the lowest order of which ``at`` is a multiple and whose other multiples beat too.
 
     Those say nothing that a Hann window does not tell from what stands beside the multiples of ``at`` itself, by
-    differences of the model's own lines: a load makes rings stronger and weaker as the shaft turns.
+    differences of the model's own lines, unless they are as strong as these: a load makes rings stronger and weaker as
+    the shaft turns, and what it makes of a line at either side is a quarter of its power at most.
     """
     resolved = _RESOLVED * max(beat.step for beat in beats)
+    own = _mean_log(beats, at * np.array([1.0, 2.0]))
     for divisor in range(_MOST_PARTS, 1, -1):
         between = np.array([h for h in range(1, 2 * divisor) if h % divisor]) * at / divisor
         apart = [_from_family(between - multiple * at, known) for multiple in (0, 1, 2)]
-        between = between[np.min(apart, axis=0) > resolved]
-        if between.size and np.mean([beat.at(between).mean() for beat in beats]) > _BETWEEN:
+        told = between[np.min(apart, axis=0) > resolved]
+        beating = told.size > 0 and _mean_log(beats, told) > _BETWEEN
+        if beating or _mean_log(beats, between) > max(_BETWEEN, own - _AS_STRONG):
             return at / divisor
     return at
+
+
+def _mean_log(beats: Sequence[_Beats], orders: Floats) -> float:
+    return float(np.mean([beat.at(orders).mean() for beat in beats]))
 
 
 def _squared_envelope(values: Floats, rate: float, centre: float) -> Floats:
