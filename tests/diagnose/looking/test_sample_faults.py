@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, gaps
+from torquerig.diagnose.looking.sample_faults import _gaps, bridged, coarse_codes, dropouts, flat_tops, gaps
 from torquerig.diagnose.sample_findings import sample_findings
 from torquerig.mechanisms import Clipping, Quantization, SignalDropout
 from torquerig.rig.rig import Rig
@@ -106,6 +106,22 @@ def test_dropouts_are_found_with_length_rate_and_level(clean: Recording) -> None
     assert found.level == pytest.approx(level, abs=CODE)
     assert found.rate == pytest.approx(starts.size / (2 * clean.duration))
     assert found.runs == (lost.name,)
+
+
+@pytest.mark.parametrize("lost", [True, False])
+def test_dropouts_are_found_where_an_alias_goes_on(lost: bool, clean: Recording) -> None:
+    """Its steps hide the jumps to zero and back."""
+    volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
+    starts, length = np.arange(1500, 19_000, 2500), round(0.015 * rate)
+    volts *= 0.3
+    for start in starts if lost else ():
+        volts[start : start + length] = 0.0
+    alias = 0.15 * np.cos(2 * np.pi * 1153.71 * np.arange(volts.size) / rate)
+    volts = np.round((volts + alias) / CODE) * CODE
+    assert not _gaps(volts, rate)
+    assert [(start, stop) for start, stop, _ in gaps(volts, rate)] == [
+        (start, start + length) for start in (starts.tolist() if lost else ())
+    ]
 
 
 def test_bridging_takes_the_moments_out_and_leaves_the_rest(clean: Recording) -> None:

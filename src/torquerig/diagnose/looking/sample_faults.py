@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.strong_alias import without_tone
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -128,6 +129,16 @@ def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
 
 def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
+
+    A strong alias goes on while the signal is lost, and makes jumps of its own: what is left without it is asked too,
+    and believed where it shows more.
+    """
+    found, without = _gaps(volts, rate), without_tone(volts, rate)
+    return found if without is None else max(found, _gaps(without, rate), key=len)
+
+
+def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
+    """Return the moments of a signal that no strong tone hides.
 
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
     steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal stands still: it keeps to

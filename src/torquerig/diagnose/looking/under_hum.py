@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.looking.hum import GRIDS, TOLERANCE
 from torquerig.diagnose.looking.peaks import between_bins
 from torquerig.diagnose.looking.sample_faults import FEWEST_FLAT, FLAT_SHARE, FlatTops
+from torquerig.diagnose.looking.strong_alias import strongest_tone, tone_waves
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -18,8 +18,6 @@ Floats = NDArray[np.float64]
 _BESIDE = 8.0  # [Hz] either way of the grid's frequency
 _STANDS_OUT = 30.0  # power over the median beside it
 _HARMONICS = 3
-_ALIAS_FROM, _ALIAS_BESIDE = 400.0, 50.0  # [Hz] above what shafts pass on well, and either way of an alias
-_ALIAS_STANDS_OUT = 1e4  # power over the median beside it: a smaller one hides no limit
 _TOP = 1e-3  # share of the samples above which a first guess of the limit lies
 _FIRST, _LAST = 0.02, 2e-3  # of the signal's span, and [V]: around a guess, within which samples are taken as its pile
 _CLOSER, _ROUNDS = 0.6, 12
@@ -39,7 +37,8 @@ def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
     for recording in recordings:
         volts = recording.channels[recording.torque_name()].values
         for frequency, harmonics in _tones(volts, recording.sample_rate):
-            hum = _waves(np.arange(volts.size) / recording.sample_rate, frequency, harmonics)
+            waves = tone_waves(np.arange(volts.size) / recording.sample_rate, frequency, harmonics)
+            hum = np.hstack([np.ones((volts.size, 1)), waves])
             for sign in (1.0, -1.0):
                 pile = _pile(sign * volts, hum)
                 if pile is not None:
@@ -53,21 +52,11 @@ def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
 def _tones(volts: Floats, rate: float) -> Iterator[tuple[float, int]]:
     """Yield the frequency [Hz] of a hum and of an alias that stand out, each with how many harmonics it has."""
     power, step = np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
-    grid, alias = _grid_line(power, step), _alias(power, step)
+    grid, alias = _grid_line(power, step), strongest_tone(power, step)
     if grid is not None:
         yield grid, _HARMONICS
     if alias is not None:
         yield alias, 1
-
-
-def _alias(power: Floats, step: float) -> float | None:
-    """Return the frequency [Hz] of the strongest line where aliases stand, between the bins; None where none is."""
-    first = int(_ALIAS_FROM / step)
-    if first + 1 >= power.size - 1:
-        return None
-    at, beside = first + int(np.argmax(power[first:-1])), int(_ALIAS_BESIDE / step)
-    near = power[max(at - beside, 0) : at + beside]
-    return step * between_bins(power, at) if power[at] > _ALIAS_STANDS_OUT * np.median(near) else None
 
 
 def _grid_line(power: Floats, step: float) -> float | None:
@@ -83,14 +72,6 @@ def _grid_line(power: Floats, step: float) -> float | None:
         if height > clearest:
             clearest, answer = height, step * between_bins(power, at)
     return answer
-
-
-def _waves(time: Floats, frequency: float, harmonics: int) -> Floats:
-    """Return one, and the harmonics' cosines and sines, constant and straight in time, shape (samples, columns)."""
-    phase = [2 * pi * frequency * harmonic * time for harmonic in range(1, harmonics + 1)]
-    waves = np.column_stack([wave(angle) for angle in phase for wave in (np.cos, np.sin)])
-    course = np.linspace(-1.0, 1.0, time.size)[:, None]
-    return np.hstack([np.ones((time.size, 1)), waves, waves * course])
 
 
 def _pile(volts: Floats, hum: Floats) -> tuple[float, float] | None:
