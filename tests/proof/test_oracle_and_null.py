@@ -36,7 +36,7 @@ def test_the_oracle_adds_what_the_diagnosis_doubts(monkeypatch):
     done = SimpleNamespace(model=SimpleNamespace(rig=SimpleNamespace(parts=(part,))))
     outcome = SimpleNamespace(
         diagnosis=_Diagnosis(findings=()), after=case, completed=rig, held=(),
-        before=SimpleNamespace(nominal="nominal", model=SimpleNamespace(rig="calibrated")),
+        before=SimpleNamespace(nominal="nominal", model=SimpleNamespace(rig="calibrated"), runs=()),
     )  # fmt: skip
 
     def diagnosed(*_args, **_kwargs):
@@ -51,7 +51,7 @@ def test_the_oracle_adds_what_the_diagnosis_doubts(monkeypatch):
     monkeypatch.setattr(room, "trials", lambda case: tried)
     monkeypatch.setattr(room, "extended", lambda case, best: seen.setdefault("best", best) and done)
     monkeypatch.setattr(room, "identifying", lambda *_: {})
-    monkeypatch.setattr(room, "held_out", lambda *args, seed: args[:3])
+    monkeypatch.setattr(room, "held_out", lambda *args, seed, untold: args[:3])
     monkeypatch.setattr(room, "replace", lambda one, **changed: _Diagnosis(**changed))
     found = oracle("scenario", [], true={"quadratic_drag"})
     assert seen["library"] == ["quadratic_drag"]
