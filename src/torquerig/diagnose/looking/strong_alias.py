@@ -15,6 +15,11 @@ _FROM, _BESIDE = 400.0, 50.0  # [Hz] above what shafts pass on well, and either 
 _STANDS_OUT = 1e4  # power over the median beside it: a smaller one hides neither limits nor jumps
 
 
+def power_of(volts: Floats, rate: float) -> tuple[Floats, float]:
+    """Return the power of a whole run under a Hann window, and the step of its frequencies [Hz]."""
+    return np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
+
+
 def strongest_tone(power: Floats, step: float) -> float | None:
     """Return the frequency [Hz] of the strongest line where aliases stand, between the bins; None where none is.
 
@@ -35,8 +40,7 @@ def strongest_tone(power: Floats, step: float) -> float | None:
 
 def without_tone(volts: Floats, rate: float) -> Floats | None:
     """Return the samples without that tone, its amplitude and phase straight in time; None where there is none."""
-    power, step = np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
-    frequency = strongest_tone(power, step)
+    frequency = strongest_tone(*power_of(volts, rate))
     if frequency is None:
         return None
     waves = tone_waves(np.arange(volts.size) / rate, frequency, 1)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.looking.hum import GRIDS, TOLERANCE
 from torquerig.diagnose.looking.peaks import between_bins
 from torquerig.diagnose.looking.sample_faults import FEWEST_FLAT, FLAT_SHARE, FlatTops
-from torquerig.diagnose.looking.strong_alias import strongest_tone, tone_waves
+from torquerig.diagnose.looking.strong_alias import power_of, strongest_tone, tone_waves
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -51,7 +51,7 @@ def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
 
 def _tones(volts: Floats, rate: float) -> Iterator[tuple[float, int]]:
     """Yield the frequency [Hz] of a hum and of an alias that stand out, each with how many harmonics it has."""
-    power, step = np.abs(np.fft.rfft((volts - volts.mean()) * np.hanning(volts.size))) ** 2, rate / volts.size
+    power, step = power_of(volts, rate)
     grid, alias = _grid_line(power, step), strongest_tone(power, step)
     if grid is not None:
         yield grid, _HARMONICS
