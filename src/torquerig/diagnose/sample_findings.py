@@ -79,7 +79,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     filled = tuple(rebuilt(recording, limit=limit) for recording in mended)
     changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
     put_right = tuple(name for name in clipped if name in changed)
-    resolution = 0.5 * codes.step if codes else 0.0
+    resolution = 0.5 * (codes.step if codes else step)
     sure = [each for each in recordings if under_hum is None or each.name not in under_hum.runs]  # tones repeat
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(

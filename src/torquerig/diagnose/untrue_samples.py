@@ -1,4 +1,4 @@
-"""What no rig does, in words and as places: samples written twice, jumps, another gain, a step of the mean, a sweep."""
+"""What no rig does, in words and as places: samples written twice, jumps, levels, another gain, steps, a sweep."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, w
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
+from torquerig.diagnose.looking.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
 from torquerig.signals.recording import Recording
 
 Untrue = tuple[str, Mismatch]
@@ -69,7 +70,7 @@ def jumping(recordings: Sequence[Recording]) -> Iterator[Untrue]:
 def without_untrue(
     recordings: Sequence[Recording], lost: Sequence[Moments], *, standing: Collection[str], resolution: float = 0.0
 ) -> Mended:
-    """Return the recordings at one gain, without steps and sweeping lines, what of them is lost, and what was told.
+    """Return the recordings at one level and gain, without steps and sweeping lines, what is lost, and what was told.
 
     Parameters
     ----------
@@ -80,10 +81,13 @@ def without_untrue(
     standing : collection of str
         Recordings with flat tops or coarse codes: where their signal stands still, that is no gain.
     resolution : float
-        Half a coarse code [V], 0 without them.
+        Half a code [V], 0 where it is not known.
     """
-    answer, told = list(recordings), list[Untrue]()
-    for index, (recording, moments) in enumerate(zip(recordings, lost, strict=True)):
+    levels = telegraph_noise(recordings, lost, resolution=2 * resolution)
+    told = [_telegraph(each, own) for each, own in zip(recordings, levels, strict=True) if own is not None]
+    at_one_level, on_the_way = without_telegraph(recordings, levels)
+    answer, lost = list(at_one_level), [[*some, *more] for some, more in zip(lost, on_the_way, strict=True)]
+    for index, (recording, moments) in enumerate(zip(at_one_level, lost, strict=True)):
         gains = () if recording.name in standing else gain_moments(recording, without=moments)
         if gains:
             answer[index] = with_one_gain(recording, gains)
@@ -106,6 +110,22 @@ def without_untrue(
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
     return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(steps_of_each))
+
+
+def _telegraph(recording: Recording, own: Telegraph) -> Untrue:
+    rate, unit = recording.sample_rate, recording.channels[recording.torque_name()].si_per_unit
+    sentence = (
+        f"{recording.name}: at {_moments([at / rate for at in own.jumps])} the signal jumps to and fro between two "
+        f"levels {own.height * unit:.3g} N m apart, within {_samples(own.lag)}; no torque does that, random telegraph "
+        "(burst) noise of an amplifier or a loose contact does, and no mechanism of the library: the rest was judged "
+        "at one level"
+    )
+    stop = own.jumps[1] if len(own.jumps) > 1 else recording.samples
+    return sentence, _place(recording, own.jumps[0], stop, excess=20 * float(np.log10(own.clear)))
+
+
+def _samples(count: int) -> str:
+    return "a sample" if count == 1 else f"{count} samples"
 
 
 def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:

@@ -56,7 +56,7 @@ def mean_steps(
     lost : sequence of Moments
         Those moments of each recording, whose ends are no steps of the torque.
     resolution : float
-        Half a coarse code [V], 0 without them: a signal that rests on a code steps to the next.
+        Half a code [V], 0 where it is not known: a signal that rests on a code steps to the next.
     """
     moments = lost or [()] * len(recordings)
     found = [_steps(recording, own, resolution) for recording, own in zip(recordings, moments, strict=True)]
