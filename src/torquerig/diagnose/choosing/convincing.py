@@ -62,7 +62,13 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     alone = not (earlier or trial.candidate.description)
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
     borne_out = share > _WHOLE and trusted > _AGAIN and not trial.candidate.resembled
-    return share > _enough(trial, trusted) and (trial.gain > least or borne_out)
+    enough = max(_enough(trial, trusted), _WHOLE if _mode_beside_more(case, trial) else 0.0)
+    return share > enough and (trial.gain > least or borne_out)
+
+
+def _mode_beside_more(case: Case, trial: Trial) -> bool:
+    """Whether a mode leaves more than it takes away: what else is wrong with the shafts moves their modes."""
+    return trial.candidate.resembled and trial.candidate.bends and excess(case) > 2 * trial.gain > 0
 
 
 def _enough(trial: Trial, again: float) -> float:
