@@ -260,3 +260,20 @@ def test_no_mode_is_named_beside_noise_that_is_only_described(
     found = replace(found, candidate=replace(found.candidate, resembled=True, bends=bends))
     assert judging.convincing(case, found, earlier=(hump,), held=()) is named
     assert judging.convincing(case, found, earlier=(), held=())
+
+
+@pytest.mark.parametrize(
+    ("share", "rest", "bends", "named"),
+    [(0.85, 30.0, ("wear_part.inertia",), False), (0.95, 30.0, ("wear_part.inertia",), True),
+     (0.85, 30.0, (), True), (0.85, 5.0, ("wear_part.inertia",), True)],
+)  # fmt: skip
+def test_a_mode_that_leaves_more_than_it_takes_explains_nearly_all_of_its_places(
+    share: float, rest: float, bends: tuple[str, ...], named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A shaft that stiffens as it twists moves the modes of some runs, and a mode beside it takes up a part of that."""
+    monkeypatch.setattr(judging, "share_of", lambda *_: share)
+    before = model(wear_rig.rig, *[10.0] * 6, *[rest] * 2, *[1.0] * 40)
+    found = trial(wear_rig.rig, "torsional_mode", *[1.0] * 6, *[rest] * 2, *[1.0] * 40, before=before)
+    found = replace(found, candidate=replace(found.candidate, resembled=True, bends=bends))
+    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+    assert judging.convincing(case, found, earlier=(), held=()) is named
