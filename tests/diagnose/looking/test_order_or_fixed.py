@@ -50,6 +50,16 @@ def test_a_wandering_speed_tells_a_line_that_stays(by_hand: ByHand) -> None:
     assert evidence([fixed_line(by_hand, wander=5e-3)], PLACE) < -DECIDED
 
 
+def test_a_line_that_is_only_near_the_order_is_judged_where_it_stands(by_hand: ByHand) -> None:
+    """Nobody measured the speed, so that the whole order nearest to a tone may lie a dozen bins beside it."""
+    near, at, strays = order(40.0), 40.1, course(2e-3)
+    turning, still = 0.02 * np.cos(at * strays), 0.02 * np.cos(at * SPEED * TIME)
+    turns, stays = (by_hand(noise(1) + each, strays, rate=RATE, measured=False) for each in (turning, still))
+    assert (at - near.at) * SPEED / (2 * pi) > 8 / (TIME[-1] * 2 / 3)
+    assert evidence([turns], near) > DECIDED
+    assert evidence([stays], near) < -DECIDED
+
+
 @pytest.mark.parametrize("line", [turning_line, fixed_line])
 def test_a_steady_speed_leaves_it_open(line: Callable[..., Observed], by_hand: ByHand) -> None:
     assert abs(evidence([line(by_hand, wander=0.0)], PLACE)) < 1e-6

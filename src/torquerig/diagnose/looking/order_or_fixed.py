@@ -12,6 +12,7 @@ from scipy.signal import zoom_fft
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import SAME_ORDER, Place
+from torquerig.diagnose.looking.steady_tone import steady_frequency
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.signals.speed_from_torque import motor_angle_from_torque
@@ -94,11 +95,13 @@ def evidence(runs: Sequence[Observed], place: Place) -> float:
 
     Under either assumption the line is a peak of one bin: of the torque taken back by the shaft's angle, or by the time
     at the mean speed; both may lie some bins off. A line of amplitude A in noise of density S over T seconds has
-    2 log L = A^2 T / S beyond the noise alone. Near 0 where the speed does not wander.
+    2 log L = A^2 T / S beyond the noise alone. Near 0 where the speed does not wander. Where nobody measured the speed
+    the line stands where it is seen, and the order is one of those near it.
     """
     total = 0.0
     for run in runs:
-        turned, still = _powers(run, place.at, place.frequency(run.mean_speed))
+        at = place.frequency(run.mean_speed)
+        turned, still = _powers(run, place.at, at if run.angle_measured else steady_frequency(run, at))
         total += 2 * (turned - still)
     return total
 
