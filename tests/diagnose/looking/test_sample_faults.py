@@ -124,6 +124,18 @@ def test_dropouts_are_found_where_an_alias_goes_on(lost: bool, clean: Recording)
     ]
 
 
+def test_dropouts_are_found_where_a_hum_goes_on(clean: Recording) -> None:
+    """The cable picks it up behind what was lost, so that the level sways with it; the noise before that is gone."""
+    volts, time = clean.channels["torque_V"].values.copy(), np.arange(clean.samples) / clean.sample_rate
+    starts = list(range(1500, volts.size - 800, 2700))
+    for start in starts:
+        volts[start : start + 130] = -5.0
+    volts += 0.12 * np.cos(2 * np.pi * 50.03 * time)
+    found = gaps(volts, clean.sample_rate)
+    assert [(start, stop - start) for start, stop, _ in found] == [(start, 130) for start in starts]
+    assert [level for _, _, level in found] == pytest.approx([-5.0] * len(starts), abs=0.12)
+
+
 def test_bridging_takes_the_moments_out_and_leaves_the_rest(clean: Recording) -> None:
     volts = clean.channels["torque_V"].values.copy()
     volts[4000:4030] = -0.4

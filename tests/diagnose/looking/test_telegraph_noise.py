@@ -105,6 +105,17 @@ def test_the_ends_of_moments_without_signal_are_none(clean: list[Recording]) -> 
     assert telegraph_noise(spoilt, ends, resolution=CODE) == (None, None, None)
 
 
+def test_a_signal_that_is_lost_to_one_level_has_none(clean: list[Recording]) -> None:
+    """Then the level is the same and the way to it is not; whatever sways it, nobody needs to have seen it as lost."""
+    spoilt = []
+    for each, flips in zip(clean, FLIPS, strict=True):
+        volts, time = volts_of(each), np.arange(each.samples) / RATE
+        for start in (*flips, *(flip + 3000 for flip in flips)):
+            volts[start : start + 270] = -5.0
+        spoilt.append(each.with_values("torque_V", volts + 0.1 * np.cos(2 * np.pi * 50.0 * time)))
+    assert found_in(spoilt) == (None, None, None)
+
+
 def test_what_rests_on_coarse_codes_has_none(clean: list[Recording]) -> None:
     code = 0.25
     coarse = [each.with_values("torque_V", code * np.round(volts_of(each) / code)) for each in clean]

@@ -68,7 +68,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
 
 def _mode_beside_more(case: Case, trial: Trial) -> bool:
     """Whether a mode leaves more than it takes away: what else is wrong with the shafts moves their modes."""
-    return trial.candidate.resembled and trial.candidate.bends and excess(case) > 2 * trial.gain > 0
+    return trial.candidate.resembled and bool(trial.candidate.bends) and excess(case) > 2 * trial.gain
 
 
 def _enough(trial: Trial, again: float) -> float:

@@ -29,6 +29,7 @@ _STANDS = 0.5  # share of the steps that are none where codes are coarse
 _TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, which would not elsewhere
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
+_SWAYS = 0.05  # of the way to the level, by which a hum that the cable picks up may move it
 
 
 @dataclass(frozen=True)
@@ -142,17 +143,18 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
 
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
     steps) and make most of the way, the moment lasts 0.8 to 200 ms, and within it the signal stands still: it keeps to
-    its level, and at least half of the noise is gone, or the level is zero. A signal that goes on at another level is
-    not lost. Where such moments are found, others at the same level count that begin and end without a jump. Where
-    noise covers many codes, a signal that repeats one value twenty times and more needs no jump at all.
+    its level, and at least half of the noise is gone, or the level is zero. Where the noise is gone a hum may still
+    move it a little. A signal that goes on at another level is not lost. Where such moments are found, others at the
+    same level count that begin and end without a jump. Where noise covers many codes, a signal that repeats one value
+    twenty times and more needs no jump at all.
     """
     steps = np.diff(volts)
     sigma, code = _noise_of(steps)
     fine = sigma > _MANY_CODES * code
     coarse = sigma < _ONE_CODE * code and np.mean(steps == 0) > _STANDS
     jumps = np.flatnonzero(np.abs(steps) > (_TO_ZERO if coarse else _JUMP) * sigma) + 1
-    found: list[tuple[int, int, float]] = []
-    last = 0
+    found, bends = list[tuple[int, int, float]](), float(np.median(np.abs(np.diff(steps))))
+    last, within = 0, _ONE_LEVEL * sigma
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
         if start < last or not _SHORTEST * rate <= stop - start <= 0.2 * rate:
             continue
@@ -163,15 +165,18 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         least = (_TO_ZERO if coarse and abs(level) < 0.5 * code else _JUMP) * sigma
         away = abs(level - outside) > least and jumped > _AT_ONCE
         moved = float(np.median(np.abs(np.diff(inside)))) / 0.6745
-        still = moved < _STILL * sigma or abs(level) < sigma
-        if away and still and np.median(np.abs(inside - level)) < 3 * sigma and np.ptp(inside) < abs(level - outside):
+        bent = float(np.median(np.abs(np.diff(inside, n=2))))  # a hum moves on evenly
+        sway = float(np.median(np.abs(inside - level)))
+        still = sway < 3 * sigma and (moved < _STILL * sigma or abs(level) < sigma)
+        sways = sway < _SWAYS * abs(level - outside) and bent < _STILL * bends
+        if away and (still or sways) and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
-            last = stop
+            last, within = stop, within if still else max(within, _SWAYS * abs(level - outside))
     if not found and fine:
         low, high = float(volts.min()), float(volts.max())
         still_long = _standing(volts, max(_REPEATS, _SHORTEST * rate))
         found = [each for each in still_long if low < each[2] < high]  # at its limit a signal is not lost
-    if not found or not _at_one_level([level for _, _, level in found], within=_ONE_LEVEL * sigma):
+    if not found or not _at_one_level([level for _, _, level in found], within=within):
         return []
     if fine:
         level = float(np.median([each[2] for each in found]))

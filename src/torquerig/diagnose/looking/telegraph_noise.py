@@ -22,7 +22,8 @@ _LAGS = (1, 2, 4, 8, 16)  # samples that a jump may take
 _CLEAR = 8.0  # robust spreads of the differences, or codes
 _STAYS = (0.001, 0.004)  # [s] for which the mean must stand higher or lower by the height
 _OF_THE_HEIGHT, _SPREADS = 0.2, 4.0  # within which it must
-_ALIKE = 0.1  # of the height: median deviation of what is one height
+_ALIKE = 0.1  # of the height: spread of what is one height
+_RATHER_A_LEVEL = 0.5  # of the spread of the heights: ends that scatter less are one level, to which a signal is lost
 _FEWEST, _RUNS = 6, 2  # jumps over all runs, and runs with any: fewer are steps of the mean, which a load makes too
 _TRUE_ONES, _TO_AND_FRO = 0.8, 0.9  # of what is clear stays; of what stays follows one of the other sign
 
@@ -49,10 +50,11 @@ class Telegraph:
 
 @dataclass(frozen=True)
 class _Jumps:
-    """First samples of new levels, their heights [V], how many differences were clear, and of what spread [V]."""
+    """First samples of new levels, heights and lower ends [V], how many differences were clear, of what spread [V]."""
 
     at: NDArray[np.int64]
     heights: Floats
+    lower: Floats
     clear: int
     spread: float
 
@@ -125,7 +127,8 @@ def _jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: f
         among = _spread(change(np.arange(0, volts.size - lag, reach)))
         within = np.maximum(_OF_THE_HEIGHT * sizes[at], _SPREADS * among)
         stays &= np.abs(change(at) - differences[at]) < within
-    return _Jumps(at[stays] + lag, differences[at[stays]], at.size, spread)
+    at, clear_ones = at[stays], at.size
+    return _Jumps(at + lag, differences[at], np.minimum(volts[at], volts[at + lag]), clear_ones, spread)
 
 
 def _one_telegraph(found: Sequence[_Jumps], lag: int) -> tuple[Telegraph | None, ...]:
@@ -138,7 +141,10 @@ def _one_telegraph(found: Sequence[_Jumps], lag: int) -> tuple[Telegraph | None,
     height = float(np.median(np.abs(heights)))
     follows = sum(int(np.sum(each.heights[1:] * each.heights[:-1] < 0)) for each in found)
     pairs = sum(max(each.at.size - 1, 0) for each in found)
-    if float(np.median(np.abs(np.abs(heights) - height))) > _ALIKE * height or follows < _TO_AND_FRO * pairs:
+    lower = np.concatenate([each.lower for each in found])
+    if _spread(np.abs(heights) - height) > _ALIKE * height or follows < _TO_AND_FRO * pairs:
+        return none
+    if min(_scatter(lower), _scatter(lower + np.abs(heights))) < _RATHER_A_LEVEL * _scatter(np.abs(heights)):
         return none
     return tuple(_alternating(each, height, lag) for each in found)
 
@@ -171,6 +177,10 @@ def _change(total: Floats, at: NDArray[np.int64], *, reach: int, lag: int) -> Fl
     before, after = np.maximum(at + 1 - reach, 0), np.minimum(at + lag + reach, total.size - 1)
     higher = (total[after] - total[at + lag]) / (after - at - lag)
     return np.asarray(higher - (total[at + 1] - total[before]) / (at + 1 - before))
+
+
+def _scatter(values: Floats) -> float:
+    return _spread(values - np.median(values))
 
 
 def _spread(differences: Floats) -> float:
