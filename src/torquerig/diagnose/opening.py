@@ -50,7 +50,9 @@ def opened(
     scenario: Scenario, runs: tuple[Observed, ...], nominal: Rig, faults: SampleFindings
 ) -> tuple[Case, tuple[Features, ...]]:
     """Return the case with the nominal model calibrated, and the held-out features."""
-    runs = tuple(replace(run, rebuilt=run.name in faults.rebuilt, stepping=faults.stepping) for run in runs)
+    runs = tuple(
+        replace(run, rebuilt=run.name in faults.rebuilt, stepping=faults.stepping, swept=faults.swept) for run in runs
+    )
     whole = _for_fits(runs, faults)
     known = known_places(whole, nominal)
     left = without_comb(lines_left(whole, known, rig=nominal))

@@ -24,7 +24,8 @@ class SampleFindings:
     ``clipped`` are the runs that stand at a limit, ``rebuilt`` those of them that do so seldom enough to be put right;
     ``lost`` are the moments without signal of each recording, and those of steps on their way, first sample and one
     past the last; ``untrue`` tells what recordings hold that no rig of the library does, in a sentence and as a
-    place; ``stepping`` is whether their mean torque steps.
+    place; ``stepping`` is whether their mean torque steps, ``swept`` over which frequencies [Hz] a line swept
+    that was taken out.
     """
 
     candidates: tuple[Candidate, ...]
@@ -35,6 +36,7 @@ class SampleFindings:
     lost: tuple[Moments, ...]
     untrue: tuple[Untrue, ...] = ()
     stepping: bool = False
+    swept: tuple[tuple[float, float], ...] = ()
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -84,5 +86,5 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(
         tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost,
-        (*repeated(sure), *jumping(recordings), *true.told), true.stepping,
+        (*repeated(sure), *jumping(recordings), *true.told), true.stepping, true.swept,
     )  # fmt: skip

@@ -30,13 +30,15 @@ _FEW_STEPS = 3  # of a recording: a mean that steps to and fro is not put right 
 class Mended:
     """Recordings without what no rig does, the lost moments of each, and what was told of them.
 
-    ``stepping`` is whether the mean torque of one steps.
+    ``stepping`` is whether the mean torque of one steps, ``swept`` the frequencies [Hz], lowest and highest, over which
+    a line swept that was taken out.
     """
 
     recordings: tuple[Recording, ...]
     lost: tuple[Moments, ...]
     told: tuple[Untrue, ...]
     stepping: bool
+    swept: tuple[tuple[float, float], ...]
 
 
 def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
@@ -104,12 +106,14 @@ def without_untrue(
     steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
     sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
     known = [sweep for sweep in sweeps.values() if sweep is not None]
+    swept = tuple((min(sweep.start, sweep.stop), max(sweep.start, sweep.stop)) for sweep in known)
     for index, recording in enumerate(answer):
         sweep = sweeps[index] if index in sweeps else sweep_along(*volts[index], known)
         if sweep is not None:
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
-    return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(steps_of_each))
+    stepping = any(steps_of_each)
+    return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=stepping, swept=swept)
 
 
 def _telegraph(recording: Recording, own: Telegraph) -> Untrue:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 
@@ -30,3 +31,15 @@ def test_one_of_those_tried_stands_where_it_is(
         if isinstance(one, TorsionalMode) and one.frequency == pytest.approx(frequency, rel=0.05)
     ]  # fmt: skip
     assert min(abs(one.inertia / hidden.inertia - 1) for one in near) < 0.7
+
+
+def test_where_a_line_swept_a_mode_must_gain_more(
+    known_rig: Scenario, three_runs: Callable[..., list[Recording]]
+) -> None:
+    case = begun(known_rig, (), three_runs(known_rig.rig, 3), lambda _: None).before
+    plain = {one.price for one in torsional_mode.propose(case)}
+    swept = replace(case, runs=tuple(replace(run, swept=((10.0, 1000.0),)) for run in case.runs))
+    elsewhere = replace(case, runs=tuple(replace(run, swept=((1000.0, 2000.0),)) for run in case.runs))
+    assert len(plain) == 1
+    assert {one.price for one in torsional_mode.propose(swept)} == {price + 100.0 for price in plain}
+    assert {one.price for one in torsional_mode.propose(elsewhere)} == plain

@@ -107,5 +107,6 @@ def test_it_is_told_and_placed_in_every_run(clean: Recording, wear_rig: Scenario
             pytest.approx(410, abs=1),
             pytest.approx(220, abs=1),
         )
+    assert found.swept == (pytest.approx((300.0, 520.0), abs=1),)
     left = volts_of(found.recordings[1]) - volts_of(clean)
     assert np.std(left) < 0.1 * np.std(sweeping(300.0, 520.0, 0.05))

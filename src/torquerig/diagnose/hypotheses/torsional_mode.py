@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ _BEST = 3
 # damping ratio: beyond the one a step swings over by less than half and no mode shows in a spectrum; below the other a
 # shaft would ring longer than steel in one piece, let alone a joint
 _RINGS, _NEVER_DIES = 0.2, 0.001
+_WHERE_SWEPT = 100.0  # what one must gain beside where a line swept: what is left of that looks like a light branch
 _SOUGHT = 20.0  # what one must gain beside for being sought at so many places: the best of them by chance gains 2 ln n
 
 
@@ -55,12 +56,13 @@ def _best(case: Case, frequencies: NDArray[np.float64], shares: tuple[float, ...
     body = None if at is None else case.nominal.part(at)
     if not isinstance(body, Body):
         return []
-    tried = [_branch(body, float(hertz), share * body.inertia) for share in shares for hertz in frequencies]
+    swept = {between for run in case.runs for between in run.swept}
+    tried = [_branch(body, float(hertz), share * body.inertia, swept) for share in shares for hertz in frequencies]
     tried.sort(key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
     return tried[:_BEST]
 
 
-def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
+def _branch(body: Body, frequency: float, inertia: float, swept: Iterable[tuple[float, float]]) -> Candidate:
     part = mechanisms.TorsionalMode(
         name="torsional_mode", after=body.name, frequency=frequency, inertia=inertia, damping_ratio=_DAMPING
     )
@@ -70,7 +72,8 @@ def _branch(body: Body, frequency: float, inertia: float) -> Candidate:
         Knob(part.name, "damping_ratio", 0.8),
     )
     bends = (f"{body.name}.inertia",)
-    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends, resembled=True, price=_SOUGHT)
+    price = _SOUGHT + (_WHERE_SWEPT if any(low <= frequency <= high for low, high in swept) else 0.0)
+    return Candidate(mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends, resembled=True, price=price)
 
 
 def possible(part: Part) -> bool:

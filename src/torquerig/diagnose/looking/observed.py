@@ -55,6 +55,9 @@ class Observed:
         Whether moments at a limit were filled in, whose ends ring through the spectrum, which is then not looked at.
     stepping : bool
         Whether the mean torque of this run or of another steps, of which some may not have been seen and stay in it.
+    swept : tuple of (float, float)
+        Lowest and highest frequency [Hz] of each line that swept in this run or in another, and was taken out: some of
+        it is left.
     tones : tuple of float
         Lines at one speed that keep their frequency by what the shaft's own lines tell [Hz].
     """
@@ -68,6 +71,7 @@ class Observed:
     stretches: tuple[Stretch, ...]
     rebuilt: bool = False
     stepping: bool = False
+    swept: tuple[tuple[float, float], ...] = ()
     tones: tuple[float, ...] = ()
 
     @property
