@@ -30,6 +30,20 @@ def test_a_depth_is_judged_by_the_low_end_of_its_interval(
     assert can_be(candidate, fitted(wear_rig, part, knob, spread=spread)) is possible
 
 
+@pytest.mark.parametrize(
+    ("damping", "spread", "possible"),
+    [(0.0005, 0.78, True), (0.0005, 0.1, False), (0.004, 0.1, True), (0.15, 0.78, True), (0.4, 0.78, False)],
+)
+def test_a_damping_that_nothing_tells_is_not_too_small(
+    damping: float, spread: float, possible: bool, wear_rig: Scenario
+) -> None:
+    """Bands are wider than a line of little damping; what rings too little is still a damper and no mode."""
+    part = TorsionalMode(name="mode", after="wear_part", frequency=90.0, inertia=1e-3, damping_ratio=damping)
+    knob = Knob("mode", "damping_ratio", 1.0)
+    candidate = Candidate(mechanism="torsional_mode", parts=(part,), knobs=(knob,))
+    assert can_be(candidate, fitted(wear_rig, part, knob, spread=spread)) is possible
+
+
 def test_other_numbers_are_judged_as_they_are(wear_rig: Scenario) -> None:
     part = TorsionalMode(name="mode", after="wear_part", frequency=90.0, inertia=1e-3, damping_ratio=0.4)
     knob = Knob("mode", "damping_ratio", 1.0)

@@ -16,16 +16,17 @@ _95 = 1.96
 def can_be(candidate: Candidate, model: Calibrated) -> bool:
     """Whether the numbers of a candidate in the fitted ``model`` are such as can be.
 
-    Those that its mechanism calls told loosely are judged by the low end of their 95 % intervals: one that is too large
-    by no more than chance is no reason to give the name to a rival.
+    Those that its mechanism calls told loosely may stand at the end of their 95 % intervals that it names: one that is
+    too large, or too small, by no more than chance is no reason to give the name to a rival.
     """
-    return is_possible(candidate, _at_low_ends(candidate, model))
+    return is_possible(candidate, model.rig) or is_possible(candidate, _at_their_ends(candidate, model))
 
 
-def _at_low_ends(candidate: Candidate, model: Calibrated) -> Rig:
+def _at_their_ends(candidate: Candidate, model: Calibrated) -> Rig:
     own, loose = {part.name for part in candidate.parts}, told_loosely(candidate)
     rows = [row for row, knob in enumerate(model.knobs) if knob.part in own and knob.field in loose]
     if not rows:
         return model.rig
-    shifts = -_95 * np.sqrt(np.maximum(np.diag(model.covariance)[rows], 0.0))
+    ends = np.array([loose[model.knobs[row].field] for row in rows])
+    shifts = _95 * ends * np.sqrt(np.maximum(np.diag(model.covariance)[rows], 0.0))
     return turned(model.rig, [model.knobs[row] for row in rows], shifts)

@@ -20,7 +20,7 @@ Beside the classes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 
 from torquerig import mechanisms
@@ -63,11 +63,11 @@ def is_possible(candidate: Candidate, rig: Rig) -> bool:
     return asked is None or all(asked(rig.part(part.name)) for part in candidate.parts)
 
 
-def told_loosely(candidate: Candidate) -> tuple[str, ...]:
+def told_loosely(candidate: Candidate) -> Mapping[str, float]:
     """Return the fields of a candidate's parts that fits tell loosely, so that chance may put them beyond what can be.
 
-    A mechanism has them in its ``TOLD_LOOSELY``.
+    A mechanism has them in its ``TOLD_LOOSELY``: -1 for what chance may put too high, 1 for what it may put too low.
     """
     if candidate.mechanism not in CLASSES:
-        return ()
-    return getattr(import_module(f"{__name__}.{candidate.mechanism}"), "TOLD_LOOSELY", ())
+        return {}
+    return getattr(import_module(f"{__name__}.{candidate.mechanism}"), "TOLD_LOOSELY", {})

@@ -25,6 +25,8 @@ _BEST = 3
 # shaft would ring longer than steel in one piece, let alone a joint
 _RINGS, _NEVER_DIES = 0.2, 0.001
 _WHERE_SWEPT = 100.0  # what one must gain beside where a line swept: what is left of that looks like a light branch
+# a spectrum tells the width of a line no finer than its bands and the wander of the load let it
+TOLD_LOOSELY = {"damping_ratio": 1.0}
 _SOUGHT = 20.0  # what one must gain beside for being sought at so many places: the best of them by chance gains 2 ln n
 
 
