@@ -49,7 +49,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     """
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
-    if trial.candidate.resembled and trial.candidate.bends and any(each.candidate.description for each in earlier):
+    if _mode(trial) and any(each.candidate.description for each in earlier):
         return False  # a mode beside noise that was described takes up what its description leaves
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     missed = min(max(trial.model.cost / feature_count(trial.model), 1.0), _MOST_MISSED)
@@ -62,13 +62,14 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     alone = not (earlier or trial.candidate.description)
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
     borne_out = share > _WHOLE and trusted > _AGAIN and not trial.candidate.resembled
-    enough = max(_enough(trial, trusted), _WHOLE if _mode_beside_more(case, trial) else 0.0)
+    beside_more = _mode(trial) and excess(case) > 2 * trial.gain  # what else is wrong with the shafts moves their modes
+    enough = max(_enough(trial, trusted), _WHOLE if beside_more else 0.0)
     return share > enough and (trial.gain > least or borne_out)
 
 
-def _mode_beside_more(case: Case, trial: Trial) -> bool:
-    """Whether a mode leaves more than it takes away: what else is wrong with the shafts moves their modes."""
-    return trial.candidate.resembled and bool(trial.candidate.bends) and excess(case) > 2 * trial.gain
+def _mode(trial: Trial) -> bool:
+    """Whether it is one of the shafts' own modes, which noise resembles and whose place their other numbers move."""
+    return trial.candidate.resembled and bool(trial.candidate.bends)
 
 
 def _enough(trial: Trial, again: float) -> float:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.linear.quasi_static import behind_sensor
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.robust_spread import spread_about_zero
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import gears_to_sensor
@@ -114,7 +115,7 @@ def _parted(smooth: Floats, blow: int, rate: float) -> int:
 def noise_of(observed: Observed) -> float:
     """Return the noise of the samples; where most are equal to the one before (coarse codes), by a trimmed mean."""
     steps = np.abs(np.diff(observed.torque))
-    middle = float(np.median(steps)) / 0.6745
+    middle = spread_about_zero(steps)
     if middle == 0:
         middle = float(np.sqrt(np.mean(steps[steps <= np.quantile(steps, _TRIMMED)] ** 2))) / _OF_TRIMMED
     return middle / float(np.sqrt(2))

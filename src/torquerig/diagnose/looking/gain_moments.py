@@ -13,6 +13,7 @@ from math import exp
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.robust_spread import spread_about_zero
 from torquerig.diagnose.looking.short_spectra import OVERLAP, ShortSpectra, closest_half, short_spectra
 from torquerig.signals.recording import Recording
 
@@ -125,5 +126,5 @@ def _step(volts: Floats, hop: int, block: int) -> int | None:
     at = int(np.argmax(steps)) if steps.size else 0
     if not 0 < at < steps.size - 1:
         return None
-    noise = max(float(np.median(steps[:at])), float(np.median(steps[at + 1 :]))) / 0.6745
+    noise = max(spread_about_zero(steps[:at]), spread_about_zero(steps[at + 1 :]))
     return low + at + 1 if steps[at] > _STEP * max(noise, 1e-12) else None

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.refilled import Moments
+from torquerig.diagnose.looking.robust_spread import spread_about_zero
 from torquerig.signals.inspection.extremes import extreme_of
 from torquerig.signals.recording import Recording
 
@@ -129,7 +130,7 @@ def _differences(means: Floats, at: NDArray[np.int64], reach: int) -> Floats:
 
 
 def _spread(differences: Floats, floor: float) -> float:
-    return max(float(np.median(np.abs(differences))) / 0.6745, floor)
+    return max(spread_about_zero(differences), floor)
 
 
 def _sample(volts: Floats, middle: int, size: int) -> int:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]
 
@@ -24,7 +25,7 @@ def near_zero_stays(observed: Observed) -> Floats:
     seen = observed.mask(held=False)
     width = max(1, int(_SMOOTHED * observed.rate))
     smooth = np.convolve(observed.torque, np.full(width, 1 / width), "same")
-    noise = float(np.median(np.abs(np.diff(observed.torque)))) / 0.6745 / np.sqrt(2)
+    noise = spread_about_zero(np.diff(observed.torque)) / np.sqrt(2)
     near = (np.abs(smooth) < _NOISES * noise) & seen
     edges = np.flatnonzero(np.diff(np.concatenate([[0], near.astype(int), [0]])))
     lengths = (edges[1::2] - edges[::2]) / observed.rate

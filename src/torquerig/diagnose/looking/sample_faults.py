@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.robust_spread import spread_about_median, spread_about_zero
 from torquerig.diagnose.looking.strong_alias import without_tone
 from torquerig.signals.recording import Recording
 
@@ -164,7 +165,7 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         jumped = min(volts[start] - volts[start - 1], volts[stop - 1] - volts[stop], key=lambda step: step / way) / way
         least = (_TO_ZERO if coarse and abs(level) < 0.5 * code else _JUMP) * sigma
         away = abs(level - outside) > least and jumped > _AT_ONCE
-        moved = float(np.median(np.abs(np.diff(inside)))) / 0.6745
+        moved = spread_about_zero(np.diff(inside))
         bent = float(np.median(np.abs(np.diff(inside, n=2))))  # a hum moves on evenly
         sway = float(np.median(np.abs(inside - level)))
         still = sway < 3 * sigma and (moved < _STILL * sigma or abs(level) < sigma)
@@ -197,8 +198,8 @@ def _noise_of(steps: Floats) -> tuple[float, float]:
         return np.inf, np.inf
     code, middle = float(moving.min()), float(np.median(moving))
     if moving.size > (1 - _REPEATED) * size.size:
-        return float(np.median(np.abs(steps - np.median(steps)))) / 0.6745, code
-    return (middle if middle < _ONE_CODE * code else middle / 0.6745), code
+        return spread_about_median(steps), code
+    return (middle if middle < _ONE_CODE * code else spread_about_zero(moving)), code
 
 
 def _standing(volts: Floats, samples: float) -> list[tuple[int, int, float]]:

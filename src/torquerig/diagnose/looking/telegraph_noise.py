@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.refilled import Moments
+from torquerig.diagnose.looking.robust_spread import spread_about_median, spread_about_zero
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -114,7 +115,7 @@ def _at_lower(recording: Recording, own: Telegraph | None) -> Floats:
 def _jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: float) -> _Jumps:
     """Return the clear differences over so many samples that stay."""
     differences = volts[lag:] - volts[:-lag]
-    spread = max(_spread(differences), resolution, 1e-12)
+    spread = max(spread_about_zero(differences), resolution, 1e-12)
     sizes = np.abs(differences)
     clear = sizes > _CLEAR * spread
     for start, stop in lost:
@@ -124,7 +125,7 @@ def _jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: f
     for length in _STAYS:
         reach = max(round(length * rate), 2 * lag)
         change = partial(_change, np.concatenate([[0.0], np.cumsum(volts)]), reach=reach, lag=lag)
-        among = _spread(change(np.arange(0, volts.size - lag, reach)))
+        among = spread_about_zero(change(np.arange(0, volts.size - lag, reach)))
         within = np.maximum(_OF_THE_HEIGHT * sizes[at], _SPREADS * among)
         stays &= np.abs(change(at) - differences[at]) < within
     at, clear_ones = at[stays], at.size
@@ -142,9 +143,11 @@ def _one_telegraph(found: Sequence[_Jumps], lag: int) -> tuple[Telegraph | None,
     follows = sum(int(np.sum(each.heights[1:] * each.heights[:-1] < 0)) for each in found)
     pairs = sum(max(each.at.size - 1, 0) for each in found)
     lower = np.concatenate([each.lower for each in found])
-    if _spread(np.abs(heights) - height) > _ALIKE * height or follows < _TO_AND_FRO * pairs:
+    if spread_about_zero(np.abs(heights) - height) > _ALIKE * height or follows < _TO_AND_FRO * pairs:
         return none
-    if min(_scatter(lower), _scatter(lower + np.abs(heights))) < _RATHER_A_LEVEL * _scatter(np.abs(heights)):
+    if min(
+        spread_about_median(lower), spread_about_median(lower + np.abs(heights))
+    ) < _RATHER_A_LEVEL * spread_about_median(np.abs(heights)):
         return none
     return tuple(_alternating(each, height, lag) for each in found)
 
@@ -177,11 +180,3 @@ def _change(total: Floats, at: NDArray[np.int64], *, reach: int, lag: int) -> Fl
     before, after = np.maximum(at + 1 - reach, 0), np.minimum(at + lag + reach, total.size - 1)
     higher = (total[after] - total[at + lag]) / (after - at - lag)
     return np.asarray(higher - (total[at + 1] - total[before]) / (at + 1 - before))
-
-
-def _scatter(values: Floats) -> float:
-    return _spread(values - np.median(values))
-
-
-def _spread(differences: Floats) -> float:
-    return float(np.median(np.abs(differences))) / 0.6745

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.robust_spread import spread_about_median
 
 Floats = NDArray[np.float64]
 
@@ -18,7 +19,7 @@ def value_features(observed: Observed, *, held: bool) -> Floats:
     channel = observed.recording.channels[observed.recording.torque_name()]
     volts = np.concatenate([channel.values[s.start : s.stop] for s in observed.stretches if s.held == held])
     steps = np.diff(volts)
-    sigma = float(np.median(np.abs(steps - np.median(steps)))) / 0.6745
+    sigma = spread_about_median(steps)
     on_end = max(float(np.mean(volts == volts.max())), float(np.mean(volts == volts.min())))
     jumps = float(np.sum(np.abs(steps) > _JUMP * sigma)) / (volts.size / observed.rate) if sigma > 0 else 0.0
     return np.array([float(np.mean(steps == 0)), on_end, jumps])
