@@ -9,4 +9,5 @@ chain        one after the other, and once more begun elsewhere
 set_aside    what was not fitted, and why          around_gap   a gap told again beside a further effect
 secondary    what is small beside a large effect  numbers_held  before all is withdrawn
 opened_gap   where flanks may part                 gap_width    how wide the gap is
+possible     whether its numbers are such as can be
 """

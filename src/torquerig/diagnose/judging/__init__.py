@@ -8,4 +8,5 @@ passing        what comes and goes within a run
 band_excess    what two runs are compared by
 chance         how probable a residual is             share_explained  how much goes where an effect changes something
 withdrawn      why what was found is not believed
+changing       what drifts in all steady runs         scattered_levels  slow torque that follows no course
 """

@@ -19,4 +19,8 @@ sweeps          lines that sweep at a steady speed     kernel       their compil
 flights         flanks that part and meet              near_zero    how long the torque stays near zero
 angle_jumps     a measured angle that jumps            flights_beyond_lines   flights that no waves make
 as_well_known   a simulated run with its angle known no better than the recording's
+mean_steps      a mean that steps and stays            telegraph_noise   a zero that jumps between two levels
+strong_alias    a tone that hides faults of samples    under_hum    a limit behind which a hum was picked up
+sweep_course    a sweep's ends, and a run without it   flight_statistics   what flights tell of the gap
+robust_spread   how far values scatter                 orders_standing_out   whether lines stand at some orders
 """
