@@ -135,7 +135,8 @@ def test_kinetic_and_elastic_energy_change_by_what_goes_in_and_what_is_lost(seed
     tau, bristle = rng.uniform(-2, 2, 1), rng.uniform(-0.01, 0.01, 1)
     forces.py_func(
         theta, omega, tau, np.array([0.7, 0.4]), terms, work.cosine, work.sine, work.spring_torque, work.contact,
-        work.opposing, work.torque, True, work.stiffness, work.damping, work.twisted, bristle, work.bend_slope, 1e9,
+        work.opposing, work.torque, True, work.stiffness, work.damping, work.twisted, work.twisting, bristle,
+        work.bend_slope, 1e9,
     )  # fmt: skip
     found = float(work.torque[:3] @ omega[:3])  # d(kinetic)/dt of the free masses
 
@@ -180,7 +181,7 @@ def test_torques_between_shafts_come_in_pairs() -> None:
     theta, omega = np.array([0.3, 0.1, -0.2, 0.0]), np.array([3.0, -1.0, 2.0, 0.0])
     forces.py_func(
         theta, omega, np.array([1.3]), np.zeros(0), terms, work.cosine, work.sine, work.spring_torque, work.contact,
-        work.opposing, work.torque, True, work.stiffness, work.damping, work.twisted, np.array([0.005]),
+        work.opposing, work.torque, True, work.stiffness, work.damping, work.twisted, work.twisting, np.array([0.005]),
         work.bend_slope, 1e9,
     )  # fmt: skip
     assert work.torque[:3].sum() == pytest.approx(0.0, abs=1e-14)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from numba import njit
 
 from torquerig.simulate.kernel.choice import any_of, where
+from torquerig.simulate.kernel.contact import touch
 from torquerig.simulate.kernel.direction import direction
 from torquerig.simulate.kernel.elementary import exponential
 from torquerig.simulate.kernel.fast import FAST
@@ -14,7 +15,7 @@ from torquerig.simulate.kernel.rare import bend, drag, share_of_turning, vary
 
 @njit(fastmath=FAST, inline="always")
 def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, contact, opposing, torque,
-           rare, stiffness, damping, twisted, bristle, bristle_slope, fastest):  # fmt: skip
+           rare, stiffness, damping, twisted, twisting, bristle, bristle_slope, fastest):  # fmt: skip
     """Fill ``torque`` (per node) and the by-products of one evaluation.
 
     ``stiffness`` and ``damping`` are those of the springs now; ``rare`` says whether there is a term of ``rare.py``.
@@ -42,16 +43,10 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
             twist += springs.e_cos[j] * cosine[slot] - springs.e_sin[j] * sine[slot]
             lean += springs.e_order[j] * (springs.e_cos[j] * sine[slot] + springs.e_sin[j] * cosine[slot])
         rate = omega[a] * r - omega[b] * lean
-        twisted[i] = twist
+        twisted[i], twisting[i] = twist, rate
         half = springs.half_gap[i]
         if any_of(half > 0.0):
-            side = where(twist > 0.0, 1.0, -1.0)
-            pressed = stiffness[i] * (side * twist - half)
-            damped = side * damping[i] * rate
-            touching, driven, parting = pressed > 0.0, damped > pressed, damped <= -pressed
-            value = where(driven, 2.0 * pressed, where(parting, 0.0, pressed + damped))
-            value = where(touching, side * value, 0.0)
-            contact[i] = where(touching, where(driven, side, where(parting, 3.0 * side, 2.0 * side)), 0.0)
+            value, contact[i] = touch(twist, rate, half, stiffness[i], damping[i])
         else:
             value = stiffness[i] * twist + damping[i] * rate
         spring_torque[i] = value

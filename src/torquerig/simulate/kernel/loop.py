@@ -14,6 +14,7 @@ from numba import njit
 
 from torquerig.simulate.arrays import Floats, Outputs, Terms
 from torquerig.simulate.kernel.choice import any_of, where
+from torquerig.simulate.kernel.contact import narrow
 from torquerig.simulate.kernel.control import control
 from torquerig.simulate.kernel.fast import FAST, UNCOUNTED
 from torquerig.simulate.kernel.forces import forces
@@ -23,6 +24,7 @@ from torquerig.simulate.kernel.sources import sources_key
 from torquerig.simulate.kernel.work import work_for
 
 LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
+PATIENT = 16  # [1] passes of a step after which the search halves what is left, whatever it expects
 
 
 def _built(key: int) -> Callable[..., Any]:
@@ -34,7 +36,9 @@ def _built(key: int) -> Callable[..., Any]:
         moving, n_drives, n_bristles = theta.size - 1, drives.on.size, bristles.on.size  # moving: all but the ground
         cosine, sine, load_now, inverse_inertia = work.cosine, work.sine, work.load_now, work.inverse_inertia
         spring_torque, contact, contact_before = work.spring_torque, work.contact, work.contact_before
-        stiffness, damping, twisted, gaps = work.stiffness, work.damping, work.twisted, work.gaps
+        twisted_before, twisting_before = work.twisted_before, work.twisting_before
+        stiffness, damping, gaps = work.stiffness, work.damping, work.gaps
+        twisted, twisting = work.twisted, work.twisting
         opposing, torque, torque_before = work.opposing, work.torque, work.torque_before
         integral, command, seen_angle, seen_speed = work.integral, work.command, work.seen_angle, work.seen_speed
         theta_k, omega_k, theta_sum, omega_sum = work.theta_k, work.omega_k, work.theta_sum, work.omega_sum
@@ -44,6 +48,7 @@ def _built(key: int) -> Callable[..., Any]:
         period = 1.0 / rate
         h = period / substeps
         fastest = 1.0 / h  # [1/s] at which a bristle may follow
+        near = LOCATED * h
         # terms that most rigs lack: one test skips them all; a key is never below 0
         rare = imposed.on.size + n_bristles + terms.varied.spring.size + terms.angle_loads.on.size > 0 or key < 0
         for sample in range(settling + kept.shape[2]):
@@ -70,7 +75,7 @@ def _built(key: int) -> Callable[..., Any]:
                     )
                 start, remaining = max(0, step) * h, 0.0 if step < 0 else h
                 low, high, length = 0.0, remaining, remaining
-                searching, last = False, step < 0
+                searching, behind, ahead_of, first_pass, tries = False, False, False, step < 0, 0
                 while True:
                     for i in range(moving):
                         slope = torque_before[i] * inverse_inertia[i]
@@ -102,7 +107,7 @@ def _built(key: int) -> Callable[..., Any]:
                             impose(imposed, sample, part, period, theta_k, omega_k)
                         forces(
                             theta_k, omega_k, tau_k, load_now, terms, cosine, sine, spring_torque, contact,
-                            opposing, torque, rare, stiffness, damping, twisted, bend_k, bend_slope, fastest,
+                            opposing, torque, rare, stiffness, damping, twisted, twisting, bend_k, bend_slope, fastest,
                         )  # fmt: skip
                         if stage == 3:
                             break
@@ -126,7 +131,15 @@ def _built(key: int) -> Callable[..., Any]:
                     for g in range(gaps.size):
                         gap = gaps[g]
                         kinked = kinked | (contact[gap] != contact_before[gap])
-                    taken = last | ((kinked | searching) ^ True)
+                    taken, late = (kinked | searching) ^ True, 0.5
+                    if first_pass:
+                        taken = True
+                    elif any_of(kinked | searching):
+                        late = narrow(
+                            terms.springs, stiffness, damping, work, kinked, searching, behind & kinked,
+                            ahead_of & (kinked ^ True),
+                        )  # fmt: skip
+                        taken = taken | (kinked & ((late * (length - low) <= near) | (length - low <= near)))
                     if any_of(taken):
                         for i in range(moving):
                             theta[i] = where(taken, theta_k[i], theta[i])
@@ -141,16 +154,24 @@ def _built(key: int) -> Callable[..., Any]:
                         for g in range(gaps.size):
                             gap = gaps[g]
                             contact_before[gap] = where(taken, contact[gap], contact_before[gap])
+                            twisted_before[gap] = where(taken, twisted[gap], twisted_before[gap])
+                            twisting_before[gap] = where(taken, twisting[gap], twisting_before[gap])
                         start = where(taken, start + length, start)
                         remaining = where(taken, remaining - length, remaining)
-                    unfinished = remaining > LOCATED * h
+                    unfinished = remaining > near
                     if not any_of(unfinished):
                         break
                     low = where(taken, 0.0, where(kinked, low, length))
                     high = where(taken, remaining, where(kinked, length, high))
-                    searching = taken ^ True
-                    last = searching & (high - low <= LOCATED * h)
-                    length = where(taken, high, where(last, high, 0.5 * (low + high)))
+                    searching, tries = taken ^ True, tries + 1
+                    behind, ahead_of = searching & kinked, searching & (kinked ^ True)
+                    # just behind the change, if the estimate is right; in between in any case
+                    between = high - late * (high - low) + 0.5 * near
+                    if tries > PATIENT:
+                        between = 0.5 * (low + high)
+                    length = where(
+                        taken | (high - low <= near), high, where(between < high, between, 0.5 * (low + high))
+                    )
                     length = where(unfinished, length, 0.0)
             for i in range(moving):
                 if any_of((abs(omega[i]) < np.inf) ^ True):

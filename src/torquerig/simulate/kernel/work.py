@@ -21,6 +21,13 @@ class Work(NamedTuple):
     stiffness: Floats
     damping: Floats
     twisted: Floats
+    twisting: Floats
+    twisted_before: Floats
+    twisting_before: Floats
+    first_low: Floats  # what decides a contact, at both ends of where it changes
+    second_low: Floats
+    first_high: Floats
+    second_high: Floats
     gaps: Rows  # the springs that have one
     inverse_inertia: Floats  # per node
     theta_k: Floats
