@@ -5,9 +5,9 @@ The latter where an amplifier is too slow for blows, or the shafts ring through 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property
 from math import exp
 
 import numpy as np
@@ -32,7 +32,7 @@ _GAPS = np.geomspace(1.5, 45.0, 6) * ARCMIN  # [rad]
 _BEYOND, _SHORT = 0.15, 0.3  # [1] of the logarithm: wider than the longest flight, narrower than where it was measured
 _FINE = np.geomspace(_GAPS[0], _GAPS[-1], 121)
 _LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
-_TURNS = 3  # in which the gaps are simulated, so that a few of their recordings are held at a time
+_AT_A_TIME = 0.75  # turns a run in which the gaps are simulated: sixteen recordings are held, two full batches
 _SEEDS = (1, 2)
 _ALIKE = 4.0  # of the misfit: 95 % of one number
 _CONTACT = 0.55  # of the logarithm: how flanks meet changes how they fly, and no model knows it (29 blind rigs)
@@ -57,37 +57,70 @@ def width(case: Case, rigs: Sequence[Rig]) -> Width | None:
     rigs : sequence of Rig
         The model without a gap as it is simulated for each of the case's runs.
     """
-    told = _told_by(case, rigs, flying=True) if flanks_fly(case) else None
-    return _told_by(case, rigs, flying=False) if told is None else told
+    shown = _Shown(case, rigs)
+    told = _told_by(case, shown, flying=True) if flanks_fly(case) else None
+    return _told_by(case, shown, flying=False) if told is None else told
 
 
-def _told_by(case: Case, rigs: Sequence[Rig], *, flying: bool) -> Width | None:
+class _Shown:
+    """What the runs in which flanks may part show of flights and of stays near zero, and their simulations with gaps.
+
+    Each gap is simulated once, whichever of both is asked first.
+
+    Parameters
+    ----------
+    case : Case
+    rigs : sequence of Rig
+        The model without a gap as it is simulated for each of the case's runs.
+    """
+
+    def __init__(self, case: Case, rigs: Sequence[Rig]) -> None:
+        self.case = case
+        parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
+        self.seen, self.rigs = [case.seen[row] for row in parting], [rigs[row] for row in parting]
+        self.told = [self._both(features.untoned) for features in self.seen]
+        self.closed = self._simulated([0.0])[0]
+        self._turns = max(1, round(_AT_A_TIME * len(parting)))
+
+    @cached_property
+    def opened(self) -> list[list[tuple[Floats, Floats]]]:
+        """Flights and stays of each run with each of ``_GAPS``: one list a gap of one pair a run."""
+        return [each for some in np.array_split(_GAPS, self._turns) for each in self._simulated(some.tolist())]
+
+    def _simulated(self, gaps: Sequence[float]) -> list[list[tuple[Floats, Floats]]]:
+        each = [opened(self.case, gap).added_to(rig) if gap else rig for gap in gaps for rig in self.rigs]
+        runs = self.seen * len(gaps)
+        copies = simulated_runs(each, runs, seeds=_SEEDS)
+        means = of_each(lambda pair: self._mean_of(*pair), list(zip(runs, copies, strict=True)))
+        return [means[at : at + len(self.rigs)] for at in range(0, len(means), len(self.rigs))]
+
+    def _mean_of(self, seen: Features, copies: Sequence[Observed]) -> tuple[Floats, Floats]:
+        """Return the means over the simulations of a run, their angles known as well as the run's."""
+        both = [self._both(as_well_known(without_tones(copy, seen.places), seen.observed)) for copy in copies]
+        flights, stays = zip(*both, strict=True)
+        return np.asarray(np.mean(flights, axis=0)), np.asarray(np.mean(stays, axis=0))
+
+    def _both(self, run: Observed) -> tuple[Floats, Floats]:
+        return flight_statistics(run, rig=self.case.nominal), near_zero_stays(run)
+
+
+def _told_by(case: Case, shown: _Shown, *, flying: bool) -> Width | None:
     """Return the width as flights tell it, or else stays near zero."""
-    parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
-    seen = [case.seen[row] for row in parting]
-    statistics = partial(flight_statistics, rig=case.nominal) if flying else near_zero_stays
-    apart = flight_misfit if flying else near_zero_misfit
-    told = [statistics(features.untoned) for features in seen]
+    which, apart = (0, flight_misfit) if flying else (1, near_zero_misfit)
+    told = [both[which] for both in shown.told]
 
-    def shown(gaps: Sequence[float]) -> Floats:
-        """Return the statistics of each run's simulations with each gap, shape (gaps, runs, statistics)."""
-        each = [opened(case, gap).added_to(rigs[row]) if gap else rigs[row] for gap in gaps for row in parting]
-        copies = simulated_runs(each, seen * len(gaps), seeds=_SEEDS)
-        means = of_each(lambda pair: _mean_of(statistics, *pair), list(zip(seen * len(gaps), copies, strict=True)))
-        return np.array(means).reshape(len(gaps), len(parting), -1)
-
-    def cost(modelled: Floats) -> float:
+    def cost(modelled: Sequence[Floats] | Floats) -> float:
         pairs = zip(told, modelled, strict=True)
         return float(sum(robust_squares(apart(measured, model)).sum() for measured, model in pairs))
 
-    closed = cost(shown([0.0])[0])
+    closed = cost([both[which] for both in shown.closed])
     if closed < _LEAST_GAIN:
         return None
-    each = np.concatenate([shown(some.tolist()) for some in np.split(_GAPS, _TURNS)])
+    each = np.array([[both[which] for both in runs] for runs in shown.opened])
     costs = np.array([cost(modelled) for modelled in _smoothed(each)])
     # what no width explains is no chance of the width's: the variance is inflated by it
     inflated = costs / max(1.0, float(costs.min()) / np.concatenate(told).size)
-    inflated += _far_from_longest(case, seen) if flanks_fly(case) else 0.0
+    inflated += _far_from_longest(case, shown.seen) if flanks_fly(case) else 0.0
     at = int(np.argmin(inflated))
     if costs[at] >= closed - _LEAST_GAIN:
         return None
@@ -109,12 +142,6 @@ def _within(costs: Floats) -> tuple[float, float]:
     alike, best = _FINE[costs < costs.min() + _ALIKE], float(_FINE[np.argmin(costs)])
     reach = exp(1.96 * _CONTACT)
     return min(best / reach, float(alike[0])), max(best * reach, float(alike[-1]))
-
-
-def _mean_of(statistics: Callable[[Observed], Floats], seen: Features, copies: Sequence[Observed]) -> Floats:
-    """Return the mean of the statistics of a run's simulations, their angles known as well as the run's."""
-    known = [as_well_known(without_tones(copy, seen.places), seen.observed) for copy in copies]
-    return np.asarray(np.mean([statistics(copy) for copy in known], axis=0))
 
 
 def _smoothed(each: Floats) -> Floats:

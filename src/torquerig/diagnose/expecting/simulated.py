@@ -25,6 +25,7 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 from torquerig.signals.stages.clip import Clip
+from torquerig.signals.stages.dropout import Dropout
 from torquerig.simulate.batch import simulate_batch
 from torquerig.simulate.simulate import simulate
 
@@ -36,7 +37,7 @@ _WORKERS = 2
 def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
     """Return what the rig records in the run of ``observed``, cut into the same stretches.
 
-    It is mended as a recording is: dropouts bridged, hits that reached a limit rebuilt.
+    It is mended as a recording is: dropouts bridged, where the rig has any, hits that reached a limit rebuilt.
     """
     recording = simulate(
         rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
@@ -62,7 +63,13 @@ def _mended(recording: Recording, rig: Rig) -> Recording:
     ranges = [sensor.converter_range for sensor in rig.parts_of(TorqueSensor)]
     placed = [each for part in rig.parts for each in part.stages(rig) if each.position == PlacedStage.INPUT]
     limits = [each.stage.limit for each in placed if isinstance(each.stage, Clip)]
-    return rebuilt(bridged(recording), limit=min((*ranges, *limits), default=inf))
+    whole = bridged(recording) if _loses_signal(rig) else recording
+    return rebuilt(whole, limit=min((*ranges, *limits), default=inf))
+
+
+def _loses_signal(rig: Rig) -> bool:
+    """Whether it is worth looking for moments without signal in the rig's simulations."""
+    return any(isinstance(stage, Dropout) for stage in rig.stages())
 
 
 def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
@@ -98,15 +105,16 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
     """Return the expected features of every run from its simulated copies."""
 
     def of_run(row: int) -> Expectation:
-        return _mean(rig, seen[row], [_features(copy, seen[row]) for copy in copies[row]])
+        return _mean(rig, seen[row], [_features(rig, copy, seen[row]) for copy in copies[row]])
 
     return tuple(of_each(of_run, range(len(seen))))
 
 
-def _features(copy: Observed, seen: Features) -> Features:
+def _features(rig: Rig, copy: Observed, seen: Features) -> Features:
     # a steady run is the same all along, so all of it counts
     whole = seen.observed.steady and seen.turning is None
-    copy = refilled(copy, moments_lost(copy.recording), seen.places)
+    if _loses_signal(rig):
+        copy = refilled(copy, moments_lost(copy.recording), seen.places)
     return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
 
 

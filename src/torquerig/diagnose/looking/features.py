@@ -26,7 +26,7 @@ POINTS = 9  # speeds kept of each stretch
 _KEPT = 256  # sets of lines whose routes are kept
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Features:
     """Numbers of one run, the same for a recording and for a simulation.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.waves import waves
 
 _SAME = 4e-3  # [s] so near to a blow one that the lines make is the same
+_counted: WeakKeyDictionary[Features, int] = WeakKeyDictionary()  # asked again and again, while the features live
 
 
 def flights_beyond_lines(seen: Features) -> int:
@@ -20,6 +22,12 @@ def flights_beyond_lines(seen: Features) -> int:
 
     The lines are those of the whole run by least squares, in noise as the run has it. Real blows ring far above them.
     """
+    if seen not in _counted:
+        _counted[seen] = _count(seen)
+    return _counted[seen]
+
+
+def _count(seen: Features) -> int:
     shown, counted = blows(seen.untoned), flights_counted(seen.untoned)
     if not shown or not seen.observed.steady:
         return counted

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import pi
+from math import ceil, pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import Place
+
+Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 _WINDOW = 2.0  # [s] a tone keeps its phase so long, and little else lies within 1 Hz of it
 _STEP = 0.01  # [s] between two values of a tone's envelope
@@ -26,22 +29,43 @@ def without_tones(observed: Observed, places: Sequence[Place]) -> Observed:
     return replace(observed, torque=less_tones(observed.torque, observed.rate, tones)) if tones else observed
 
 
-def less_tones(values: NDArray[np.float64], rate: float, tones: Sequence[float]) -> NDArray[np.float64]:
+def less_tones(values: Floats, rate: float, tones: Sequence[float]) -> Floats:
     """Return samples at a rate [Hz] less the lines at ``tones`` [Hz], each with its slow envelope; shape (samples,)."""
+    step = max(1, round(_STEP * rate))
+    if values.size < 2 * step:
+        step = values.size  # one block, one mean
     for tone in tones:
-        carrier = np.exp(2j * pi * tone / rate * np.arange(values.size))
-        values = values - 2 * np.real(_envelope(values * carrier.conj(), rate) * carrier)
+        values = values - _slow_line(values, 2 * pi * tone / rate, step)
     return values
 
 
-def _envelope(mixed: NDArray[np.complex128], rate: float) -> NDArray[np.complex128]:
-    """Return the slow part of a signal, by means over blocks of 10 ms, shape (samples,)."""
-    step = max(1, round(_STEP * rate))
-    blocks = mixed.size // step
-    if blocks < 2:
-        return np.full(mixed.size, mixed.mean())
-    means = mixed[: blocks * step].reshape(blocks, step).mean(axis=1)
+def _slow_line(values: Floats, turn: float, step: int) -> Floats:
+    """Return the line that turns by so much from sample to sample [rad], times its slow envelope; shape (samples,).
+
+    The envelope is straight between the middles of blocks of ``step`` samples. There a carrier is one number a block
+    times one a sample of it, so that no sample needs a sine of its own.
+    """
+    blocks = values.size // step
+    within = np.exp(1j * turn * np.arange(step))
+    mixed = values[: blocks * step].reshape(blocks, step) @ np.column_stack([within.real, within.imag])
+    means = (mixed[:, 0] - 1j * mixed[:, 1]) * np.exp(-1j * turn * step * np.arange(blocks)) / step
+    slow = _smoothed(means)
+    middle = 0.5 * step
+    first = ceil(middle)  # the sample from which on the envelope is straight
+    last = first + (blocks - 1) * step
+    begins = np.exp(1j * turn * (first + step * np.arange(blocks - 1)))
+    share = (first - middle + np.arange(step)) / step
+    left, right = 2 * slow[:-1] * begins, 2 * slow[1:] * begins
+    shapes = np.array([within.real * (1 - share), within.imag * (1 - share), within.real * share, within.imag * share])
+    line = np.empty(values.size)
+    line[first:last] = (np.column_stack([left.real, -left.imag, right.real, -right.imag]) @ shapes).ravel()
+    line[:first] = 2 * np.real(slow[0] * np.exp(1j * turn * np.arange(first)))
+    line[last:] = 2 * np.real(slow[-1] * np.exp(1j * turn * np.arange(last, values.size)))
+    return line
+
+
+def _smoothed(means: Complex) -> Complex:
+    """Return means of blocks over a Hann window, shape (blocks,)."""
+    blocks = means.size
     window = np.hanning(min(round(_WINDOW / _STEP), blocks) + 2)[1:-1]
-    slow = np.convolve(means, window, "same") / np.convolve(np.ones(blocks), window, "same")
-    middles = (np.arange(blocks) + 0.5) * step
-    return np.asarray(np.interp(np.arange(mixed.size), middles, slow))
+    return np.asarray(np.convolve(means, window, "same") / np.convolve(np.ones(blocks), window, "same"))
