@@ -91,8 +91,8 @@ class Sway:
             side = j1(np.minimum(self.phase[fast, by], _LARGEST)) * sizes[fast]
             line, apart = self.orders[fast], self.slow[by, None]
             beside = np.concatenate([line - apart, line + apart])
-            through = 3 * [self.lines[row].transfer for row in fast]
-            at_line, below, above = np.split(passed(through, np.concatenate([line, beside]) * self.turns), 3)
+            every, at = [line.transfer for line in self.lines], np.concatenate([line, beside]) * self.turns
+            at_line, below, above = np.split(passed(every, at, np.tile(fast, 3)), 3)
             relative = np.concatenate([below / at_line, above / at_line])
             orders.append(beside[:, 0])
             reached = np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
+from torquerig.diagnose.linear.kernel import between_points
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Drive, Friction, Inertia, Spring, Term
 from torquerig.simulate.linear import Matrices, matrices
@@ -53,16 +54,24 @@ class Shafts:
         """Return a response at other frequencies [Hz], by its real and imaginary part over the logarithm."""
         return np.asarray(self.each_at([response], frequencies[None])[0])
 
-    def each_at(self, responses: Sequence[Response], frequencies: NDArray[np.float64]) -> Response:
-        """Return each response, n of them, at its own row of frequencies [Hz], shape (n, points)."""
+    def each_at(
+        self, responses: Sequence[Response], frequencies: NDArray[np.float64], which: NDArray[np.intp] | None = None
+    ) -> Response:
+        """Return responses at frequencies [Hz], shape (n, points): each at its own row, or ``which`` says whose it is.
+
+        Parameters
+        ----------
+        responses : sequence of ndarray, shape (grid points,)
+        frequencies : ndarray, shape (n, points)
+        which : ndarray, shape (n,), optional
+            The response that each row is of.
+        """
         different = {id(response): response for response in responses}
-        table, named = np.stack(list(different.values())), {each: row for row, each in enumerate(different)}
-        row = np.array([named[id(response)] for response in responses])[:, None]
-        where = np.log(np.clip(frequencies, *_RANGE))
-        right = np.clip(np.searchsorted(self._log, where), 1, self._log.size - 1)
-        low, high = self._log[right - 1], self._log[right]
-        before, after = table[row, right - 1], table[row, right]
-        return np.asarray(before + (after - before) * ((where - low) / (high - low)))
+        named = {each: row for row, each in enumerate(different)}
+        row = np.array([named[id(response)] for response in responses], dtype=np.intp)
+        table = np.stack(list(different.values()))
+        own = row if which is None else row[which]
+        return np.asarray(between_points(table, self._log, own, np.log(np.clip(frequencies, *_RANGE))))
 
     @cached_property
     def _log(self) -> NDArray[np.float64]:

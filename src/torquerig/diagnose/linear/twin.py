@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from math import pi, sqrt
 from typing import NamedTuple
@@ -88,15 +88,21 @@ def _error(passed: dict[str, Response], spring: Spring, force: Response) -> Resp
     return np.asarray(force * (passed[spring.b] - passed[spring.a] / (spring.ratio * spring.efficiency)))
 
 
-def passed(passages: Sequence[Passage], frequencies: Floats) -> Response:
-    """Return the transfers of a twin's passages, n of them, each at its row of frequencies [Hz], shape (n, points)."""
-    twin = passages[0].twin
-    answer = twin.shafts.each_at([each.response for each in passages], frequencies) * twin.amplifier(frequencies)
-    answering = [row for row, each in enumerate(passages) if each.answer is not None]
-    if answering:
-        answers = [each.answer for each in passages if each.answer is not None]
-        slower = np.array([passages[row].slower for row in answering])[:, None]
-        answer[answering] *= np.abs(twin.shafts.each_at(answers, slower * frequencies[answering]))
+def passed(passages: Sequence[Passage], frequencies: Floats, which: NDArray[np.intp] | None = None) -> Response:
+    """Return the transfers of a twin's passages at frequencies [Hz], shape (n, points).
+
+    Each is asked at its own row of frequencies; else ``which``, shape (n,), says whose each row is.
+    """
+    shafts, amplifier = passages[0].twin.shafts, passages[0].twin.amplifier(frequencies)
+    answer = shafts.each_at([each.response for each in passages], frequencies, which) * amplifier
+    answers = [each.answer for each in passages if each.answer is not None]
+    if answers:
+        own = np.arange(len(passages)) if which is None else which
+        order = np.cumsum([each.answer is not None for each in passages]) - 1  # among those that answer
+        answering = np.flatnonzero(np.array([each.answer is not None for each in passages])[own])
+        slower = np.array([each.slower for each in passages])[own[answering], None]
+        answered = shafts.each_at(answers, slower * frequencies[answering], order[own[answering]])
+        answer[answering] *= np.abs(answered)
     return answer
 
 
@@ -184,12 +190,14 @@ class Twin:
         Where the speed loop answers a slower line of order m with a torque ``Re(t exp(i m theta))``, ripple of depth d
         and order n makes ``d |t| / 2`` of it at n + m and at n - m.
         """
-        passed = self.torque_on(drive.on)
+        passed, answers = self.torque_on(drive.on), dict[tuple[str, str], Response]()
         for slow in self._torques() if self.shafts.drive else ():
             if slow.order < order and depth * slow.amplitude > 0:
-                answer = _torque(self.shafts.drive, slow.on, slow.against)
+                between = slow.on, slow.against
+                if between not in answers:
+                    answers[between] = _torque(self.shafts.drive, *between)
                 for side in (order - slow.order, order + slow.order):
-                    beside = replace(passed, answer=answer, slower=slow.order / side)
+                    beside = Passage(self, passed.response, passed.sway, answers[between], slow.order / side)
                     yield LineSource(drive.name, side, 0.5 * depth * slow.amplitude, beside)
 
     def _torques(self) -> Iterator[_Torque]:
