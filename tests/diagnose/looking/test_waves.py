@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.looking.places import frequency, order
-from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.looking.waves import Waves
 
 TIME = np.arange(5000) / 1000
 ANGLE = 104.7 * TIME + 3 * np.sin(2 * TIME)
@@ -23,13 +23,13 @@ ANGLE = 104.7 * TIME + 3 * np.sin(2 * TIME)
     ],
 )
 def test_every_wave_is_that_of_its_phase(places: list) -> None:
-    told = waves(places, ANGLE, TIME)
+    told = Waves(places, ANGLE, TIME)
     assert told.shape == (len(places), TIME.size)
-    for wave, place in zip(told, places, strict=True):
+    for wave, place in zip(told[:, :], places, strict=True):
         # an order is kept to nine digits
         assert np.abs(wave - np.exp(1j * place.phase(ANGLE, TIME))).max() < 2e-9 * place.at * ANGLE.max() + 1e-11
 
 
 def test_orders_that_share_no_base_are_waves_of_their_own() -> None:
-    told = waves([order(0.123456789), order(5.0)], ANGLE, TIME)
+    told = Waves([order(0.123456789), order(5.0)], ANGLE, TIME)[:, :]
     assert np.abs(told[0] - np.exp(0.123456789j * ANGLE)).max() < 1e-12

@@ -16,7 +16,7 @@ from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.turning import turns_back
-from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.looking.waves import Waves
 from torquerig.mechanisms import Backlash, TorqueRipple
 from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig
@@ -83,7 +83,7 @@ def _amplitudes(
         time, window = np.arange(start, stop) / rate, weight[start:stop]
         if window.mean() < _SEEN:
             continue
-        turning = waves([order(each) for each in orders], angle[start:stop], time)
+        turning = Waves([order(each) for each in orders], angle[start:stop], time)
         found = regressed(torque[start:stop], turning, window=window)
         at = np.maximum(np.array(orders) * float(np.abs(speed[start:stop]).mean()) / (2 * np.pi), _SLOWEST)
         answer.append((found.amplitude, at))

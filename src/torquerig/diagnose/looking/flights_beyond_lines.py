@@ -11,7 +11,7 @@ from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import blows, flights_counted, noise_of
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.regression import regressed
-from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.looking.waves import Waves
 
 _SAME = 4e-3  # [s] so near to a blow one that the lines make is the same
 _counted: WeakKeyDictionary[Features, int] = WeakKeyDictionary()  # asked again and again, while the features live
@@ -41,6 +41,6 @@ def _lines_alone(seen: Features) -> Observed:
     observed = seen.untoned
     turning = [place for place in seen.places if place.domain == "order"]
     time = np.arange(observed.torque.size) / observed.rate
-    fitted = regressed(observed.torque, waves(turning, observed.angle, time))
+    fitted = regressed(observed.torque, Waves(turning, observed.angle, time))
     noise = noise_of(observed) * np.random.default_rng(0).standard_normal(observed.torque.size)
     return replace(observed, torque=observed.torque - fitted.rest + noise)

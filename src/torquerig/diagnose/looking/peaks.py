@@ -13,7 +13,7 @@ from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import RESOLVED_WELL, Place, frequency, order
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.stretch_lines import shown_places
-from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.looking.waves import Waves
 from torquerig.diagnose.side_by_side import of_each
 
 Floats = NDArray[np.float64]
@@ -125,7 +125,7 @@ def _rest(run: Observed, start: int, stop: int, known: Sequence[Place]) -> Float
 
     shown = [known[index] for index in shown_places(run, Stretch(start, stop, False), known, apart=RESOLVED_WELL)]
     time = np.arange(start, stop) / run.rate
-    return regressed(run.torque[start:stop], waves(shown, run.angle[start:stop], time)).rest
+    return regressed(run.torque[start:stop], Waves(shown, run.angle[start:stop], time)).rest
 
 
 def over_floor(power: Floats, *, below: float) -> Floats:

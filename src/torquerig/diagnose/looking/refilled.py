@@ -15,7 +15,7 @@ from torquerig.diagnose.looking.places import Place
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.stretch_lines import shown_places
 from torquerig.diagnose.looking.turning import turns_back
-from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.looking.waves import Waves
 
 Moments = Sequence[tuple[int, int]]
 
@@ -43,10 +43,10 @@ def refilled(observed: Observed, lost: Moments, places: Sequence[Place]) -> Obse
         if there[part].all() or not there[part].any():
             continue
         shown = [places[index] for index in shown_places(observed, stretch, places)]
-        own = waves(shown, observed.angle[part], np.arange(stretch.start, stretch.stop) / observed.rate)
+        own = Waves(shown, observed.angle[part], np.arange(stretch.start, stretch.stop) / observed.rate)
         found = regressed(torque[part], own, window=there[part])
         rest, known = found.rest, there[part] > 0
         at = np.arange(rest.size)
         bridged = np.interp(at, at[known], rest[known])
-        torque[part] = torque[part] - rest + np.where(known, rest, bridged)
+        torque[part] = np.where(known, torque[part], torque[part] - rest + bridged)
     return replace(observed, torque=torque)

@@ -7,6 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.waves import Waves, pieces, summed
+
+Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
 _RIDGE = 1e-9  # of the mean square of a basis function: keeps two lines that coincide from blowing up
 
 
@@ -27,36 +32,40 @@ class Regression:
         normal equations' matrix times its own.
     """
 
-    amplitude: NDArray[np.complex128]
+    amplitude: Complex
     level: float
     slope: float
-    rest: NDArray[np.float64]
-    widening: NDArray[np.float64]
+    rest: Floats
+    widening: Floats
 
 
 HANN_NOISE = 1.5  # spread of an amplitude under a Hann window, as a factor on its variance without one
 
 
-def regressed(
-    values: NDArray[np.float64], waves: NDArray[np.complex128], *, window: NDArray[np.float64] | None = None
-) -> Regression:
+def regressed(values: Floats, waves: Waves | Complex, *, window: Floats | None = None) -> Regression:
     """Return the least-squares amplitudes of lines whose waves, ``exp(i phase)``, are the rows of ``waves``.
 
     ``window`` weighs the samples: a Hann window keeps strong slow noise from leaking into weak fast lines, at the price
     of ``HANN_NOISE`` and of resolution.
     """
     count, lines = values.size, waves.shape[0]
-    basis = np.vstack([np.ones(count), np.linspace(-1.0, 1.0, count), waves.real, -waves.imag])
-    weighted = basis if window is None else basis * window
-    gram = weighted @ basis.T
+    ramp = np.linspace(-1.0, 1.0, count)
+    weight = np.ones(count) if window is None else np.sqrt(np.maximum(window, 0.0))
+    gram, seen = np.zeros((2 + 2 * lines, 2 + 2 * lines)), np.zeros(2 + 2 * lines)
+    for part in pieces(count):
+        own = waves[:, part]
+        basis = np.vstack([np.ones(own.shape[1]), ramp[part], own.real, -own.imag]) * weight[part]
+        gram += basis @ basis.T
+        seen += basis @ (weight[part] * values[part])
     gram[np.diag_indices_from(gram)] += _RIDGE * count
     inverse = np.linalg.inv(gram)
-    found = inverse @ (weighted @ values)
+    found = inverse @ seen
+    amplitude = found[2 : 2 + lines] + 1j * found[2 + lines :]
     widened = (np.diag(inverse) * np.diag(gram))[2:]
     return Regression(
-        amplitude=found[2 : 2 + lines] + 1j * found[2 + lines :],
+        amplitude=amplitude,
         level=float(found[0]),
         slope=float(found[1]),
-        rest=values - found @ basis,
+        rest=values - found[0] - found[1] * ramp - summed(waves, amplitude),
         widening=0.5 * (widened[:lines] + widened[lines:]),
     )

@@ -12,7 +12,7 @@ from torquerig.diagnose.looking.observed import Observed, Stretch
 from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, Place
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.smeared import WIDE, gathered
-from torquerig.diagnose.looking.waves import waves
+from torquerig.diagnose.looking.waves import Waves, summed
 
 Floats = NDArray[np.float64]
 
@@ -50,8 +50,9 @@ def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place])
     time = np.arange(stretch.start, stretch.stop) / observed.rate
     shown = shown_places(observed, stretch, places)
     window = np.hanning(time.size) if observed.steady else None
-    own = waves([places[index] for index in shown], observed.angle[part], time)
-    found = regressed(observed.torque[part], own, window=window)
+    found = regressed(
+        observed.torque[part], Waves([places[index] for index in shown], observed.angle[part], time), window=window
+    )
     amplitude = np.full(len(places), np.nan, dtype=complex)
     amplitude[shown] = found.amplitude
     widening = np.ones(len(places))
@@ -63,7 +64,8 @@ def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place])
         wide = WIDE / observed.smearing * observed.rate / time.size
         turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
         fixed = [r for r, index in enumerate(shown) if places[index].domain == "frequency"]
-        others = observed.torque[part] - (found.amplitude[fixed] @ own[fixed]).real
+        tones = Waves([places[shown[r]] for r in fixed], observed.angle[part], time)
+        others = observed.torque[part] - summed(tones, found.amplitude[fixed])
         found_lines = gathered(others, observed.rate, [lines[r] for r in turning], smeared=observed.smearing)
         for row, each in zip(turning, found_lines, strict=True):
             at = shown[row]
