@@ -13,6 +13,7 @@ from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import frequency, order
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.smeared import gathered
+from torquerig.diagnose.looking.waves import Waves
 
 RATE, SAMPLES = 2000.0, 24_000
 TIME = np.arange(SAMPLES) / RATE
@@ -54,9 +55,10 @@ def test_widening_is_one_for_a_line_alone_and_as_predicted_for_two() -> None:
     """Two waves whose product averages to c over the stretch: the variance of each grows by 1 / (1 - |c|^2)."""
     time, apart = np.linspace(0.0, 1.0, 4000, endpoint=False), 0.6
     one, two = (np.exp(2j * pi * at * time) for at in (40.0, 40.0 + apart))
-    assert regressed(one.real, one[None]).widening == pytest.approx([1.0], rel=1e-3)
+    assert regressed(one.real, Waves([frequency(40.0)], time, time)).widening == pytest.approx([1.0], rel=1e-3)
     overlap = abs(np.mean(one.conj() * two))
-    assert regressed(one.real, np.stack([one, two])).widening == pytest.approx([1 / (1 - overlap**2)] * 2, rel=0.03)
+    both = regressed(one.real, Waves([frequency(40.0), frequency(40.0 + apart)], time, time))
+    assert both.widening == pytest.approx([1 / (1 - overlap**2)] * 2, rel=0.03)
 
 
 def test_what_was_gathered_tells_how_far_it_reached_and_on_what_it_stood() -> None:

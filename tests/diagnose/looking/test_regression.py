@@ -7,16 +7,23 @@ from math import pi
 import numpy as np
 import pytest
 
+from torquerig.diagnose.looking.places import frequency
 from torquerig.diagnose.looking.regression import HANN_NOISE, regressed
+from torquerig.diagnose.looking.waves import Waves
 
 SAMPLES, TRIALS = 1000, 400
 TIME = np.arange(SAMPLES) / SAMPLES
-WAVES = np.exp(2j * pi * np.array([[30.25], [71.6]]) * TIME)
+PLACES = [frequency(30.25), frequency(71.6)]
+WAVES = Waves(PLACES, TIME, TIME)
 TRUE = np.array([0.3 * np.exp(0.7j), 0.05 * np.exp(-2j)])
 
 
 def signal(*, level: float = 1.5, slope: float = 0.2) -> np.ndarray:
-    return np.real(TRUE @ WAVES) + level + slope * np.linspace(-1, 1, SAMPLES)
+    return (
+        np.real(TRUE @ np.exp(2j * pi * np.array([[30.25], [71.6]]) * TIME))
+        + level
+        + slope * np.linspace(-1, 1, SAMPLES)
+    )
 
 
 def test_lines_level_and_slope_come_back_exactly_without_noise() -> None:
@@ -56,13 +63,13 @@ def test_a_window_keeps_strong_slow_motion_out_of_a_weak_fast_line() -> None:
 
 
 def test_no_lines_leave_a_straight_line() -> None:
-    found = regressed(signal(), np.zeros((0, SAMPLES), dtype=complex))
+    found = regressed(signal(), Waves([], TIME, TIME))
     assert found.amplitude.size == 0
     straight = np.polyfit(np.linspace(-1, 1, SAMPLES), signal(), 1)
     assert (found.slope, found.level) == pytest.approx(tuple(straight), rel=1e-6)
 
 
 def test_two_lines_at_one_place_share_it_instead_of_blowing_up() -> None:
-    twice = regressed(signal(), np.vstack([WAVES[:1], WAVES]))
+    twice = regressed(signal(), Waves([PLACES[0], *PLACES], TIME, TIME))
     assert twice.amplitude[:2].sum() == pytest.approx(TRUE[0], abs=1e-5)
     assert np.abs(twice.amplitude[:2]).max() < abs(TRUE[0])

@@ -1,4 +1,4 @@
-"""Waves as powers of one wave, beside the sine and cosine of each phase."""
+"""Waves piece by piece, beside the sine and cosine of each phase."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from torquerig.diagnose.looking.places import frequency, order
 from torquerig.diagnose.looking.waves import Waves
 
-TIME = np.arange(5000) / 1000
+TIME = np.arange(9000) / 1000
 ANGLE = 104.7 * TIME + 3 * np.sin(2 * TIME)
 
 
@@ -17,19 +17,23 @@ ANGLE = 104.7 * TIME + 3 * np.sin(2 * TIME)
     [
         [order(0.2), order(4.0), order(84 / 5)],
         [order(1 / 3), order(7.0), order(2.4178), frequency(280.0)],
-        [order(16.8), order(33.6), order(0.2 / 3)],
+        [order(0.123456789)],
         [frequency(50.0)],
         [],
     ],
 )
 def test_every_wave_is_that_of_its_phase(places: list) -> None:
     told = Waves(places, ANGLE, TIME)
-    assert told.shape == (len(places), TIME.size)
-    for wave, place in zip(told[:, :], places, strict=True):
-        # an order is kept to nine digits
-        assert np.abs(wave - np.exp(1j * place.phase(ANGLE, TIME))).max() < 2e-9 * place.at * ANGLE.max() + 1e-11
+    exact = np.exp(1j * np.array([place.phase(ANGLE, TIME) for place in places]).reshape(len(places), TIME.size))
+    amplitude = np.exp(1j * np.arange(len(places))) * (1 + np.arange(len(places)))
+    assert np.abs(told.summed(amplitude) - (amplitude @ exact).real).max() < 1e-10
+    weight = 1 + 0.5 * np.sin(TIME)
+    parts = [told.weighted(part, weight[part]) for part in told.pieces()]
+    both = np.concatenate([exact.real, -exact.imag])
+    assert np.concatenate(parts, axis=1) == pytest.approx(both * weight, abs=1e-11)
 
 
-def test_orders_that_share_no_base_are_waves_of_their_own() -> None:
-    told = Waves([order(0.123456789), order(5.0)], ANGLE, TIME)[:, :]
-    assert np.abs(told[0] - np.exp(0.123456789j * ANGLE)).max() < 1e-12
+def test_pieces_meet_and_cover_every_sample_once() -> None:
+    pieces = [*Waves([], ANGLE, TIME).pieces()]
+    assert len(pieces) > 2
+    assert [at for piece in pieces for at in range(piece.start, piece.stop)] == [*range(TIME.size)]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.looking.waves import Waves, pieces, summed
+from torquerig.diagnose.looking.waves import Waves
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -42,21 +42,21 @@ class Regression:
 HANN_NOISE = 1.5  # spread of an amplitude under a Hann window, as a factor on its variance without one
 
 
-def regressed(values: Floats, waves: Waves | Complex, *, window: Floats | None = None) -> Regression:
-    """Return the least-squares amplitudes of lines whose waves, ``exp(i phase)``, are the rows of ``waves``.
+def regressed(values: Floats, waves: Waves, *, window: Floats | None = None) -> Regression:
+    """Return the least-squares amplitudes of the lines of ``waves``.
 
     ``window`` weighs the samples: a Hann window keeps strong slow noise from leaking into weak fast lines, at the price
     of ``HANN_NOISE`` and of resolution.
     """
-    count, lines = values.size, waves.shape[0]
+    count, lines = values.size, waves.lines
     ramp = np.linspace(-1.0, 1.0, count)
     weight = np.ones(count) if window is None else np.sqrt(np.maximum(window, 0.0))
     gram, seen = np.zeros((2 + 2 * lines, 2 + 2 * lines)), np.zeros(2 + 2 * lines)
-    for part in pieces(count):
-        own = waves[:, part]
-        basis = np.vstack([np.ones(own.shape[1]), ramp[part], own.real, -own.imag]) * weight[part]
+    for part in waves.pieces():
+        own = weight[part]
+        basis = np.vstack([own, ramp[part] * own, waves.weighted(part, own)])
         gram += basis @ basis.T
-        seen += basis @ (weight[part] * values[part])
+        seen += basis @ (own * values[part])
     gram[np.diag_indices_from(gram)] += _RIDGE * count
     inverse = np.linalg.inv(gram)
     found = inverse @ seen
@@ -66,6 +66,6 @@ def regressed(values: Floats, waves: Waves | Complex, *, window: Floats | None =
         amplitude=amplitude,
         level=float(found[0]),
         slope=float(found[1]),
-        rest=values - found[0] - found[1] * ramp - summed(waves, amplitude),
+        rest=values - found[0] - found[1] * ramp - waves.summed(amplitude),
         widening=0.5 * (widened[:lines] + widened[lines:]),
     )

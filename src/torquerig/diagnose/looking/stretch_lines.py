@@ -12,7 +12,7 @@ from torquerig.diagnose.looking.observed import Observed, Stretch
 from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, Place
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.smeared import WIDE, gathered
-from torquerig.diagnose.looking.waves import Waves, summed
+from torquerig.diagnose.looking.waves import Waves
 
 Floats = NDArray[np.float64]
 
@@ -65,7 +65,7 @@ def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place])
         turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
         fixed = [r for r, index in enumerate(shown) if places[index].domain == "frequency"]
         tones = Waves([places[shown[r]] for r in fixed], observed.angle[part], time)
-        others = observed.torque[part] - summed(tones, found.amplitude[fixed])
+        others = observed.torque[part] - tones.summed(found.amplitude[fixed])
         found_lines = gathered(others, observed.rate, [lines[r] for r in turning], smeared=observed.smearing)
         for row, each in zip(turning, found_lines, strict=True):
             at = shown[row]
