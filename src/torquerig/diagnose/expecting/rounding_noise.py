@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import pi
 
 import numpy as np
@@ -39,15 +40,23 @@ def rounding_density(
     grid = np.linspace(0.0, 0.5 * rate, _POINTS // 2 + 1)
     density = np.exp(np.interp(np.log(np.maximum(grid, 1e-3)), np.log(frequency), np.log(np.maximum(power, 1e-300))))
     covariance = np.fft.irfft(density) * 0.5 * rate
-    lag = np.minimum(np.arange(_POINTS), np.arange(_POINTS, 0, -1)) / rate
-    change = 2 * (covariance[0] - covariance)
-    change += (sizes[:, None] ** 2 * (1 - np.cos(2 * pi * lines[:, None] * lag))).sum(axis=0)
+    change = 2 * (covariance[0] - covariance[: grid.size]) + sizes**2 @ _swings(rate, lines.tobytes())
     order = np.arange(1, _HARMONICS + 1)[:, None]
     kept = np.exp(-0.5 * (2 * pi * order / step) ** 2 * np.maximum(change, 0.0))
     correlation = (step**2 / (2 * pi**2 * order**2) * kept).sum(axis=0)
     correlation[0] = step**2 / 12
-    error = np.fft.rfft(correlation).real * 2 / rate
+    error = np.fft.hfft(correlation)[: grid.size] * 2 / rate
     return np.asarray(np.interp(frequency, grid, np.maximum(error, 0.0)))
+
+
+@lru_cache(maxsize=16)
+def _swings(rate: float, lines: bytes) -> Floats:
+    """Return by what lines of size 1 change over each lag, mean square, shape (lines, lags); asked again for each fit.
+
+    ``lines`` are the bytes of their frequencies [Hz].
+    """
+    lag = np.arange(_POINTS // 2 + 1) / rate
+    return np.asarray(1 - np.cos(2 * pi * np.frombuffer(lines)[:, None] * lag))
 
 
 def rounding_tolerance(step: float, added: Floats, power: Floats, *, spread: float) -> Floats:

@@ -17,6 +17,7 @@ STEPS = 4
 _BLOCK = 0.02  # [s] from one to the next, long against the first mode, short against a reversal
 _SPACINGS = 2  # of a block's length: under a Hann window it then weighs little beyond its neighbours' middles
 _POINTS = 64  # of a block, at which the lines are followed
+_RIDGE = 1e-12  # of what a line weighs: blocks that weigh nothing leave no line undetermined
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
 
 
@@ -67,8 +68,10 @@ class Turning:
     def without_lines(self, blocks: Floats, spread: Floats | float = 1.0) -> Floats:
         """Return the part of ``blocks`` that no line can make, in units of the spread of each."""
         weights = np.broadcast_to(1 / np.asarray(spread), blocks.shape)
-        lines, weighted = np.linalg.qr(self.lines * weights[:, None])[0], blocks * weights
-        return np.asarray(weighted - lines @ (lines.T @ weighted))
+        lines, weighted = self.lines * weights[:, None], blocks * weights
+        gram = lines.T @ lines
+        gram[np.diag_indices_from(gram)] *= 1 + _RIDGE
+        return np.asarray(weighted - lines @ np.linalg.solve(gram, lines.T @ weighted))
 
 
 def turns_back(observed: Observed) -> bool:
