@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from math import pi
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +34,27 @@ def _by_phase(twin: Twin, seen: Features) -> Floats:
     angle: the random load over the turns to it, through the motor's impedance ``J s + kp + ki / s``, all shafts taken
     as rigid.
     """
+    if seen not in _lines_of:
+        _lines_of[seen] = _lines(seen)
+    lines = _lines_of[seen]
+    return np.asarray((0.25 * lines.power * lines.order**2) @ _straying(twin, lines.apart))
+
+
+class _Lines(NamedTuple):
+    """Mean squares [(N m)^2] and orders of the lines that a run shows, shape (lines,), and how far bands are from them.
+
+    The latter is of shape (lines, bands) [Hz].
+    """
+
+    power: Floats
+    order: Floats
+    apart: Floats
+
+
+_lines_of: WeakKeyDictionary[Features, _Lines] = WeakKeyDictionary()  # asked for every model of a run
+
+
+def _lines(seen: Features) -> _Lines:
     turning = [column for column, place in enumerate(seen.places) if place.domain == "order"]
     shown = np.isfinite(seen.amplitude[:, turning])
     square = np.where(shown, np.abs(seen.amplitude[:, turning]) ** 2, 0.0).sum(axis=0)
@@ -41,7 +64,7 @@ def _by_phase(twin: Twin, seen: Features) -> Floats:
     apart = np.maximum(
         np.abs(seen.band - at), np.maximum(FOLLOWED, _TAKEN_OUT * seen.observed.smearing * at)
     )  # fmt: skip
-    return np.asarray((0.25 * power[power > 0] * orders**2) @ _straying(twin, apart))
+    return _Lines(power[power > 0], orders, apart)
 
 
 def _by_size(twin: Twin, seen: Features) -> Floats:
@@ -63,12 +86,12 @@ def _by_size(twin: Twin, seen: Features) -> Floats:
 
 def _straying(twin: Twin, frequencies: Floats) -> Floats:
     """Density of the motor's angle [rad^2/Hz]."""
-    drive, s = twin.drives[0], 2j * pi * frequencies
+    drive, square = twin.drives[0], (2 * pi * frequencies) ** 2
     inertia = sum(
         term.inertia * twin.turns[term.node] ** 2
         for term in twin.terms
         if isinstance(term, Inertia) and term.node in twin.turns
     )
     turns = min(twin.turns.values())
-    impedance = inertia * s + drive.kp + drive.ki / s
-    return np.asarray(twin.load_power(frequencies) * turns**2 / np.abs(impedance * s) ** 2)
+    stiffness = (drive.ki - inertia * square) ** 2 + drive.kp**2 * square  # of the impedance times s, squared
+    return np.asarray(twin.load_power(frequencies) * turns**2 / stiffness)

@@ -91,9 +91,11 @@ class Sway:
             side = j1(np.minimum(self.phase[fast, by], _LARGEST)) * sizes[fast]
             line, apart = self.orders[fast], self.slow[by, None]
             beside = np.concatenate([line - apart, line + apart])
-            every, at = [line.transfer for line in self.lines], np.concatenate([line, beside]) * self.turns
-            at_line, below, above = np.split(passed(every, at, np.tile(fast, 3)), 3)
-            relative = np.concatenate([below / at_line, above / at_line])
+            every, own = [line.transfer for line in self.lines], np.unique(fast)
+            at_line = np.zeros((len(every), self.turns.size), dtype=np.complex128)
+            at_line[own] = passed(every, self.orders[own] * self.turns, own)
+            below, above = np.split(passed(every, beside * self.turns, np.tile(fast, 2)), 2)
+            relative = np.concatenate([below / at_line[fast], above / at_line[fast]])
             orders.append(beside[:, 0])
             reached = np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)
             much.append(np.concatenate([side, side]) * reached)

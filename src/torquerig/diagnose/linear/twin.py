@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from math import pi, sqrt
 from typing import NamedTuple
@@ -26,8 +25,7 @@ _NOTHING = 1e-30  # [(N m)^2/Hz]
 _BLADE_SERIES = tuple(float(2 * np.mean(_PULSE * np.cos(k * _TURN))) for k in range(1, 8))  # zero to peak
 
 
-@dataclass(frozen=True, eq=False)
-class Passage:
+class Passage(NamedTuple):
     """The transfer of something to the reading: ``response`` of the shafts on their grid, then the sensor's low-pass.
 
     Where ``answer`` is given it is multiplied by the size of that response at ``slower`` times the frequency. ``sway``
@@ -45,8 +43,7 @@ class Passage:
         return np.asarray(passed([self], frequencies[None])[0])
 
 
-@dataclass(frozen=True)
-class LineSource:
+class LineSource(NamedTuple):
     """A line that follows the shafts: order on the motor shaft, amplitude at its source, transfer to the reading.
 
     ``by_load`` marks amplitudes that are a share of the motor's torque.
@@ -127,8 +124,9 @@ class Twin:
 
     def amplifier(self, frequencies: Floats) -> Response:
         """Return the sensor's second-order Butterworth low-pass [1]."""
-        ratio = 1j * frequencies / self.cutoff
-        return np.asarray(1 / (1 + sqrt(2) * ratio + ratio**2))
+        ratio = frequencies / self.cutoff
+        square = ratio**2
+        return np.asarray((1 - square - 1j * sqrt(2) * ratio) / (1 + square**2))
 
     def torque_on(self, node: str, against: str = GROUND) -> Passage:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
