@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
 from math import sqrt
 
@@ -25,6 +25,7 @@ from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.diagnose.looking.shaft_angle import ShaftAngle
+from torquerig.diagnose.side_by_side import of_each
 from torquerig.errors import SimulationError
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
@@ -40,7 +41,7 @@ _STEP = 0.1  # of a number's spread, for the slopes
 _RIDGE = 1e-9
 _LENGTH = 4.0  # [s] of a simulated candidate
 _SEED = 7
-_WORKERS = 2
+_AT_A_TIME = 2
 
 
 @dataclass(frozen=True)
@@ -67,11 +68,10 @@ def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
     if len(rivals) < 2:
         return None
     menu, advised = candidate_runs(case.nominal, case.runs), list[Advice]()
-    with ThreadPoolExecutor(_WORKERS) as pool:
-        for few in (menu[at : at + _WORKERS] for at in range(0, len(menu), _WORKERS)):
-            advised += pool.map(lambda one: _judged(case, rivals, one), few)
-            if any(one.distance >= CERTAIN for one in advised):
-                break
+    for few in (menu[at : at + _AT_A_TIME] for at in range(0, len(menu), _AT_A_TIME)):
+        advised += of_each(partial(_judged, case, rivals), few)
+        if any(one.distance >= CERTAIN for one in advised):
+            break
     best = max(advised, key=lambda one: min(one.distance, CERTAIN), default=None)
     return best if best is not None and best.distance > ENOUGH else None
 

@@ -16,8 +16,6 @@ from torquerig.diagnose.expecting.expectation import Expectation, amplitude_vari
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, speed_of
-from torquerig.diagnose.looking.refilled import refilled
-from torquerig.diagnose.looking.sample_faults import bridged, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.part import PlacedStage
@@ -37,10 +35,14 @@ _WORKERS = 2
 def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
     """Return what the rig records in the run of ``observed``, cut into the same stretches.
 
-    It is mended as a recording is: dropouts bridged, where the rig has any, hits that reached a limit rebuilt.
+    It is mended as a recording is: no moment without signal is there, and hits that reached a limit are rebuilt.
     """
     recording = simulate(
-        rig.at(observed.run), duration=observed.recording.duration, seed=seed, sample_rate=observed.rate, wander=wander
+        _never_silent(rig).at(observed.run),
+        duration=observed.recording.duration,
+        seed=seed,
+        sample_rate=observed.rate,
+        wander=wander,
     )
     return _looked_at(recording, rig, observed)
 
@@ -63,13 +65,16 @@ def _mended(recording: Recording, rig: Rig) -> Recording:
     ranges = [sensor.converter_range for sensor in rig.parts_of(TorqueSensor)]
     placed = [each for part in rig.parts for each in part.stages(rig) if each.position == PlacedStage.INPUT]
     limits = [each.stage.limit for each in placed if isinstance(each.stage, Clip)]
-    whole = bridged(recording) if _loses_signal(rig) else recording
-    return rebuilt(whole, limit=min((*ranges, *limits), default=inf))
+    return rebuilt(recording, limit=min((*ranges, *limits), default=inf))
 
 
-def _loses_signal(rig: Rig) -> bool:
-    """Whether it is worth looking for moments without signal in the rig's simulations."""
-    return any(isinstance(stage, Dropout) for stage in rig.stages())
+def _never_silent(rig: Rig) -> Rig:
+    """Return the rig without what loses its signal: lost moments of a recording are filled before anything is compared.
+
+    So a model with them and one without foretell the same of all else, in the same draws of what is random.
+    """
+    lasting = [part for part in rig.parts if not any(isinstance(each.stage, Dropout) for each in part.stages(rig))]
+    return rig if len(lasting) == len(rig.parts) else replace(rig, parts=tuple(lasting))
 
 
 def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds: Sequence[int]) -> list[list[Observed]]:
@@ -83,7 +88,7 @@ def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds:
     def together(group: tuple[tuple[float, float], list[int]]) -> list[Recording]:
         (duration, rate), rows = group
         return simulate_batch(
-            [jobs[row][0].at(jobs[row][1].run) for row in rows], seeds=[jobs[row][2] for row in rows],
+            [_never_silent(jobs[row][0]).at(jobs[row][1].run) for row in rows], seeds=[jobs[row][2] for row in rows],
             duration=duration, sample_rate=rate, workers=_WORKERS,
         )  # fmt: skip
 
@@ -105,16 +110,14 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
     """Return the expected features of every run from its simulated copies."""
 
     def of_run(row: int) -> Expectation:
-        return _mean(rig, seen[row], [_features(rig, copy, seen[row]) for copy in copies[row]])
+        return _mean(rig, seen[row], [_features(copy, seen[row]) for copy in copies[row]])
 
     return tuple(of_each(of_run, range(len(seen))))
 
 
-def _features(rig: Rig, copy: Observed, seen: Features) -> Features:
+def _features(copy: Observed, seen: Features) -> Features:
     # a steady run is the same all along, so all of it counts
     whole = seen.observed.steady and seen.turning is None
-    if _loses_signal(rig):
-        copy = refilled(copy, moments_lost(copy.recording), seen.places)
     return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
 
 

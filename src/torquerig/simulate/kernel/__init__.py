@@ -2,9 +2,10 @@
 
 loop        Runge-Kutta 4, contacts located       forces     torques of one evaluation
 control     what drives see and command           ladder     cosines and sines of one evaluation
-rare        terms that most rigs lack             imposed    motions that are given
-keep        what a run keeps                      work       the arrays that the loop works in
-direction   the smoothed sign of a speed          sources    what the cache on disk stands on
+contact     flanks of a gap, and when they meet   imposed    motions that are given
+rare        terms that most rigs lack             work       the arrays that the loop works in
+keep        what a run keeps                      sources    what the cache on disk stands on
+direction   the smoothed sign of a speed
 
 The functions are written for one number and compiled twice: for one rig, and for eight like rigs side by side.
 
