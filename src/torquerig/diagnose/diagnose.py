@@ -32,6 +32,11 @@ _BY_TWIN = (
     "twins, and the distribution of values is not compared"
 )
 
+_FILLED = (
+    "moments without signal are filled in the recordings and left out of the simulations beside them, so the held-out "
+    "misfit is the same with them and without"
+)
+
 _DETAIL = "what is left is {:.2%} of what was missing, and taken for the detail of what was found"
 
 
@@ -141,6 +146,7 @@ def diagnose(
             *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
             *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
             *(sentence for sentence, _ in changes),
+            *([_FILLED] if any(each.mechanism == "signal_dropout" for each in faults.candidates) else []),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
             *start.remarks,

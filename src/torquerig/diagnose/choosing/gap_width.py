@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import exp
+from operator import attrgetter
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,12 +59,21 @@ def width(case: Case, rigs: Sequence[Rig]) -> Width | None:
     rigs : sequence of Rig
         The model without a gap as it is simulated for each of the case's runs.
     """
-    shown = _Shown(case, rigs)
+    shown = _WithGaps(case, rigs)
+    if not shown.rigs:
+        return None
     told = _told_by(case, shown, flying=True) if flanks_fly(case) else None
     return _told_by(case, shown, flying=False) if told is None else told
 
 
-class _Shown:
+class _Statistics(NamedTuple):
+    """Of one run, or the mean of its simulations."""
+
+    flights: Floats
+    stays: Floats
+
+
+class _WithGaps:
     """What the runs in which flanks may part show of flights and of stays near zero, and their simulations with gaps.
 
     Each gap is simulated once, whichever of both is asked first.
@@ -78,45 +89,49 @@ class _Shown:
         self.case = case
         parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
         self.seen, self.rigs = [case.seen[row] for row in parting], [rigs[row] for row in parting]
-        self.told = [self._both(features.untoned) for features in self.seen]
-        self.closed = self._simulated([0.0])[0]
+        self.told = [self._statistics(features.untoned) for features in self.seen]
         self._turns = max(1, round(_AT_A_TIME * len(parting)))
 
     @cached_property
-    def opened(self) -> list[list[tuple[Floats, Floats]]]:
-        """Flights and stays of each run with each of ``_GAPS``: one list a gap of one pair a run."""
+    def closed(self) -> list[_Statistics]:
+        """Of each run without a gap."""
+        return self._simulated([0.0])[0]
+
+    @cached_property
+    def opened(self) -> list[list[_Statistics]]:
+        """Of each run with each of ``_GAPS``: one list a gap."""
         return [each for some in np.array_split(_GAPS, self._turns) for each in self._simulated(some.tolist())]
 
-    def _simulated(self, gaps: Sequence[float]) -> list[list[tuple[Floats, Floats]]]:
+    def _simulated(self, gaps: Sequence[float]) -> list[list[_Statistics]]:
         each = [opened(self.case, gap).added_to(rig) if gap else rig for gap in gaps for rig in self.rigs]
         runs = self.seen * len(gaps)
         copies = simulated_runs(each, runs, seeds=_SEEDS)
         means = of_each(lambda pair: self._mean_of(*pair), list(zip(runs, copies, strict=True)))
         return [means[at : at + len(self.rigs)] for at in range(0, len(means), len(self.rigs))]
 
-    def _mean_of(self, seen: Features, copies: Sequence[Observed]) -> tuple[Floats, Floats]:
+    def _mean_of(self, seen: Features, copies: Sequence[Observed]) -> _Statistics:
         """Return the means over the simulations of a run, their angles known as well as the run's."""
-        both = [self._both(as_well_known(without_tones(copy, seen.places), seen.observed)) for copy in copies]
-        flights, stays = zip(*both, strict=True)
-        return np.asarray(np.mean(flights, axis=0)), np.asarray(np.mean(stays, axis=0))
+        known = [as_well_known(without_tones(copy, seen.places), seen.observed) for copy in copies]
+        each = zip(*map(self._statistics, known), strict=True)
+        return _Statistics(*(np.asarray(np.mean(one, axis=0)) for one in each))
 
-    def _both(self, run: Observed) -> tuple[Floats, Floats]:
-        return flight_statistics(run, rig=self.case.nominal), near_zero_stays(run)
+    def _statistics(self, run: Observed) -> _Statistics:
+        return _Statistics(flights=flight_statistics(run, rig=self.case.nominal), stays=near_zero_stays(run))
 
 
-def _told_by(case: Case, shown: _Shown, *, flying: bool) -> Width | None:
+def _told_by(case: Case, shown: _WithGaps, *, flying: bool) -> Width | None:
     """Return the width as flights tell it, or else stays near zero."""
-    which, apart = (0, flight_misfit) if flying else (1, near_zero_misfit)
-    told = [both[which] for both in shown.told]
+    which, apart = (attrgetter("flights"), flight_misfit) if flying else (attrgetter("stays"), near_zero_misfit)
+    told = [which(run) for run in shown.told]
 
     def cost(modelled: Sequence[Floats] | Floats) -> float:
         pairs = zip(told, modelled, strict=True)
         return float(sum(robust_squares(apart(measured, model)).sum() for measured, model in pairs))
 
-    closed = cost([both[which] for both in shown.closed])
+    closed = cost([which(run) for run in shown.closed])
     if closed < _LEAST_GAIN:
         return None
-    each = np.array([[both[which] for both in runs] for runs in shown.opened])
+    each = np.array([[which(run) for run in runs] for runs in shown.opened])
     costs = np.array([cost(modelled) for modelled in _smoothed(each)])
     # what no width explains is no chance of the width's: the variance is inflated by it
     inflated = costs / max(1.0, float(costs.min()) / np.concatenate(told).size)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from math import pi
 from typing import NamedTuple
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.kept import kept
 from torquerig.rig.terms import Inertia
 
 Floats = NDArray[np.float64]
@@ -34,9 +34,7 @@ def _by_phase(twin: Twin, seen: Features) -> Floats:
     angle: the random load over the turns to it, through the motor's impedance ``J s + kp + ki / s``, all shafts taken
     as rigid.
     """
-    if seen not in _lines_of:
-        _lines_of[seen] = _lines(seen)
-    lines = _lines_of[seen]
+    lines = _lines(seen)
     return np.asarray((0.25 * lines.power * lines.order**2) @ _straying(twin, lines.apart))
 
 
@@ -51,9 +49,7 @@ class _Lines(NamedTuple):
     apart: Floats
 
 
-_lines_of: WeakKeyDictionary[Features, _Lines] = WeakKeyDictionary()  # asked for every model of a run
-
-
+@kept
 def _lines(seen: Features) -> _Lines:
     turning = [column for column, place in enumerate(seen.places) if place.domain == "order"]
     shown = np.isfinite(seen.amplitude[:, turning])

@@ -22,5 +22,6 @@ as_well_known   a simulated run with its angle known no better than the recordin
 mean_steps      a mean that steps and stays            telegraph_noise   a zero that jumps between two levels
 strong_alias    a tone that hides faults of samples    under_hum    a limit behind which a hum was picked up
 sweep_course    a sweep's ends, and a run without it   flight_statistics   what flights tell of the gap
-robust_spread   how far values scatter                 orders_standing_out   whether lines stand at some orders
+kept            worked out once for all models         robust_spread   how far values scatter
+orders_standing_out   whether lines stand at some orders
 """

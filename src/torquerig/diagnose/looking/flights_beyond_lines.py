@@ -3,31 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import blows, flights_counted, noise_of
+from torquerig.diagnose.looking.kept import kept
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.waves import Waves
 
 _SAME = 4e-3  # [s] so near to a blow one that the lines make is the same
-_counted: WeakKeyDictionary[Features, int] = WeakKeyDictionary()  # asked again and again, while the features live
 
 
+@kept
 def flights_beyond_lines(seen: Features) -> int:
     """Return how many flights a run shows, long ones counted twice, less those that its lines make without any gap.
 
     The lines are those of the whole run by least squares, in noise as the run has it. Real blows ring far above them.
     """
-    if seen not in _counted:
-        _counted[seen] = _count(seen)
-    return _counted[seen]
-
-
-def _count(seen: Features) -> int:
     shown, counted = blows(seen.untoned), flights_counted(seen.untoned)
     if not shown or not seen.observed.steady:
         return counted

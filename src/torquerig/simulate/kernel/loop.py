@@ -75,7 +75,7 @@ def _built(key: int) -> Callable[..., Any]:
                     )
                 start, remaining = max(0, step) * h, 0.0 if step < 0 else h
                 low, high, length = 0.0, remaining, remaining
-                searching, behind, ahead_of, first_pass, tries = False, False, False, step < 0, 0
+                searching, was_behind, was_before, first_pass, tries = False, False, False, step < 0, 0
                 while True:
                     for i in range(moving):
                         slope = torque_before[i] * inverse_inertia[i]
@@ -136,8 +136,8 @@ def _built(key: int) -> Callable[..., Any]:
                         taken = True
                     elif any_of(kinked | searching):
                         late = narrow(
-                            terms.springs, stiffness, damping, work, kinked, searching, behind & kinked,
-                            ahead_of & (kinked ^ True),
+                            terms.springs, stiffness, damping, work, kinked, searching, was_behind & kinked,
+                            was_before & (kinked ^ True),
                         )  # fmt: skip
                         taken = taken | (kinked & ((late * (length - low) <= near) | (length - low <= near)))
                     if any_of(taken):
@@ -164,7 +164,7 @@ def _built(key: int) -> Callable[..., Any]:
                     low = where(taken, 0.0, where(kinked, low, length))
                     high = where(taken, remaining, where(kinked, length, high))
                     searching, tries = taken ^ True, tries + 1
-                    behind, ahead_of = searching & kinked, searching & (kinked ^ True)
+                    was_behind, was_before = searching & kinked, searching & (kinked ^ True)
                     # just behind the change, if the estimate is right; in between in any case
                     between = high - late * (high - low) + 0.5 * near
                     if tries > PATIENT:
