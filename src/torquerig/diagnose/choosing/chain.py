@@ -58,15 +58,19 @@ def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chai
     rival = _rival_of_first(case, found)
     if rival is not None:
         progress(f"beginning again with {rival.candidate.mechanism}")
-        other = _chain(case, held, progress, first=found.first, begin=rival)
+        other = _chain(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
         found = replace(other, instead=found) if _replaces(other, found) else found
     return found
 
 
 def _chain(
-    start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None, begin: Trial | None = None
-) -> Chain:
-    """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``."""
+    start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None,
+    begin: Trial | None = None, instead_of: str = "",
+) -> Chain:  # fmt: skip
+    """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``.
+
+    It ends where it comes to the mechanism ``instead_of`` which it was begun: it is no other chain.
+    """
     case, accepted, on_trial, fewest, tried = start, list[Accepted](), False, 1, first
     if begin is not None and first is not None:
         accepted = [Accepted(before=start, trial=begin, tried=first)]
@@ -93,6 +97,8 @@ def _chain(
         if small_beside(best, [each.trial for each in accepted]) and not stands_in_simulations(case, best):
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
+        if best.candidate.mechanism == instead_of:
+            return Chain(case=case, accepted=tuple(accepted), begun=begin, first=first, last=tried)
         case = with_all(start, accepted)
     if on_trial and (len(accepted) < fewest or not _together(start, case, accepted)):
         case, accepted = start, []
@@ -118,10 +124,13 @@ def _rival_of_first(case: Case, found: Chain) -> Trial | None:
     return max(rivals, key=lambda trial: trial.gain, default=None)
 
 
+def _begun_with(chain: Chain) -> str:
+    return "" if chain.begun is None else chain.begun.candidate.mechanism
+
+
 def _replaces(other: Chain, found: Chain) -> bool:
     """Whether another chain does without what was taken first, and does much better."""
-    stood_in = "" if found.begun is None else found.begun.candidate.mechanism
-    without = all(each.trial.candidate.mechanism != stood_in for each in other.accepted)
+    without = all(each.trial.candidate.mechanism != _begun_with(found) for each in other.accepted)
     return bool(other.accepted) and without and excess(other.case) < _MUCH_LESS * excess(found.case)
 
 

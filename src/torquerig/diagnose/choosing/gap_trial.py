@@ -11,16 +11,17 @@ from dataclasses import dataclass, replace
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.gap_width import width
 from torquerig.diagnose.choosing.opened_gap import ARCMIN, flanks_fly, flanks_may_part, opened
-from torquerig.diagnose.expecting.correction import between
+from torquerig.diagnose.expecting.correction import Correction, between
 from torquerig.diagnose.expecting.expectation import Expectation
 from torquerig.diagnose.expecting.phased import with_phases_of
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
-from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
+from torquerig.diagnose.fitting.calibration import MOST_DERIVATIVES, Calibrated, calibrated
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flight_statistics import chance_of_blows
 from torquerig.diagnose.looking.flights import blows
@@ -34,6 +35,7 @@ _CHATTERING = (1.5, 5.0, 15.0, 45.0)  # [arcmin] over what gaps in service are
 _ALIKE = 4.0  # of the misfit: 95 % of one number
 _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more than the twin
 _LEFT = 1.5  # the same, below which chatter explains it: moments of another kind would leave more
+_HOPELESS = 20.0  # the same, which no further fit brings down so far
 _SEEDS = (1,)
 
 
@@ -74,29 +76,43 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     scenario states has the stated width where nothing tells another.
     """
     untouched = [_slow_part(features) if flanks_may_part(features) else features for features in case.seen]
-    model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
+    model = calibrated(
+        base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)), jacobian=case.model.jacobian,
+        near=False,
+    )  # fmt: skip
     rigs = [with_phases_of(model.rig, features.observed) for features in case.seen]
     told = width(case, rigs)
     if told is None and not case.stated_gap and (case.accepted or case.nominal.parts_of(mechanisms.Quantization)):
         return None
     closed = _simulated(case, rigs, 0.0)[0]
 
-    def around(gap: float) -> FittedGap:
+    def fitted_on(start: NDArray[np.float64], corrections: Sequence[Correction], derivatives: int) -> Calibrated:
+        return calibrated(
+            base, case.seen, case.model.knobs, start=start, corrections=corrections, jacobian=case.model.jacobian,
+            derivatives=derivatives,
+        )  # fmt: skip
+
+    def around(gap: float, *, derivatives: int = MOST_DERIVATIVES) -> FittedGap:
         parted, copies = _simulated(case, rigs, gap)
         scatter = [_scatter(features, own) for features, own in zip(case.seen, copies, strict=True)]
-        fitted = calibrated(
-            base, case.seen, case.model.knobs, start=model.positions,
-            corrections=between(parted, closed, scatter=scatter), jacobian=case.model.jacobian, near=False,
-        )  # fmt: skip
-        return FittedGap(opened(case, gap), fitted)
+        corrections = between(parted, closed, scatter=scatter)
+        return FittedGap(opened(case, gap), fitted_on(model.positions, corrections, derivatives))
+
+    def better(rough: FittedGap) -> FittedGap:
+        found = fitted_on(rough.model.positions, rough.model.corrections, MOST_DERIVATIVES)
+        return replace(rough, model=found)
 
     if told is not None:
         width_told = opened(case, told.gap, within=told.within)
         return replace(around(told.gap), candidate=width_told, closed=told.closed, opened=told.opened)
     if case.stated_gap:
         return around(case.stated_gap)
-    best = _of_like(case, of_each(around, [gap * ARCMIN for gap in _CHATTERING]))
-    return best if max(_unexplained(case, best.model), default=np.inf) < _LEFT else None
+    roughly = of_each(lambda gap: around(gap * ARCMIN, derivatives=1), _CHATTERING)
+    hopeful = [rough for rough in roughly if max(_unexplained(case, rough.model), default=np.inf) < _HOPELESS]
+    if not hopeful:
+        return None
+    best = _of_like(case, of_each(better, hopeful))
+    return best if max(_unexplained(case, best.model)) < _LEFT else None
 
 
 def _unexplained(case: Case, model: Calibrated) -> list[float]:

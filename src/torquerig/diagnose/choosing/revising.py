@@ -51,7 +51,7 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
             before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
             kept[-1] = replace(kept[-1], before=before)
             continue
-        tried = trials(others, simulated=False)
+        tried = trials(others, simulated=False, to_beat=final.cost)
         better = tried.fitted[0] if tried.fitted else None
         if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
             kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
@@ -81,7 +81,7 @@ def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
     known = None if final.jacobian is None else final.jacobian[:, rows]
 
     def fitted(start: NDArray[np.float64]) -> Calibrated:
-        return calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known, near=False)
+        return calibrated(rig, first.seen, knobs, start=start, corrections=corrections, jacobian=known)
 
     model = min(of_each(fitted, (final.positions[rows], np.zeros(len(knobs)))), key=lambda each: each.cost)
     return replace(bare, model=model, left=unexplained(first.left, first, model), apart=None)

@@ -27,8 +27,9 @@ from torquerig.rig.rig import Rig
 
 MOST_EFFECTS = 3
 _POLISHED = 2  # of the best, which are fitted on until nothing moves
-_JOINT_DERIVATIVES = 3
+_JOINT_DERIVATIVES = 2  # sets: what ranks high is fitted on
 _CONTENDS = 0.5  # of the best gain from where the model stands: what has less is not begun from elsewhere
+_NEAR = 2.0  # times the cost that a trial is to beat: one above it is fitted no further
 WELL = 1.2  # misfit per feature below which a fit needs no second start
 _EXPLAINED = 5.0  # a line counts as explained when its residual is below this in every run
 _CLEARLY = 0.9  # share of the excess misfit that makes simulating a gap needless
@@ -46,20 +47,21 @@ class Tried:
     gap_failed: bool = False
 
 
-def trials(case: Case, *, simulated: bool = True) -> Tried:
+def trials(case: Case, *, simulated: bool = True, to_beat: float = np.inf) -> Tried:
     """Return the hypotheses fitted to what the model leaves.
 
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
     numbers free, from there and, what bends these numbers, as it was proposed. ``simulated`` ones, which take longest,
-    may be left out.
+    may be left out. What stays twice as far off as a model ``to_beat``, by its cost, is fitted no further.
     """
     sources = (*proposers(case), descriptions)
     last_first = sources[::-1]  # they take longest
     of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], last_first)
     tried = sorted((trial for each in reversed(of_sources) for trial in each), key=lambda trial: -trial.gain)
     last = [*finalists(tried), *given_way_to(case, tried)]
-    fitted = _one_of_a_kind(sorted(_fitted(case, last), key=lambda trial: -trial.gain))
-    promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN]
+    near = _NEAR * to_beat
+    fitted = _one_of_a_kind(sorted(_fitted(case, last, near=near), key=lambda trial: -trial.gain))
+    promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN and trial.model.cost < near]
     fitted[: len(promising)] = of_each(partial(_polished, case), promising)
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
@@ -126,17 +128,18 @@ def feature_count(model: Calibrated) -> int:
     return sum(misfit.seen for misfit in model.misfits)
 
 
-def _fitted(case: Case, screened_trials: Sequence[Trial]) -> list[Trial]:
+def _fitted(case: Case, screened_trials: Sequence[Trial], *, near: float) -> list[Trial]:
     """Return the trials with all numbers fitted together, each from the better of two beginnings.
 
     What is missing bends the numbers of the model that lacks it, sometimes too far to come back from where it stands.
     The other beginning, where the model stands apart from lines it lacks, costs twice as much: it is kept for those
-    that come near the best without it and are not right yet (in 62 rounds with 24 blind rigs of two effects no other
-    came first).
+    that come near the best without it (in 62 rounds with 24 blind rigs of two effects no other came first), below the
+    cost ``near``, and are not right yet.
     """
     begun = of_each(partial(_from_here, case), screened_trials)
     enough = _CONTENDS * max((trial.gain for trial in begun), default=0.0)
-    rows = [row for row, trial in enumerate(begun) if trial.gain > enough and not _fits_well(trial)]
+    contend = [trial.gain > enough and trial.model.cost < near and not _fits_well(trial) for trial in begun]
+    rows = np.flatnonzero(contend).tolist()
     again = of_each(partial(_from_apart, case), [screened_trials[row] for row in rows])
     for row, trial in zip(rows, again, strict=True):
         begun[row] = max(begun[row], trial, key=lambda one: one.gain)
@@ -149,7 +152,7 @@ def _fits_well(trial: Trial) -> bool:
 
 def _from_here(case: Case, trial: Trial) -> Trial:
     """Fit all numbers together, from where the model stands."""
-    return _joint(case, trial, trial.model.rig, case.model.positions, near=True)
+    return _joint(case, trial, trial.model.rig, case.model.positions)
 
 
 def _from_apart(case: Case, trial: Trial) -> Trial:
@@ -160,17 +163,17 @@ def _from_apart(case: Case, trial: Trial) -> Trial:
     beside = trial.candidate.added_to(turned(case.nominal_with_accepted(), case.model.knobs, apart))
     held = case.model.corrections or None
     alone = calibrated(beside, case.seen, trial.candidate.knobs, derivatives=_JOINT_DERIVATIVES, corrections=held)
-    return _joint(case, trial, alone.rig, apart, near=False)
+    return _joint(case, trial, alone.rig, apart)
 
 
-def _joint(case: Case, trial: Trial, own: Rig, nuisance: NDArray[np.float64], *, near: bool) -> Trial:
+def _joint(case: Case, trial: Trial, own: Rig, nuisance: NDArray[np.float64]) -> Trial:
     """Fit the numbers of the model, which begin at ``nuisance``, and the candidate's, which begin as in ``own``."""
     parts = tuple(own.part(part.name) for part in trial.candidate.parts)
     placed = replace(trial.candidate, parts=parts)
     model = calibrated(
         placed.added_to(case.nominal_with_accepted()), case.seen, (*case.model.knobs, *placed.knobs),
         start=np.concatenate([nuisance, np.zeros(len(placed.knobs))]), derivatives=_JOINT_DERIVATIVES,
-        corrections=case.model.corrections or None, jacobian=case.model.jacobian, near=near,
+        corrections=case.model.corrections or None, jacobian=case.model.jacobian,
     )  # fmt: skip
     gain = case.model.cost - model.cost - PER_KNOB * len(placed.knobs) - placed.price
     return Trial(placed, model, gain, alone=trial.alone)

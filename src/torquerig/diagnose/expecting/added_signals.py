@@ -60,7 +60,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
             impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
-            rung = stage.density_between(*seen.band_edges, impacts) * np.abs(twin.amplifier(seen.band)) ** 2
+            rung = stage.density_between(*seen.band_edges, impacts) * twin.amplifier_power(seen.band)
             power, ringing = power + rung, ringing + rung
             struck = np.hypot(struck, _struck(stage, twin, seen))
     return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing)
@@ -88,7 +88,7 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
             if abs(apart - turns * stage.turns) < reach
         ]
         if by_zone:
-            density = stage.density(np.array([at]), each * revolutions) * np.abs(twin.amplifier(np.array([at]))) ** 2
+            density = stage.density(np.array([at]), each * revolutions) * twin.amplifier_power(np.array([at]))
             answer[column] = by_zone[0] * np.sqrt(2 * float(density[0]) * each * revolutions)
     return answer
 

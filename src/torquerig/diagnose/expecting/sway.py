@@ -93,8 +93,9 @@ class Sway:
             beside = np.concatenate([line - apart, line + apart])
             every, own = [line.transfer for line in self.lines], np.unique(fast)
             at_line = np.zeros((len(every), self.turns.size), dtype=np.complex128)
-            at_line[own] = passed(every, self.orders[own] * self.turns, own)
-            below, above = np.split(passed(every, beside * self.turns, np.tile(fast, 2)), 2)
+            asked = np.concatenate([self.orders[own], beside]) * self.turns
+            at_each = passed(every, asked, np.concatenate([own, fast, fast]))
+            at_line[own], below, above = np.split(at_each, [own.size, own.size + fast.size])
             relative = np.concatenate([below / at_line[fast], above / at_line[fast]])
             orders.append(beside[:, 0])
             reached = np.abs(relative - 1) if self.seen.observed.angle_measured else np.abs(relative)

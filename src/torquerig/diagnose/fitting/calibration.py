@@ -16,7 +16,7 @@ from torquerig.diagnose.fitting.misfit import BEND, Misfit, misfit, misfit_sum
 from torquerig.diagnose.looking.features import Features
 from torquerig.rig.rig import Rig
 
-_MOST_DERIVATIVES = 6  # sets of them
+MOST_DERIVATIVES = 6  # sets of them
 LIMIT = 7.0  # a knob goes no further than this many of its spreads
 
 
@@ -65,7 +65,7 @@ def misfits_of(
 
 def calibrated(
     rig: Rig, seen: Sequence[Features], knobs: Sequence[Knob], *, start: NDArray[np.float64] | None = None,
-    derivatives: int = _MOST_DERIVATIVES, corrections: Sequence[Correction] | None = None,
+    derivatives: int = MOST_DERIVATIVES, corrections: Sequence[Correction] | None = None,
     jacobian: NDArray[np.float64] | None = None, near: bool = True,
 ) -> Calibrated:  # fmt: skip
     """Return the rig whose knobs minimise the misfit plus the squares of their positions (a log-normal prior).

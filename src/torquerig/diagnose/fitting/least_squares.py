@@ -17,6 +17,7 @@ _LITTLE = 0.8  # of the cost where derivatives were made: above it they are take
 _FAR_LESS = 0.1  # times that for a step that does not hold what derivatives promise
 _STILL = 1e-5  # length of a step that is none
 _HALVINGS = 40
+_REWEIGHTED = 3  # times a step, by the same derivatives
 
 
 @dataclass(frozen=True)
@@ -43,10 +44,10 @@ def minimum(
     A ``jacobian`` of the first knobs from an earlier fit tells which knobs share residuals; where that fit ended
     ``near`` the start, it saves making their derivatives at the beginning.
 
-    Gauss-Newton steps on reweighted residuals, no longer than a radius that shrinks where a step falls short of what
-    the derivatives promise. Between fresh difference quotients, of which there are at most ``derivatives`` sets, the
-    derivatives follow by Broyden's rank-one update; they are made anew where two steps in a row fall short, and where
-    they promise no more after the cost has fallen far.
+    Gauss-Newton steps on residuals that are reweighted within each step, no longer than a radius that shrinks where a
+    step falls short of what the derivatives promise. Between fresh difference quotients, of which there are at most
+    ``derivatives`` sets, the derivatives follow by Broyden's rank-one update; they are made anew where two steps in a
+    row fall short, and where they promise no more after the cost has fallen far.
 
     Source: More and Sorensen 1983, SIAM J. Sci. Stat. Comput. 4(3); Broyden 1965, Math. Comp. 19; Holland and Welsch
     1977, Commun. Statist. A6 (the weights). Local: it finds the valley that ``start`` lies in.
@@ -123,8 +124,22 @@ def _cost(found: Floats, here: Floats, bend: float) -> float:
 
 
 def _move(slopes: Floats, found: Floats, here: Floats, *, radius: float, limit: float, bend: float) -> Floats:
-    """Return the best step about as long as ``radius`` at most that leaves no knob beyond its limit."""
-    weighted = slopes * weights(found, bend)[:, None]
+    """Return the best step about as long as ``radius`` at most that leaves no knob beyond its limit.
+
+    Residuals far off count by their size, so their weights follow the step that they are weighted for.
+    """
+    step = np.zeros(here.size)
+    for _ in range(_REWEIGHTED):
+        counted = weights(found + slopes @ step, bend)
+        step = _weighted_move(slopes, found, here, counted, radius=radius, limit=limit)
+    return step
+
+
+def _weighted_move(
+    slopes: Floats, found: Floats, here: Floats, counted: Floats, *, radius: float, limit: float
+) -> Floats:
+    """Return the same where each residual's square counts by ``counted``."""
+    weighted = slopes * counted[:, None]
     gradient, curvature = weighted.T @ found + here, weighted.T @ slopes + np.eye(here.size)
     free = (np.abs(here) < limit) | (gradient * here > 0)
     step = np.zeros(here.size)

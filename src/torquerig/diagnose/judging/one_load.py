@@ -23,6 +23,7 @@ from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnose.judging.chance import by_chance
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.kept import kept
 from torquerig.diagnose.looking.sample_faults import moments_lost
 
 Floats = NDArray[np.float64]
@@ -43,7 +44,7 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
     if case.model.corrections:
         return
     # what fills moments without signal rings in the dips
-    whole = [each for each in band_excesses(case) if not moments_lost(each.features.observed.recording)]
+    whole = [each for each in band_excesses(case) if not _loses_moments(each.features)]
     every = [_of_the_load(each) for each in whole]
     places = sum(each.log.size for each in every)
     for one in every:
@@ -53,6 +54,11 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
         residual = _apart(one, others)
         for start, stop in _runs_of(residual):
             yield _mismatch(one, residual, slice(start, stop), total, places)
+
+
+@kept
+def _loses_moments(seen: Features) -> bool:
+    return bool(moments_lost(seen.observed.recording))
 
 
 def _of_the_load(run: BandExcess) -> BandExcess:

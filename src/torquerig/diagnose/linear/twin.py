@@ -128,6 +128,10 @@ class Twin:
         square = ratio**2
         return np.asarray((1 - square - 1j * sqrt(2) * ratio) / (1 + square**2))
 
+    def amplifier_power(self, frequencies: Floats) -> Floats:
+        """Return what that low-pass leaves of a density [1]."""
+        return np.asarray(1 / (1 + (frequencies / self.cutoff) ** 4))
+
     def torque_on(self, node: str, against: str = GROUND) -> Passage:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""
         sway = _torque(self.shafts.angle, node, against) if self.shafts.angle else None
@@ -233,7 +237,7 @@ class Twin:
     @cached_property
     def _load(self) -> Floats:
         """Density of random loads in the reading on the grid of the shafts."""
-        passed = np.abs(self.amplifier(self.shafts.frequency)) ** 2
+        passed = self.amplifier_power(self.shafts.frequency)
         return np.asarray(self._driven(self.shafts.reading) * passed + _NOTHING)
 
     @cached_property
