@@ -76,10 +76,7 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     scenario states has the stated width where nothing tells another.
     """
     untouched = [_slow_part(features) if flanks_may_part(features) else features for features in case.seen]
-    model = calibrated(
-        base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)), jacobian=case.model.jacobian,
-        near=False,
-    )  # fmt: skip
+    model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
     rigs = [with_phases_of(model.rig, features.observed) for features in case.seen]
     told = width(case, rigs)
     if told is None and not case.stated_gap and (case.accepted or case.nominal.parts_of(mechanisms.Quantization)):
