@@ -144,3 +144,19 @@ def test_what_the_first_beginning_found_is_kept_beside_what_took_its_place(
     assert found.instead.findings == ("mesh",)
     del world["blades", "hum"]
     assert findings.searched(case_of((), world[()]), (), lambda _: None).instead is None
+
+
+def test_a_rival_that_leads_to_what_was_taken_first_is_followed_no_further(
+    world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    del world["blades", "hum"]
+    world["blades", "mesh"] = 200.0
+    tried, asked = chain.trials, list[tuple[str, ...]]()
+
+    def counted(case: Any) -> Tried:
+        asked.append(case.names)
+        return tried(case)
+
+    monkeypatch.setattr(chain, "trials", counted)
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
+    assert asked == [(), ("mesh",), ("blades",)]

@@ -73,3 +73,24 @@ def test_the_middle_of_the_widths_that_fit_as_well(
 
 def _costing(cost: float, scenario: Scenario) -> Calibrated:
     return Calibrated(scenario.rig, (), np.zeros(0), np.zeros((0, 0)), (), cost, ())
+
+
+@pytest.mark.parametrize(("left", "fits"), [(3.0, 8), (30.0, 4)], ids=["near", "hopeless"])
+def test_gaps_whose_chatter_is_far_from_the_recordings_are_fitted_roughly_only(
+    left: float, fits: int, known_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    case = Case(nominal=known_rig.rig, runs=(), seen=(), model=_costing(0.0, known_rig), left=())
+    made = list[int]()
+
+    def fitted(*_: object, derivatives: int = 0, corrections: object = None, **__: object) -> Calibrated:
+        if corrections is not None:
+            made.append(derivatives)
+        return _costing(0.0, known_rig)
+
+    monkeypatch.setattr(gap_trial, "calibrated", fitted)
+    monkeypatch.setattr(gap_trial, "_unexplained", lambda *_: [left])
+    for name, answer in (("width", None), ("_simulated", ((), [])), ("between", ())):
+        monkeypatch.setattr(gap_trial, name, lambda *_, answer=answer, **__: answer)
+    assert fitted_gap(case, known_rig.rig) is None
+    assert len(made) == fits
+    assert made[:4] == [1] * 4

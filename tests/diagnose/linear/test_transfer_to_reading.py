@@ -122,3 +122,8 @@ def test_a_varying_mesh_stiffness_is_the_line_that_its_load_makes(wear_rig: Scen
     assert found.order == pytest.approx(expected.order, rel=1e-12)
     assert found.amplitude == pytest.approx(expected.amplitude, rel=0.02)
     assert found.amplitude > 0
+
+
+def test_what_the_amplifier_leaves_of_a_density_is_the_square_of_what_it_leaves_of_a_line(wear_rig: Scenario) -> None:
+    twin = Twin(wear_rig.rig)
+    np.testing.assert_allclose(twin.amplifier_power(PROBED), np.abs(twin.amplifier(PROBED)) ** 2, rtol=1e-12)

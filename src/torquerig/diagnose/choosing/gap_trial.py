@@ -73,7 +73,8 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
 
     The numbers of the model are first fitted to what a gap leaves alone: loaded runs, and the slow torque of all. The
     width is then told, and all features are fitted once more, corrected for what the gap changes. A gap that the
-    scenario states has the stated width where nothing tells another.
+    scenario states has the stated width where nothing tells another. Gaps that chatter are fitted roughly at first, and
+    on only where that brings them anywhere near the recordings.
     """
     untouched = [_slow_part(features) if flanks_may_part(features) else features for features in case.seen]
     model = calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
