@@ -81,20 +81,21 @@ def test_a_robust_square_is_a_square_for_small_residuals_and_grows_in_proportion
     np.testing.assert_allclose(weights(at, 4.0), slope / (2 * at), rtol=1e-6)
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_outliers_of_a_linear_model_cost_no_further_derivatives(seed: int) -> None:
-    """Its derivatives hold everywhere, so a step that is reweighted for where it leads needs one set of them."""
+@pytest.mark.parametrize("seed", range(3))
+def test_many_outliers_of_a_linear_model_cost_no_further_derivatives(seed: int) -> None:
+    """Its derivatives hold everywhere, so steps that are reweighted for where they lead need one set of them."""
     rng, count = np.random.default_rng(seed), [0]
     matrix, wanted = rng.standard_normal((60, 8)), rng.standard_normal(60)
-    wanted[::6] += 100 * rng.standard_normal(10)
+    wanted[::3] += 100 * rng.standard_normal(20)
 
     def residuals(x: np.ndarray) -> np.ndarray:
         count[0] += 1
         return matrix @ x - wanted
 
     found = minimum(residuals, np.zeros(8), limit=LIMIT, derivatives=1, bend=4.0)
-    assert count[0] <= 1 + 8 + 6
+    assert count[0] <= 1 + 8 + 2
     peer = least_squares(
-        lambda x: np.concatenate([np.sqrt(robust_square(residuals(x), 4.0)), x]), np.zeros(8), bounds=(-LIMIT, LIMIT)
-    )
-    assert found.cost <= 2 * peer.cost * (1 + 2e-3)
+        lambda x: np.concatenate([np.sqrt(robust_square(residuals(x), 4.0)), x]),
+        np.zeros(8), bounds=(-LIMIT, LIMIT), xtol=1e-14, ftol=1e-14, gtol=1e-14,
+    )  # fmt: skip
+    assert found.cost <= 2 * peer.cost * (1 + 2e-5)
