@@ -11,7 +11,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import around_gap
 from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.convincing import convincing
-from torquerig.diagnose.choosing.gap_trial import FittedGap
+from torquerig.diagnose.choosing.gap_fits import FittedGap
 from torquerig.diagnose.choosing.revising import Accepted
 from torquerig.diagnose.choosing.search import Tried
 from torquerig.diagnose.choosing.trial import Trial

@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing import gap_trial
-from torquerig.diagnose.choosing.gap_trial import (  # the choice itself, without simulations
-    FittedGap,
-    _of_like,
-    fitted_gap,
-)
+from torquerig.diagnose.choosing import chattering, gap_fits, gap_trial
+from torquerig.diagnose.choosing.chattering import _of_like  # the choice itself, without simulations
+from torquerig.diagnose.choosing.gap_fits import FittedGap, GapFits
+from torquerig.diagnose.choosing.gap_trial import fitted_gap
 from torquerig.diagnose.choosing.opened_gap import ARCMIN, opened
 from torquerig.diagnose.diagnose import diagnose
 from torquerig.diagnose.fitting.calibration import Calibrated
@@ -44,8 +42,9 @@ def test_a_gap_is_named_by_the_spectrum_of_its_chatter(known_rig: Scenario, reco
 def test_a_gap_that_nothing_tells_is_none(known_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> None:
     """Single flights in several runs ask for a gap; where flanks part in none of them, chatter explains nothing."""
     case = Case(nominal=known_rig.rig, runs=(), seen=(), model=_costing(0.0, known_rig), left=())
-    for name, answer in (("calibrated", _costing(0.0, known_rig)), ("width", None), ("_simulated", ((), []))):
-        monkeypatch.setattr(gap_trial, name, lambda *_, answer=answer, **__: answer)
+    monkeypatch.setattr(gap_fits, "calibrated", lambda *_, **__: _costing(0.0, known_rig))
+    monkeypatch.setattr(gap_trial, "width", lambda *_: None)
+    monkeypatch.setattr(GapFits, "_simulated", lambda *_: ((), []))
     assert fitted_gap(case, known_rig.rig) is None
 
 
@@ -87,10 +86,10 @@ def test_gaps_whose_chatter_is_far_from_the_recordings_are_fitted_roughly_only(
             made.append(derivatives)
         return _costing(0.0, known_rig)
 
-    monkeypatch.setattr(gap_trial, "calibrated", fitted)
-    monkeypatch.setattr(gap_trial, "_unexplained", lambda *_: [left])
-    for name, answer in (("width", None), ("_simulated", ((), [])), ("between", ())):
-        monkeypatch.setattr(gap_trial, name, lambda *_, answer=answer, **__: answer)
+    monkeypatch.setattr(gap_fits, "calibrated", fitted)
+    monkeypatch.setattr(chattering, "unexplained", lambda *_: [left])
+    monkeypatch.setattr(gap_trial, "width", lambda *_: None)
+    monkeypatch.setattr(GapFits, "_simulated", lambda *_: ((), []))
     assert fitted_gap(case, known_rig.rig) is None
     assert len(made) == fits
     assert made[:4] == [1] * 4

@@ -9,5 +9,6 @@ chain        one after the other, and once more begun elsewhere
 set_aside    what was not fitted, and why          around_gap   a gap told again beside a further effect
 secondary    what is small beside a large effect  numbers_held  before all is withdrawn
 opened_gap   where flanks may part                 gap_width    how wide the gap is
+gap_fits     a model fitted around a gap           chattering   a gap that its chatter tells
 possible     whether its numbers are such as can be
 """

@@ -34,3 +34,10 @@ def opened(case: Case, gap: float, *, within: tuple[float, float] | None = None)
     gear = gears_to_sensor(case.nominal)[-1]
     part = mechanisms.Backlash(name="backlash", gear=gear.name, gap=gap)
     return Candidate(mechanism="backlash", parts=(part,), knobs=(), within={} if within is None else {"gap": within})
+
+
+def gap_of(candidate: Candidate) -> float:
+    """Return the width [rad] of a gap that is a candidate."""
+    (part,) = candidate.parts
+    assert isinstance(part, mechanisms.Backlash)
+    return part.gap
