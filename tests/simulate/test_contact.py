@@ -47,3 +47,10 @@ def test_straight_torques_tell_exactly_what_lies_behind_the_change(
     touching: float, low: tuple[float, float], high: tuple[float, float], share: float
 ) -> None:
     assert overshoot(touching, *low, *high) == pytest.approx(share)
+
+
+@pytest.mark.parametrize("touching", [0.0, 1.0, 2.0])
+@pytest.mark.parametrize("torque", [0.0, 0.7, -0.7])
+def test_torques_that_are_alike_at_both_ends_tell_no_moment(touching: float, torque: float) -> None:
+    """A damped spring at rest between its flanks: nothing to divide by."""
+    assert overshoot(touching, torque, torque, torque, torque) == 0.5

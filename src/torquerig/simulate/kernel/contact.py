@@ -49,7 +49,9 @@ def overshoot(touching, first_low, second_low, first_high, second_high):
 @njit(fastmath=FAST, inline="always")
 def _behind(low, high):
     """Return the share of an interval in which a torque is above zero; nothing where it is not at the end."""
-    return where(high > 0.0, where(low < 0.0, high / (high - low), 1.0), 0.0)
+    crosses = (high > 0.0) & (low < 0.0)
+    share = high / where(crosses, high - low, 1.0)  # both ends may be alike
+    return where(crosses, share, where(high > 0.0, 1.0, 0.0))
 
 
 @njit(fastmath=FAST, inline="always")
