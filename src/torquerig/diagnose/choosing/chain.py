@@ -97,9 +97,9 @@ def _chain(
         if small_beside(best, [each.trial for each in accepted]) and not stands_in_simulations(case, best):
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
+        case = with_all(start, accepted)
         if best.candidate.mechanism == instead_of:
             return Chain(case=case, accepted=tuple(accepted), begun=begin, first=first, last=tried)
-        case = with_all(start, accepted)
     if on_trial and (len(accepted) < fewest or not _together(start, case, accepted)):
         case, accepted = start, []
     begun = accepted[0].trial if accepted else None
