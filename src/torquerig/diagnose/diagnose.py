@@ -129,7 +129,7 @@ def diagnose(
     named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
     found_more = bool(named or faults.candidates or sought.descriptions)
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
-    if not (left or found or sought.descriptions):
+    if not (left or named or sought.descriptions):
         left = misfit_as_a_whole(after, held_out=fit.after)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
     diagnosis = Diagnosis(

@@ -12,6 +12,7 @@ from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
 from torquerig.diagnose.choosing.confidence import confidence_of
 from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, worthiest
 from torquerig.diagnose.choosing.explained import (
+    HARDLY_ANY,
     LARGEST_REST,
     LEAST_SHARE_WHERE_ALL_FITS,
     explained_share,
@@ -94,7 +95,8 @@ def _chain(
             break
         of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
         best = worthiest(case, [*of_each.values()])
-        if small_beside(best, [each.trial for each in accepted]) and not stands_in_simulations(case, best):
+        in_doubt = small_beside(best, [each.trial for each in accepted]) or (accepted and best.candidate.description)
+        if in_doubt and not stands_in_simulations(case, best):
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
@@ -155,12 +157,13 @@ def _stands(final: Case, accepted: Accepted) -> bool:
     """Whether an effect leaves its places right in the final model, with numbers such as can be, and is likely."""
     likely = bool(accepted.trial.candidate.description) or confidence_of(final, accepted) > LEAST_CONFIDENCE
     possible = can_be(accepted.trial.candidate, final.model)
-    return likely and possible and rest_of(final, accepted) < LARGEST_REST
+    missed = rest_of(accepted.before, accepted)
+    return likely and possible and rest_of(final, accepted) < max(LARGEST_REST, HARDLY_ANY * missed)
 
 
-def rest_of(final: Case, accepted: Accepted) -> float:
-    """Return the mean robust square that the final model leaves of the slow torque at an effect's places [1]."""
-    return left_at_its_places(accepted.before.model.misfits, accepted.trial.model.misfits, final.model.misfits)
+def rest_of(case: Case, accepted: Accepted) -> float:
+    """Return the mean robust square that a case's model leaves of the slow torque at an effect's places [1]."""
+    return left_at_its_places(accepted.before.model.misfits, accepted.trial.model.misfits, case.model.misfits)
 
 
 def _said(accepted: Accepted) -> str:

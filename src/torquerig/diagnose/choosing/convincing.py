@@ -25,6 +25,7 @@ _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may ga
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 # a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less
+# (of what noise resembles all that it would need: no mode of 150 clean rigs gains 12, those that are there do)
 _WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
 # one that gains so much, and as much on what no fit has seen, may leave more at its places: clean rigs reach 55
 _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
@@ -61,7 +62,8 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
         return False
     alone = not (earlier or trial.candidate.description)
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
-    borne_out = share > _WHOLE and trusted > _AGAIN and not trial.candidate.resembled
+    again_enough = trusted * trial.gain > least if trial.candidate.resembled else trusted > _AGAIN
+    borne_out = share > _WHOLE and again_enough
     beside_more = _mode(trial) and excess(case) > 2 * trial.gain  # what else is wrong with the shafts moves their modes
     enough = max(_enough(trial, trusted), _WHOLE if beside_more else 0.0)
     return share > enough and (trial.gain > least or borne_out)

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 from torquerig.diagnose.judging.share_explained import CHANGED, share_explained
 
-LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given
+LARGEST_REST = 6.0  # mean square left at an effect's places above which no name is given ...
+HARDLY_ANY = 0.04  # ... unless it is so little of what was missed there: no stand-in comes as near
 _FEW = 5
 _SLOW_PART = 0.05  # of all that an effect takes away, below which the slow torque is not what it was taken for
 LEAST_SHARE_WHERE_ALL_FITS = 0.6  # what is left may be chance where nothing else stands out

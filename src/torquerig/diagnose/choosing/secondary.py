@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.choosing.trial import Trial
+from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.judging.by_simulation import left_by_simulation
+from torquerig.diagnose.judging.by_simulation import fall_by_simulation, left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.places import SAME_ORDER, Place
 
 _SMALL = 0.03  # of what an effect took that was found earlier
+_AGAIN = 1 / 3  # of what a trial gains: it gains so much beside simulations of the rig without it, too
 
 
 def small_beside(trial: Trial, earlier: Sequence[Trial]) -> bool:
@@ -35,12 +36,17 @@ def _of_the_sensor(candidate: Candidate) -> bool:
 def stands_in_simulations(case: Case, trial: Trial) -> bool:
     """Whether something of what the trial explains is still missing where the case's rig is simulated.
 
-    Of an order that is its line, and the band around it in the runs where noise beside it stands out.
+    Of an order that is its line, and the band around it in the runs where noise beside it stands out. What sets out to
+    explain no line may act in many places of which none stands out: it must gain there what it gained.
     """
     place, ratio = trial.candidate.place, abs(case.nominal.run.gear_ratio or 1.0)
     left = mismatches(case)
     its = left if place is None else [each for each in left if _at(each, place, ratio) or _around(each, place, case)]
-    return bool(left_by_simulation(case, its))
+    if left_by_simulation(case, its):
+        return True
+    if place is not None or trial.model.corrections:
+        return False
+    return fall_by_simulation(case, trial.model.rig) > max(_AGAIN * trial.gain, LEAST_GAIN)
 
 
 def _at(mismatch: Mismatch, place: Place, ratio: float) -> bool:

@@ -17,7 +17,7 @@ from torquerig.rig.parts import Motor
 _STRONGEST = 5
 _MAIN = (6, 12)  # field orders of a six-step drive
 _UNBALANCED = (1, 2)  # those of phases that are not alike
-_SKIRTED = 0.05  # [1] depth at which one that shows no line is started
+_SKIRTED, _OF_FIRST = 0.05, 0.25  # [1] depth at which one that shows no line is started, its second harmonic to it
 _START = 0.01
 _HARMONICS = 4
 _BESIDE_THE_FIELD = 100.0  # no current of the motor turns so: what else it may be is likelier, if not by far the worse
@@ -63,7 +63,10 @@ def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:
 
 
 def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
-    """Yield a ripple of each main field order whose line is none or small: an unsteady load leaves noise beside it."""
+    """Yield a ripple of each main field order whose line is none or small: an unsteady load leaves noise beside it.
+
+    And beside twice the order, where it has a second harmonic: that is asked apart, as none stands out as a line.
+    """
     modelled = [place for place in case.seen[0].places if place not in case.seen[0].unknown]
     shown = [place.at for place in (*modelled, *(peak.place for peak in case.left)) if place.domain == "order"]
     for multiple in _MAIN:
@@ -72,11 +75,13 @@ def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motor.name, order_motor=order_motor, depth=_SKIRTED
             )
-            knobs = (Knob(part.name, "depth", 1.0),)
-            yield Candidate(
-                mechanism="commutation_ripple", parts=(part,), knobs=knobs, place=order(order_motor),
-                price=_price(motor, order_motor) + BY_SKIRTS,
+            alone = Candidate(
+                mechanism="commutation_ripple", parts=(part,), knobs=(Knob(part.name, "depth", 1.0),),
+                place=order(order_motor), price=_price(motor, order_motor) + BY_SKIRTS,
             )  # fmt: skip
+            yield alone
+            second = replace(part, harmonics=(_OF_FIRST * _SKIRTED,))
+            yield replace(alone, parts=(second,), knobs=(*alone.knobs, Knob(part.name, "harmonics", 1.0, key=0)))
 
 
 def _price(motor: Motor, order_motor: float) -> float:

@@ -11,17 +11,19 @@ from dataclasses import replace
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.expecting.correction import between
+from torquerig.diagnose.expecting.correction import Correction, between
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.expecting.phased import with_phases_of
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.calibration import misfits_of
+from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.flights import CLEARLY, flights_counted
 from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
 from torquerig.errors import SimulationError
+from torquerig.rig.rig import Rig
 
 _SEEDS = (11,)
 
@@ -30,19 +32,37 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
     """Return what of ``left`` stands out where the case's rig is simulated instead; all of it where it cannot be."""
     if not left:
         return ()
-    rig = case.model.rig
-    rigs = [with_phases_of(rig, features.observed) for features in case.seen]
     try:
-        copies = simulated_runs(rigs, case.seen, seeds=_SEEDS)
+        copies, beyond = _beyond_the_twin(case)
     except SimulationError:
         return tuple(left)
-    twin = [expected(rig, features) for features in case.seen]
-    scatter = [each.scatter for each in case.model.corrections]
-    beyond = between(expected_from(rig, case.seen, copies), twin, scatter=scatter)
-    simulated = replace(case, model=replace(case.model, misfits=misfits_of(rig, case.seen, beyond)))
+    simulated = replace(case, model=replace(case.model, misfits=misfits_of(case.model.rig, case.seen, beyond)))
     found = mismatches(simulated, beyond)
     again = [each for each in found if each.domain != "distribution" or _flies_more(case, copies)]
     return tuple(mismatch for mismatch in left if any(_same(mismatch, other) for other in again))
+
+
+def fall_by_simulation(case: Case, other: Rig) -> float:
+    """Return by how much the misfit falls with another rig, beside what simulations of the case's rig have of their own.
+
+    0 where it cannot be simulated: nothing then speaks for the other.
+    """
+    try:
+        _, beyond = _beyond_the_twin(case)
+    except SimulationError:
+        return 0.0
+    before, after = (misfits_of(rig, case.seen, beyond) for rig in (case.model.rig, other))
+    return misfit_sum(before) - misfit_sum(after)
+
+
+def _beyond_the_twin(case: Case) -> tuple[list[list[Observed]], list[Correction]]:
+    """Return simulations of the case's rig, one list a run, and what they have beyond its twin."""
+    rig = case.model.rig
+    rigs = [with_phases_of(rig, features.observed) for features in case.seen]
+    copies = simulated_runs(rigs, case.seen, seeds=_SEEDS)
+    twin = [expected(rig, features) for features in case.seen]
+    scatter = [each.scatter for each in case.model.corrections]
+    return copies, between(expected_from(rig, case.seen, copies), twin, scatter=scatter)
 
 
 def _flies_more(case: Case, copies: Sequence[Sequence[Observed]]) -> bool:

@@ -31,7 +31,7 @@ SHORTEST, _LONG = 4e-3, 12e-3  # [s]; of five in 18 rigs without a gap the longe
 UNDRIVEN = 0.03  # [N m] what friction and weak inertias ask for
 _NEAR_LEVEL = 0.012  # [N m] by which the torque leaves the level of a flight where the flanks part
 _SLOPE = 2.5e-3  # [s] each way, over which the speed at the parting is taken
-_SMALLEST = 0.01  # quantile: what was mended moves by less
+_SMALLEST = 0.05  # of all that a torque moves by, the smallest steps: what was mended is less
 _TRIMMED, _OF_TRIMMED = 0.95, 0.871  # quantile, and the rms of a normal variate below it
 
 
@@ -125,7 +125,10 @@ def _code(observed: Observed) -> float:
     """Return the step of coarse codes [N m]: the smallest of a torque that mostly takes none; else 0."""
     steps = np.abs(np.diff(observed.torque))
     moving = steps[steps > 0]
-    return float(np.quantile(moving, _SMALLEST)) if 0 < moving.size < 0.5 * steps.size else 0.0
+    if not 0 < moving.size < 0.5 * steps.size:
+        return 0.0
+    moved = np.cumsum(np.sort(moving))
+    return float(np.sort(moving)[np.searchsorted(moved, _SMALLEST * moved[-1])])
 
 
 def _smooth(observed: Observed) -> Floats:
