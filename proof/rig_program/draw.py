@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from proof.rig_program.effect_draws import draw_effect, draw_pair, plan_kind
+from proof.rig_program.effect_draws import draw_effect, draw_pair, plan_kind, shows
 from proof.rig_program.effects.effect import Effect, Setting
 from proof.rig_program.laws import SAME_LAWS, Laws, draw_laws
 from proof.rig_program.plan import PlanKind, Run, draw_plan
@@ -66,6 +66,8 @@ def draw_case(
     laws = draw_laws(rng)
     sort = plan_kind(rng, kinds)
     plan = draw_plan(rng, sort, duration=duration)
+    while not shows(plan, kinds):
+        plan = draw_plan(rng, sort, duration=duration)
     sizes = tuple(float(rng.uniform(0.3 if second else 0.0, 1.0)) for _ in kinds)
     setting = Setting(rig, plan)
     effects = tuple(draw_effect(rng, kind, setting, size=size) for kind, size in zip(kinds, sizes, strict=True))

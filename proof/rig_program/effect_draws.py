@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -33,7 +33,7 @@ from proof.rig_program.effects.telegraph import draw_telegraph
 from proof.rig_program.effects.time_base_jump import draw_time_base_jump
 from proof.rig_program.effects.tone_bursts import draw_tone_bursts
 from proof.rig_program.effects.torsional_mode import draw_torsional_mode
-from proof.rig_program.plan import PlanKind
+from proof.rig_program.plan import PlanKind, Profile, Run
 
 IN_LIBRARY: dict[str, Callable[..., Effect]] = {
     "gear_mesh": draw_gear_mesh,
@@ -108,3 +108,8 @@ def plan_kind(rng: np.random.Generator, kinds: tuple[str, ...]) -> PlanKind:
         del weights[PlanKind.ONE_SPEED]
     total = sum(weights.values())
     return list(weights)[int(rng.choice(len(weights), p=[w / total for w in weights.values()]))]
+
+
+def shows(plan: Sequence[Run], kinds: tuple[str, ...]) -> bool:
+    """Whether some run of a plan can show these kinds at all: under a load that never ceases no flanks part."""
+    return "backlash" not in kinds or any(run.occupancy == 0 or run.profile is Profile.REVERSAL for run in plan)

@@ -16,13 +16,15 @@ from proof.rig_program.effect_draws import (
     draw_effect,
     draw_pair,
     plan_kind,
+    shows,
 )
 from proof.rig_program.effects.effect import Setting, between
 from proof.rig_program.effects.stribeck_friction import StribeckFriction
 from proof.rig_program.laws import SAME_LAWS
-from proof.rig_program.plan import PlanKind, Run, draw_plan
+from proof.rig_program.plan import PlanKind, Profile, Run, draw_plan
 from proof.rig_program.recording import record
 from proof.rig_program.true_rig import draw_true_rig
+from proof.trials import draw_trials
 
 CONTRACTS = Path(__file__).resolve().parents[2] / ".." / "shared" / "CONTRACTS.md"
 KINDS = [*IN_LIBRARY, *IN_NO_LIBRARY]
@@ -139,6 +141,16 @@ def test_effects_that_need_speeds_or_turning_get_them():
     for kind in NEEDS_TURNING:
         kinds = {plan_kind(rng, (kind,)) for _ in range(60)}
         assert kinds <= {PlanKind.TURNING, PlanKind.OTHER}
+
+
+def test_a_gap_is_hidden_only_where_flanks_may_part():
+    """Case 35 of seed 106 was drawn under loads that never let go: its recordings held nothing of the gap."""
+    loaded = (Run(1000.0, Profile.STEADY, 5.0), Run(800.0, Profile.RAMP, 5.0))
+    assert not shows(loaded, ("backlash",))
+    assert shows(loaded, ("cogging",))
+    assert shows((*loaded, Run(500.0, Profile.STEADY, 0.0)), ("backlash",))
+    assert shows((*loaded, Run(500.0, Profile.REVERSAL, 5.0)), ("cogging", "backlash"))
+    assert any(run.occupancy == 0 or run.profile is Profile.REVERSAL for run in draw_trials(106, 100)[34].plan)
 
 
 def test_sizes_are_even_in_their_logarithm():

@@ -227,6 +227,8 @@ def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
     assert judged_again(before, effect, share=share, held_gain=held_gain) is named
     alike = replace(effect, candidate=replace(effect.candidate, resembled=True))
     assert not judged_again(before, alike, share=share, held_gain=held_gain)
+    enough_by_itself = held_gain + 20.0 > 40.0
+    assert judged_again(before, alike, share=share, held_gain=held_gain + 20.0) is (enough_by_itself and share > 0.9)
 
 
 @pytest.mark.parametrize(

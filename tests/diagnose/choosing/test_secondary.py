@@ -23,7 +23,8 @@ CUTOFF = SensorBandwidth(name="sensor_bandwidth", sensor="torque_sensor", cutoff
 
 
 def trial(gain: float, place: Place | None = None, part: Any = DRAG) -> Trial:
-    return cast(Trial, SimpleNamespace(gain=gain, candidate=SimpleNamespace(place=place, parts=(part,))))
+    candidate, model = SimpleNamespace(place=place, parts=(part,)), SimpleNamespace(rig=None, corrections=())
+    return cast(Trial, SimpleNamespace(gain=gain, candidate=candidate, model=model))
 
 
 def mismatch(domain: str, axis: str, at: float) -> Mismatch:
@@ -78,5 +79,21 @@ def test_simulations_are_asked_at_its_own_place(
 
     monkeypatch.setattr(secondary, "mismatches", left)
     monkeypatch.setattr(secondary, "left_by_simulation", by_simulation)
+    monkeypatch.setattr(secondary, "fall_by_simulation", lambda its, rig: 0.0)
     assert stands_in_simulations(case, trial(100.0, place)) is there
     assert shown == asked
+
+
+@pytest.mark.parametrize(
+    ("place", "fall", "stands"),
+    [(None, 60.0, True), (None, 45.0, False), (None, 30.0, False), (order(11.0), 60.0, False)],
+)
+def test_what_acts_in_many_places_must_gain_beside_simulations(
+    place: Place | None, fall: float, stands: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """More than any chance, and a third of what it gains beside the twin; a line must stand out there itself."""
+    case = cast(Case, SimpleNamespace(nominal=SimpleNamespace(run=SimpleNamespace(gear_ratio=RATIO)), runs=()))
+    monkeypatch.setattr(secondary, "mismatches", lambda its: [])
+    monkeypatch.setattr(secondary, "left_by_simulation", lambda its, left: ())
+    monkeypatch.setattr(secondary, "fall_by_simulation", lambda its, rig: fall)
+    assert stands_in_simulations(case, trial(150.0, place)) is stands

@@ -13,7 +13,7 @@ from torquerig.diagnose.choosing.confidence import LEAST, confidence
 
 def accepted(description: str = "") -> Any:
     return SimpleNamespace(
-        trial=SimpleNamespace(candidate=SimpleNamespace(mechanism="gear_mesh", description=description))
+        before=None, trial=SimpleNamespace(candidate=SimpleNamespace(mechanism="gear_mesh", description=description))
     )
 
 
@@ -27,3 +27,15 @@ def test_an_unlikely_name_falls(rival: float, stands: bool, monkeypatch: pytest.
     case: Any = SimpleNamespace(model=SimpleNamespace(rig=None))
     assert chain._stands(case, accepted()) is stands
     assert chain._stands(case, accepted("noise in one band")), "a description claims no cause"
+
+
+@pytest.mark.parametrize(("missed", "stands"), [(20.0, False), (1000.0, True)])
+def test_a_rest_is_hardly_any_beside_what_was_missed(
+    missed: float, *, stands: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A stand-in of a large effect leaves more than some hundredths of it."""
+    case: Any = SimpleNamespace(model=SimpleNamespace(rig=None))
+    monkeypatch.setattr(chain, "confidence_of", lambda final, each: 0.99)
+    monkeypatch.setattr(chain, "can_be", lambda candidate, model: True)
+    monkeypatch.setattr(chain, "rest_of", lambda at, each: 10.0 if at is case else missed)
+    assert chain._stands(case, accepted()) is stands

@@ -82,12 +82,22 @@ def test_a_run_of_a_load_that_no_fit_has_seen_is_judged_by_its_values_alone(
 
 
 @pytest.mark.parametrize(
-    ("occupancies", "fitted", "untold"),
-    [((5.0, 0.0), {"run2"}, {"run1"}), ((5.0, 15.0), {"run2"}, set()), ((0.0, 0.0), {"run2"}, set())],
+    ("occupancies", "rebuilt", "untold"),
+    [
+        ((5.0, 0.0), True, {"run1"}),
+        ((5.0, 15.0), True, set()),
+        ((5.0, 15.0), False, {"run1"}),
+        ((0.0, 0.0), True, set()),
+    ],
 )
-def test_a_load_is_untold_where_all_that_was_fitted_ran_without(
-    occupancies: tuple[float, ...], fitted: set[str], untold: set[str]
+def test_a_load_is_untold_where_all_that_was_fitted_ran_without_or_a_limit_took_much_of_it(
+    occupancies: tuple[float, ...], *, rebuilt: bool, untold: set[str]
 ) -> None:
-    runs = {name: Run(occupancy_percent=at) for name, at in zip(("run1", "run2"), occupancies, strict=True)}
-    held = [cast("Features", SimpleNamespace(observed=SimpleNamespace(name=at, run=run))) for at, run in runs.items()]
-    assert of_untold_loads(held, fitted=fitted) == untold
+    held = [
+        cast(
+            "Features",
+            SimpleNamespace(observed=SimpleNamespace(name=name, run=Run(occupancy_percent=at), rebuilt=mended)),
+        )
+        for name, at, mended in zip(("run1", "run2"), occupancies, (rebuilt, False), strict=True)
+    ]
+    assert of_untold_loads(held, fitted={"run2"}) == untold

@@ -12,7 +12,7 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging import by_simulation, leftover
-from torquerig.diagnose.judging.by_simulation import left_by_simulation
+from torquerig.diagnose.judging.by_simulation import fall_by_simulation, left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.lines_left import known_places
@@ -74,6 +74,21 @@ def test_where_nothing_can_be_simulated_all_stays(
     case = case_of(wear_rig.rig + STRONG, recording)
     twin = mismatches(case)
     assert left_by_simulation(case, twin) == twin
+    assert fall_by_simulation(case, wear_rig.rig) == 0.0
+
+
+def test_what_takes_up_but_the_line_of_a_simulation_gains_nothing_beside_it(
+    wear_rig: Scenario, recording: Recording
+) -> None:
+    """Cogging at twice the order, of the size that the strong ripple makes by itself."""
+    case = case_of(wear_rig.rig + STRONG, recording)
+    stand_in = Cogging(name="stand_in", slots=12, pole_pairs=7, further={112: 0.1})
+    beside = wear_rig.rig + STRONG + stand_in
+    by_twin = case.model.cost - misfit_sum(misfits_of(beside, case.seen))
+    assert by_twin > 1000.0
+    assert abs(fall_by_simulation(case, beside)) < 1.0
+    without = case_of(wear_rig.rig, recording)
+    assert fall_by_simulation(without, wear_rig.rig + STRONG) > 100.0
 
 
 @pytest.mark.parametrize(("made", "stays"), [(0, True), (4, False)])

@@ -109,6 +109,10 @@ def test_a_step_of_coarse_codes_is_no_blow(by_hand: ByHand, monkeypatch: pytest.
     slow = 0.06 + 0.05 * np.sin(2 * pi * 3 * time) + 2e-4 * np.random.default_rng(2).standard_normal(time.size)
     assert blows(by_hand(slow, 40.0 * time, rate=RATE)) == []
     assert blows(by_hand(0.104 * np.round(slow / 0.104), 40.0 * time, rate=RATE)) == []
+    mended = 0.104 * np.round(slow / 0.104)
+    for start in range(9_000, mended.size - 300, 9_000):  # moments without signal, lines drawn through them
+        mended[start : start + 300] = np.linspace(mended[start], mended[start + 299], 300)
+    assert blows(by_hand(mended, 40.0 * time, rate=RATE)) == []
     struck = parted(by_hand, flying=0.0, lasting=0.02)
     coarse = replace(struck, torque=4e-3 * np.round(struck.torque / 4e-3))
     assert len(blows(coarse)) >= CLEARLY

@@ -31,7 +31,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     """Yield a ripple for each of the strongest lines at a whole motor order.
 
     Currents, their offsets and unequal gains all turn with the field: p, 2p and the multiples of 6p; other multiples
-    pay, orders that no current has pay more, and so does 12p where no line at 6p leads it.
+    pay, orders that no current has pay more, and so does 12p where no line at 6p leads it. An unsteady load leaves
+    noise beside twice the order too, where a second harmonic stands out as no line: that is asked apart.
     """
     motors = case.nominal.parts_of(Motor)
     if motors:
@@ -43,13 +44,16 @@ def propose(case: Case) -> Iterator[Candidate]:
             )
             part = replace(part, depth=_START * line_factor(case, case.model.rig + part, peak.place))
             part, harmonics = _with_harmonics(case, part)
-            yield Candidate(
+            of_lines = Candidate(
                 mechanism="commutation_ripple",
                 parts=(part,),
                 knobs=(Knob(part.name, "depth", 1.0), *harmonics),
                 place=peak.place,
                 price=_price(motors[0], peak.place.at),
             )
+            yield of_lines
+            if not harmonics and of_lines.price == 0:
+                yield _with_second(of_lines, part)
 
 
 def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:
@@ -63,10 +67,7 @@ def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:
 
 
 def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
-    """Yield a ripple of each main field order whose line is none or small: an unsteady load leaves noise beside it.
-
-    And beside twice the order, where it has a second harmonic: that is asked apart, as none stands out as a line.
-    """
+    """Yield a ripple of each main field order whose line is none or small: an unsteady load leaves noise beside it."""
     modelled = [place for place in case.seen[0].places if place not in case.seen[0].unknown]
     shown = [place.at for place in (*modelled, *(peak.place for peak in case.left)) if place.domain == "order"]
     for multiple in _MAIN:
@@ -80,8 +81,13 @@ def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:
                 place=order(order_motor), price=_price(motor, order_motor) + BY_SKIRTS,
             )  # fmt: skip
             yield alone
-            second = replace(part, harmonics=(_OF_FIRST * _SKIRTED,))
-            yield replace(alone, parts=(second,), knobs=(*alone.knobs, Knob(part.name, "harmonics", 1.0, key=0)))
+            yield _with_second(alone, part)
+
+
+def _with_second(alone: Candidate, part: mechanisms.CommutationRipple) -> Candidate:
+    """Return the candidate with a second harmonic, which stands out as no line."""
+    second = replace(part, harmonics=(_OF_FIRST * part.depth,))
+    return replace(alone, parts=(second,), knobs=(*alone.knobs, Knob(part.name, "harmonics", 1.0, key=0)))
 
 
 def _price(motor: Motor, order_motor: float) -> float:

@@ -43,7 +43,7 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
 
 
 def fall_by_simulation(case: Case, other: Rig) -> float:
-    """Return by how much the misfit falls with another rig, beside what simulations of the case's rig have of their own.
+    """Return by how much the misfit falls with another rig, beside what only simulations of the case's rig have.
 
     0 where it cannot be simulated: nothing then speaks for the other.
     """

@@ -95,12 +95,17 @@ def _width(missed: Misfit, model: Expectation) -> NDArray[np.float64]:
 
 
 def of_untold_loads(held: Sequence[Features], *, fitted: Collection[str]) -> frozenset[str]:
-    """Return the loaded runs that no fit has seen, where all that any fit has seen ran without load.
+    """Return the loaded runs that no fit has seen, and whose load nothing tells but its prior.
 
-    Nothing then tells the load of such a run but its prior, and its spectrum compares nothing but that.
+    All where the runs that fits have seen ran without load; else those that stand at a limit too long to be rebuilt:
+    how much of a load it takes away grows steeply with the load, and their spectrum is that of flat tops.
     """
     loaded = {each.observed.name for each in held if each.observed.run.occupancy_percent}
-    return frozenset(loaded) if loaded.isdisjoint(fitted) else frozenset()
+    unseen = loaded.difference(fitted)
+    if unseen == loaded:
+        return frozenset(loaded)
+    flat = {each.observed.name for each in held if not each.observed.rebuilt}
+    return frozenset(unseen & flat)
 
 
 def held_out(

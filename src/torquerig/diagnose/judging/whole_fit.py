@@ -32,13 +32,13 @@ def misfit_as_a_whole(case: Case, *, held_out: float) -> tuple[Mismatch, ...]:
     held_out : float
         Misfit of what no fit has seen [1].
     """
-    worst = max(_kinds(case), key=lambda mismatch: mismatch.excess_dB)
-    return (worst,) if held_out > _LARGEST and worst.p_value < _BY_CHANCE else ()
+    worst = max(_kinds(case), key=lambda mismatch: mismatch.excess_dB, default=None)
+    return (worst,) if worst is not None and held_out > _LARGEST and worst.p_value < _BY_CHANCE else ()
 
 
 def _kinds(case: Case) -> Iterator[Mismatch]:
     for features, misfit in zip(case.seen, case.model.misfits, strict=True):
-        if misfit.bands.size:
+        if misfit.bands.any():
             low, high = float(features.band[0]), float(features.band[-1])
             yield _mismatch(
                 features, misfit.bands, domain="frequency", axis="Hz", at=sqrt(low * high), width=high - low
