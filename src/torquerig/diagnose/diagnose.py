@@ -111,13 +111,14 @@ def diagnose(
         return after, unseen, completed, held_out(whole, fitted, completed, unseen, seed=seed, untold=untold)
 
     changes = changing([run for run in before.runs if run.name not in faults.clipped])
+    moved = [mismatch for _, mismatch in changes]
     why = ""
     for sought in all_found.in_turn(before, used):
         if sought.numbers_held and (why == COMES_AND_GOES or (why == LEAVES_A_REST and not sought.all_lines)):
             continue  # numbers that stand still explain no more of it; with a line, others may have moved
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
-        left = (*left_by_simulation(after, mismatches(after)), *came_and_went, *(mismatch for _, mismatch in changes))
+        left = (*left_by_simulation(after, mismatches(after)), *came_and_went, *moved)
         detail = detail_of(before, after, left)
         left = left if detail is None else ()
         resembled = any(each.trial.candidate.resembled for each in sought.accepted)
@@ -129,13 +130,14 @@ def diagnose(
     named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
     found_more = bool(named or faults.candidates or sought.descriptions)
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
+    as_a_whole: tuple[Mismatch, ...] = ()
     if not (left or named or sought.descriptions):
-        left = misfit_as_a_whole(after, held_out=fit.after)
+        left = as_a_whole = misfit_as_a_whole(after, unseen, held_out=fit.after)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
         mismatch=(
-            *((*mismatches(before), *came_and_went, *(mismatch for _, mismatch in changes)) if found_more else left),
+            *((*mismatches(before), *came_and_went, *moved, *as_a_whole) if found_more else left),
             *(mismatch for _, mismatch in start.untrue),
         ),
         findings=tuple(found),

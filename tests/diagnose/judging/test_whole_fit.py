@@ -6,10 +6,12 @@ from collections.abc import Callable
 from math import pi
 
 import numpy as np
+import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.misfit import Misfit
+from torquerig.diagnose.judging import whole_fit
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.observed import Observed
@@ -27,12 +29,12 @@ def test_the_worst_kind_of_the_worst_run_is_told(by_hand: Callable[..., Observed
     bad = Misfit(np.full(size, 2.0), none, np.full(16, 3.0))
     model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (good, bad), 0.0)
     case = Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=())
-    (told,) = misfit_as_a_whole(case, held_out=3.0)
+    (told,) = misfit_as_a_whole(case, (), held_out=3.0)
     assert (told.recordings, told.domain, told.axis) == (("two",), "speed", "rpm")
     assert abs(told.at - 100 * 30 / pi) < 1.0
     assert told.p_value < 1e-9
     assert 6.0 < told.excess_dB < 10.0
-    assert misfit_as_a_whole(case, held_out=1.5) == ()
+    assert misfit_as_a_whole(case, (), held_out=1.5) == ()
 
 
 def test_bad_luck_in_what_no_fit_has_seen_is_no_place(by_hand: Callable[..., Observed], wear_rig: Scenario) -> None:
@@ -43,4 +45,23 @@ def test_bad_luck_in_what_no_fit_has_seen_is_no_place(by_hand: Callable[..., Obs
     good = Misfit(np.full(seen[0].band.size, 1.0), none, np.full(16, 0.8))
     model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (good,), 0.0)
     case = Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=())
-    assert misfit_as_a_whole(case, held_out=9.0) == ()
+    assert misfit_as_a_whole(case, (), held_out=9.0) == ()
+
+
+@pytest.mark.parametrize(("unseen", "told"), [(1.1, True), (0.7, False)])
+def test_what_is_missed_everywhere_stands_out_nowhere(
+    unseen: float, *, told: bool, by_hand: Callable[..., Observed], wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A shaft that hardens moves every band a little: more than chance in what was seen, and in what was not."""
+    time = np.arange(int(6 * RATE)) / RATE
+    noise = np.random.default_rng(1).standard_normal(time.size)
+    seen = (features(by_hand(noise, 100 * time, rate=RATE, name="one"), []),)
+    none = np.zeros(0)
+
+    def missed(by: float) -> Misfit:
+        return Misfit(np.full(seen[0].band.size, by), none, np.full(16, 1.5))
+
+    model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (missed(1.4),), 0.0)
+    case = Case(nominal=wear_rig.rig, runs=(), seen=seen, model=model, left=())
+    monkeypatch.setattr(whole_fit, "misfits_of", lambda rig, held: (missed(unseen),))
+    assert bool(misfit_as_a_whole(case, seen, held_out=1.5)) is told
