@@ -15,7 +15,8 @@ from torquerig.diagnose.looking.places import order
 def test_a_ripple_turns_with_the_field(line: float, dearer: bool, with_lines_left: Callable[..., Case]) -> None:
     """The rig's motor has 12 slots and 7 pole pairs; its slots make cogging at 36 and 60, no current does."""
     case = with_lines_left(line)
-    (ripple,) = [each for each in commutation_ripple.propose(case) if each.place == order(line)]
+    ripple, *further = [each for each in commutation_ripple.propose(case) if each.place == order(line)]
+    assert [len(each.knobs) for each in further] == ([] if dearer else [2]), "and the same with a second harmonic"
     assert (ripple.price > 50) is dearer
     if dearer:
         (slots,) = cogging.propose(case)
@@ -28,7 +29,7 @@ def test_balanced_phases_have_torque_at_the_sixth_and_its_multiples(
 ) -> None:
     """Offsets of current make the first, unequal gains the second; the eighth, 56, no winding makes of itself."""
     case = with_lines_left(multiple * 7.0)
-    (ripple,) = [each for each in commutation_ripple.propose(case) if each.place == order(multiple * 7.0)]
+    ripple = next(each for each in commutation_ripple.propose(case) if each.place == order(multiple * 7.0))
     assert (ripple.price == 0.0) is free
 
 

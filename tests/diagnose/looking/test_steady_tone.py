@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import Peak
@@ -37,6 +38,13 @@ def test_bursts_keep_their_share_in_the_line(share: float, by_hand: ByHand) -> N
 def test_a_steady_tone_keeps_nearly_all(size: float, by_hand: ByHand) -> None:
     seen = run(by_hand, size * np.cos(2 * pi * 733.0 * TIME))
     assert sounds_all_along(Peak(frequency(733.0), 90.0, ("run1",), 2), [seen], [order(12.0)])
+
+
+def test_a_floor_that_falls_with_frequency_is_not_taken_for_bursts(by_hand: ByHand) -> None:
+    """A weak hum stands in the noise of the load, ten times as strong below it as above."""
+    load = lfilter([0.05], [1.0, -0.995], np.random.default_rng(3).standard_normal(SAMPLES))  # falls beyond 4 Hz
+    seen = run(by_hand, load + 0.008 * np.cos(2 * pi * 50.0 * TIME))
+    assert sounds_all_along(Peak(frequency(50.0), 60.0, ("run1",), 1), [seen], [order(12.0)])
 
 
 def test_a_known_line_beside_it_is_not_taken_for_bursts(by_hand: ByHand) -> None:

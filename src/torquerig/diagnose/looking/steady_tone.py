@@ -15,6 +15,7 @@ Floats = NDArray[np.float64]
 
 _LINE = 3  # bins either way that hold a steady line under a Hann window
 _BESIDE, _FLOOR = 12.0, 60.0  # [Hz] either way: where bursts of some hundredths of a second spread to, and the floor
+_FEW = 50  # bins that tell no floor
 _CLEAR = 4.0  # standard deviations by which what is beside the line must exceed the floor
 _ONCE_A_TURN = 1.01  # orders of the motor: its own turn, and those of slower shafts
 _STEADY = 0.75  # share of its power that a steady tone keeps in one line
@@ -59,7 +60,7 @@ def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
         line = place.frequency(run.mean_speed)
         if abs(line - at) > _LINE * step:
             free &= np.abs(frequency - line) > max(_LINE * step, run.smearing * line)
-    beside, floor = free & (far < _BESIDE), _floor(power[free & (far < _FLOOR)])
+    beside, floor = free & (far < _BESIDE), _floor_at(at, frequency[free], power[free])
     line_power = float(np.maximum(power[far <= _LINE * step] - floor, 0.0).sum())
     spread = float((power[beside] - floor).sum())
     return line_power / (line_power + (spread if spread > _CLEAR * floor * np.sqrt(beside.sum()) else 0.0) + 1e-30)
@@ -70,6 +71,16 @@ def _side_lines(known: Sequence[Place]) -> list[Place]:
     orders = [place.at for place in known if place.domain == "order"]
     turns = [at for at in orders if at < _ONCE_A_TURN]
     return [order(at) for one in orders for turn in turns for at in (one - turn, one + turn) if at > 0]
+
+
+def _floor_at(at: float, frequency: Floats, power: Floats) -> float:
+    """Return the floor at a frequency [Hz], between those on either side: a load's own falls with frequency."""
+    far = np.abs(frequency - at)
+    near, beyond = far < _FLOOR, (far < _FLOOR) & (far >= _BESIDE)
+    sides = [power[beyond & (frequency < at)], power[beyond & (frequency > at)]]
+    if min(side.size for side in sides) < _FEW:
+        return _floor(power[near])
+    return float(np.sqrt(_floor(sides[0]) * _floor(sides[1])))
 
 
 def _floor(power: Floats) -> float:
