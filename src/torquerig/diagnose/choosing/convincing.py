@@ -29,6 +29,7 @@ _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something l
 _WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
 # one that gains so much, and as much on what no fit has seen, may leave more at its places: clean rigs reach 55
 _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
+_OF_WRONG = 0.1  # of what is wrong: beside a load that steps in one run, a drift takes up a little in the others
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -65,7 +66,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     again_enough = trusted * trial.gain > least if trial.candidate.resembled else trusted > _AGAIN
     borne_out = share > _WHOLE and again_enough
     beside_more = _mode(trial) and excess(case) > 2 * trial.gain  # what else is wrong with the shafts moves their modes
-    enough = max(_enough(trial, trusted), _WHOLE if beside_more else 0.0)
+    enough = max(_enough(case, trial, trusted), _WHOLE if beside_more else 0.0)
     return share > enough and (trial.gain > least or borne_out)
 
 
@@ -74,10 +75,11 @@ def _mode(trial: Trial) -> bool:
     return trial.candidate.resembled and bool(trial.candidate.bends)
 
 
-def _enough(trial: Trial, again: float) -> float:
+def _enough(case: Case, trial: Trial, again: float) -> float:
     """Return which share of its places an effect must explain: less where the model then fits as a whole.
 
-    Less, too, where it gains much and ``again`` on what no fit has seen, as a share of that gain.
+    Less, too, where it gains much, for itself and of all that is wrong, and ``again`` on what no fit has seen, as a
+    share of that gain.
     """
     count = feature_count(trial.model)
     well = count * (1.0 if trial.gap is None else WELL)
@@ -85,7 +87,8 @@ def _enough(trial: Trial, again: float) -> float:
     enough = LEAST_SHARE
     if fits and trial.gain > _LARGE:
         enough = _HALF if trial.gain > _VERY_LARGE else LEAST_SHARE_WHERE_ALL_FITS
-    return min(enough, _MORE_THAN_HALF) if trial.gain > _MUCH and again > _AS_WELL else enough
+    borne_out = trial.gain > max(_MUCH, _OF_WRONG * excess(case)) and again > _AS_WELL
+    return min(enough, _MORE_THAN_HALF) if borne_out else enough
 
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:
