@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -61,3 +62,33 @@ def test_of_three_effects_the_first_may_go(wear_rig: Scenario, monkeypatch: pyte
     assert [each.trial.candidate.mechanism for each in kept] == list(NEEDED)
     assert {knob.part for knob in kept[-1].trial.model.knobs} == {*NEEDED}
     assert [part.name for part in kept[-1].before.model.rig.parts if part.name in PARTS] == [NEEDED[0]]
+
+
+def test_only_what_explained_some_of_an_effect_may_take_its_place(
+    wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An alias that gained half of what the hum did is asked; a drag that gained nothing is not."""
+    rig, knobs = wear_rig.rig, tuple[Knob, ...]()
+    first = case = Case(nominal=rig, runs=(), seen=(), model=fitted(rig, ()), left=())
+    rivals = {"mains_interference": {"pwm_aliasing": 150.0, "quadratic_drag": 1.0}, "pwm_aliasing": {}}
+    accepted: list[Accepted] = []
+    for name in NEEDED:
+        own = candidate(name)
+        rig, knobs = own.added_to(rig), (*knobs, *own.knobs)
+        trial = Trial(own, fitted(rig, knobs), 300.0)
+        others = tuple(Trial(candidate(other), trial.model, gain) for other, gain in rivals[name].items())
+        accepted.append(Accepted(before=case, trial=trial, tried=Tried((trial, *others), (trial,))))
+        case = revising.with_all(first, accepted)
+    asked: list[frozenset[str]] = []
+
+    def trials(_: Case, *, among: frozenset[str], **__: object) -> Tried:
+        asked.append(among)
+        return Tried((), ())
+
+    monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: fitted(rig, knobs))
+    monkeypatch.setattr(revising, "trials", trials)
+    assert revised(first, accepted) == tuple(accepted)
+    assert asked == [frozenset({"pwm_aliasing"})]
+    alone = [replace(accepted[0], tried=Tried((accepted[0].trial,), ())), accepted[1]]
+    assert revised(first, alone) == tuple(alone)
+    assert len(asked) == 1, "nothing explained any of it: nobody is asked"

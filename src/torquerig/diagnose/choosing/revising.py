@@ -17,6 +17,8 @@ from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.side_by_side import of_each
 
+_RIVALS = 0.02  # of an effect's gain
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Accepted:
@@ -51,13 +53,21 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
             before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
             kept[-1] = replace(kept[-1], before=before)
             continue
-        tried = trials(others, simulated=False, to_beat=final.cost)
+        rivals = _rivals(kept[at])
+        tried = trials(others, simulated=False, to_beat=final.cost, among=rivals) if rivals else Tried((), ())
         better = tried.fitted[0] if tried.fitted else None
         if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
             kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
             continue
         at += 1
     return tuple(kept)
+
+
+def _rivals(taken: Accepted) -> frozenset[str]:
+    """Return the mechanisms that explained some of it when an effect was taken; what did not can hardly replace it."""
+    every = (*taken.tried.fitted, *taken.tried.screened)
+    others = [each for each in every if _other(each, taken.trial)]
+    return frozenset(each.candidate.mechanism for each in others if each.gain > _RIVALS * taken.trial.gain)
 
 
 def _other(one: Trial, other: Trial) -> bool:

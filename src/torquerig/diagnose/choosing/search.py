@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -47,14 +47,17 @@ class Tried:
     gap_failed: bool = False
 
 
-def trials(case: Case, *, simulated: bool = True, to_beat: float = np.inf) -> Tried:
+def trials(
+    case: Case, *, simulated: bool = True, to_beat: float = np.inf, among: Collection[str] | None = None
+) -> Tried:
     """Return the hypotheses fitted to what the model leaves.
 
     All are first fitted with the model held fast; the best of each of the most promising mechanisms then with all
     numbers free, from there and, what bends these numbers, as it was proposed. ``simulated`` ones, which take longest,
-    may be left out. What stays twice as far off as a model ``to_beat``, by its cost, is fitted no further.
+    may be left out, and all but those ``among`` some mechanisms. What stays twice as far off as a model ``to_beat``, by
+    its cost, is fitted no further.
     """
-    sources = (*proposers(case), descriptions)
+    sources = (*proposers(case, among=among), descriptions)
     last_first = sources[::-1]  # they take longest
     of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], last_first)
     tried = sorted((trial for each in reversed(of_sources) for trial in each), key=lambda trial: -trial.gain)

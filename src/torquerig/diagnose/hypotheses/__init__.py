@@ -20,7 +20,7 @@ Beside the classes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from importlib import import_module
 
 from torquerig import mechanisms
@@ -45,12 +45,14 @@ CLASSES = {
 }
 
 
-def proposers(case: Case) -> tuple[Propose, ...]:
+def proposers(case: Case, *, among: Collection[str] | None = None) -> tuple[Propose, ...]:
     """Return, for every mechanism of the library that the case lacks, what proposes its ways to complete the model.
 
-    A mechanism that is long to seek has several in its ``WAYS``, so that they are sought side by side.
+    Of those ``among`` some alone, where they are said. A mechanism that is long to seek has several in its ``WAYS``, so
+    that they are sought side by side.
     """
     lacking = [name for name, of in CLASSES.items() if hasattr(mechanisms, of) and not case.has(name)]
+    lacking = [name for name in lacking if among is None or name in among]
     rooms = [import_module(f"{__name__}.{name}") for name in lacking]
     return tuple(way for room in rooms for way in getattr(room, "WAYS", (room.propose,)))
 
