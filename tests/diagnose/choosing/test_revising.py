@@ -87,8 +87,12 @@ def test_only_what_explained_some_of_an_effect_may_take_its_place(
 
     monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: fitted(rig, knobs))
     monkeypatch.setattr(revising, "trials", trials)
-    assert revised(first, accepted) == tuple(accepted)
+    kept = revised(first, accepted)
+    assert [each.trial for each in kept] == [each.trial for each in accepted]
     assert asked == [frozenset({"pwm_aliasing"})]
+    assert kept[0].again is not None
+    assert kept[0].again.trial.gain == 295.0, "beside the other, its number paid"
+    assert kept[1].again is None, "the last one was chosen beside all others"
     alone = [replace(accepted[0], tried=Tried((accepted[0].trial,), ())), accepted[1]]
-    assert revised(first, alone) == tuple(alone)
+    assert [each.trial for each in revised(first, alone)] == [each.trial for each in accepted]
     assert len(asked) == 1, "nothing explained any of it: nobody is asked"

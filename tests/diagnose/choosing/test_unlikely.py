@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
+from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing import chain
+from torquerig.diagnose.choosing import confidence as judged
 from torquerig.diagnose.choosing.confidence import LEAST, confidence
 
 
@@ -39,3 +41,14 @@ def test_a_rest_is_hardly_any_beside_what_was_missed(
     monkeypatch.setattr(chain, "can_be", lambda candidate, model: True)
     monkeypatch.setattr(chain, "rest_of", lambda at, each: 10.0 if at is case else missed)
     assert chain._stands(case, accepted()) is stands
+
+
+@pytest.mark.parametrize(("beside", "likely"), [(None, 0.3), (0.9, 0.9), (0.1, 0.3)])
+def test_a_rival_that_another_effect_explains_away_is_none(
+    beside: float | None, *, likely: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Blades came near a mesh while a low-pass was missing that bent the model, and do not beside it."""
+    monkeypatch.setattr(judged, "_confidence", lambda final, each: each.told)
+    again = None if beside is None else SimpleNamespace(told=beside, again=None)
+    taken: Any = SimpleNamespace(told=0.3, again=again)
+    assert judged.confidence_of(cast("Case", None), taken) == likely

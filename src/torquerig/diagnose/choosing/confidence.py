@@ -35,8 +35,14 @@ def confidence(*, gain: float, share: float, rival: float) -> float:
 def confidence_of(final: Case, accepted: Accepted) -> float:
     """Return the probability that the name of an effect is right, beside the rivals that the final case lacks.
 
-    What they explain elsewhere is no rivalry: another effect may be there as well.
+    What they explain elsewhere is no rivalry: another effect may be there as well. A rival that came near it while that
+    other one was missing, and does not beside it, is none.
     """
+    beside_others = 0.0 if accepted.again is None else _confidence(final, accepted.again)
+    return max(_confidence(final, accepted), beside_others)
+
+
+def _confidence(final: Case, accepted: Accepted) -> float:
     before, named = accepted.before.model.misfits, accepted.trial
     rival = max(
         (

@@ -22,11 +22,15 @@ _RIVALS = 0.02  # of an effect's gain
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Accepted:
-    """A trial that was taken into the model, with the case before it and all that were tried there."""
+    """A trial that was taken into the model, with the case before it and all that were tried there.
+
+    ``again`` is the same beside all other effects, where looking back left it in its place.
+    """
 
     before: Case
     trial: Trial
     tried: Tried
+    again: Accepted | None = None
 
 
 def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
@@ -59,8 +63,15 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
         if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
             kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
             continue
+        beside = replace(kept[at].trial, model=final, gain=_gain(kept[at].trial, others.model, final))
+        kept[at] = replace(kept[at], again=Accepted(before=others, trial=beside, tried=tried))
         at += 1
     return tuple(kept)
+
+
+def _gain(trial: Trial, without: Calibrated, final: Calibrated) -> float:
+    """Return what the misfit falls by with an effect beside all others, knobs paid."""
+    return without.cost - final.cost - PER_KNOB * len(trial.candidate.knobs) - trial.candidate.price
 
 
 def _rivals(taken: Accepted) -> frozenset[str]:
