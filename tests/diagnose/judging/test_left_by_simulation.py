@@ -9,6 +9,8 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.correction import Correction
+from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging import by_simulation, leftover
@@ -20,7 +22,7 @@ from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.errors import SimulationError
-from torquerig.mechanisms import Cogging
+from torquerig.mechanisms import Cogging, QuadraticDrag
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
@@ -89,6 +91,21 @@ def test_what_takes_up_but_the_line_of_a_simulation_gains_nothing_beside_it(
     assert abs(fall_by_simulation(case, beside)) < 1.0
     without = case_of(wear_rig.rig, recording)
     assert fall_by_simulation(without, wear_rig.rig + STRONG) > 100.0
+
+
+@pytest.mark.parametrize("occupancy", [0.0, 5.0])
+def test_the_chance_of_a_load_speaks_for_no_rig(
+    occupancy: float, wear_rig: Scenario, record: Callable[..., Recording], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The mean torque of a simulation strays from the twin's as its load does, and from a recording's otherwise."""
+    case = case_of(wear_rig.rig, record(wear_rig.rig, 6, rpm=1000.0, duration=12.0, occupancy=occupancy))
+    (twin,) = [expected(case.model.rig, features) for features in case.seen]
+    strayed = 0.1 * np.random.default_rng(1).standard_normal(twin.level.size)
+    correction = Correction(np.ones_like(twin.power), np.zeros_like(twin.amplitude), strayed, None)
+    monkeypatch.setattr(by_simulation, "_beyond_the_twin", lambda _: (None, [correction]))
+    other = wear_rig.rig + QuadraticDrag(name="quadratic_drag", at="wear_part", coefficient=2e-4)
+    by_twin = case.model.cost - misfit_sum(misfits_of(other, case.seen))
+    assert (fall_by_simulation(case, other) == pytest.approx(by_twin)) is bool(occupancy)
 
 
 @pytest.mark.parametrize(("made", "stays"), [(0, True), (4, False)])

@@ -24,8 +24,8 @@ _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
-# a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less
-# (of what noise resembles all that it would need: no mode of 150 clean rigs gains 12, those that are there do)
+# a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less;
+# what noise resembles gains there all that it would need (of 150 clean rigs none has a mode that gains more than 16)
 _WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
 # one that gains so much, and as much on what no fit has seen, may leave more at its places: clean rigs reach 55
 _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55

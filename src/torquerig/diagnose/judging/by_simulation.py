@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.correction import Correction, between
@@ -45,14 +47,24 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
 def fall_by_simulation(case: Case, other: Rig) -> float:
     """Return by how much the misfit falls with another rig, beside what only simulations of the case's rig have.
 
-    0 where it cannot be simulated: nothing then speaks for the other.
+    Of the slow torque of a steady run under load that is the load's chance, and left out. 0 where the rig cannot be
+    simulated: nothing then speaks for the other.
     """
     try:
         _, beyond = _beyond_the_twin(case)
     except SimulationError:
         return 0.0
+    beyond = [
+        replace(each, level=np.zeros_like(each.level)) if _random(features.observed) else each
+        for each, features in zip(beyond, case.seen, strict=True)
+    ]
     before, after = (misfits_of(rig, case.seen, beyond) for rig in (case.model.rig, other))
     return misfit_sum(before) - misfit_sum(after)
+
+
+def _random(run: Observed) -> bool:
+    """Whether the slow torque of a run goes as chance has its load."""
+    return run.steady and bool(run.run.occupancy_percent)
 
 
 def _beyond_the_twin(case: Case) -> tuple[list[list[Observed]], list[Correction]]:
