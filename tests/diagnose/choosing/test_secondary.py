@@ -79,7 +79,7 @@ def test_simulations_are_asked_at_its_own_place(
 
     monkeypatch.setattr(secondary, "mismatches", left)
     monkeypatch.setattr(secondary, "left_by_simulation", by_simulation)
-    monkeypatch.setattr(secondary, "fall_by_simulation", lambda its, rig: 0.0)
+    monkeypatch.setattr(secondary, "left_and_fall", lambda its, left, rig: (by_simulation(its, left), 0.0))
     assert stands_in_simulations(case, trial(100.0, place)) is there
     assert shown == asked
 
@@ -95,5 +95,5 @@ def test_what_acts_in_many_places_must_gain_beside_simulations(
     case = cast(Case, SimpleNamespace(nominal=SimpleNamespace(run=SimpleNamespace(gear_ratio=RATIO)), runs=()))
     monkeypatch.setattr(secondary, "mismatches", lambda its: [])
     monkeypatch.setattr(secondary, "left_by_simulation", lambda its, left: ())
-    monkeypatch.setattr(secondary, "fall_by_simulation", lambda its, rig: fall)
+    monkeypatch.setattr(secondary, "left_and_fall", lambda its, left, rig: ((), fall))
     assert stands_in_simulations(case, trial(150.0, place)) is stands

@@ -14,7 +14,7 @@ from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging import by_simulation, leftover
-from torquerig.diagnose.judging.by_simulation import fall_by_simulation, left_by_simulation
+from torquerig.diagnose.judging.by_simulation import left_and_fall, left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.lines_left import known_places
@@ -49,6 +49,10 @@ def case_of(rig: Rig, recording: Recording) -> Case:
     return Case(nominal=rig, runs=(run,), seen=seen, model=model, left=())
 
 
+def fall(case: Case, other: Rig) -> float:
+    return left_and_fall(case, (), other)[1]
+
+
 def at_twice_the_order(left: tuple[Mismatch, ...]) -> list[Mismatch]:
     return [mismatch for mismatch in left if mismatch.domain == "order" and mismatch.at in {112.0, 560.0}]
 
@@ -76,7 +80,7 @@ def test_where_nothing_can_be_simulated_all_stays(
     case = case_of(wear_rig.rig + STRONG, recording)
     twin = mismatches(case)
     assert left_by_simulation(case, twin) == twin
-    assert fall_by_simulation(case, wear_rig.rig) == 0.0
+    assert left_and_fall(case, twin, wear_rig.rig) == (twin, 0.0)
 
 
 def test_what_takes_up_but_the_line_of_a_simulation_gains_nothing_beside_it(
@@ -88,9 +92,9 @@ def test_what_takes_up_but_the_line_of_a_simulation_gains_nothing_beside_it(
     beside = wear_rig.rig + STRONG + stand_in
     by_twin = case.model.cost - misfit_sum(misfits_of(beside, case.seen))
     assert by_twin > 1000.0
-    assert abs(fall_by_simulation(case, beside)) < 1.0
+    assert abs(fall(case, beside)) < 1.0
     without = case_of(wear_rig.rig, recording)
-    assert fall_by_simulation(without, wear_rig.rig + STRONG) > 100.0
+    assert fall(without, wear_rig.rig + STRONG) > 100.0
 
 
 @pytest.mark.parametrize("occupancy", [0.0, 5.0])
@@ -105,7 +109,7 @@ def test_the_chance_of_a_load_speaks_for_no_rig(
     monkeypatch.setattr(by_simulation, "_beyond_the_twin", lambda _: (None, [correction]))
     other = wear_rig.rig + QuadraticDrag(name="quadratic_drag", at="wear_part", coefficient=2e-4)
     by_twin = case.model.cost - misfit_sum(misfits_of(other, case.seen))
-    assert (fall_by_simulation(case, other) == pytest.approx(by_twin)) is bool(occupancy)
+    assert (fall(case, other) == pytest.approx(by_twin)) is bool(occupancy)
 
 
 @pytest.mark.parametrize(("made", "stays"), [(0, True), (4, False)])

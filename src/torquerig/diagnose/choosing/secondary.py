@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.judging.by_simulation import fall_by_simulation, left_by_simulation
+from torquerig.diagnose.judging.by_simulation import left_and_fall, left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.places import SAME_ORDER, Place
 
@@ -42,11 +42,10 @@ def stands_in_simulations(case: Case, trial: Trial) -> bool:
     place, ratio = trial.candidate.place, abs(case.nominal.run.gear_ratio or 1.0)
     left = mismatches(case)
     its = left if place is None else [each for each in left if _at(each, place, ratio) or _around(each, place, case)]
-    if left_by_simulation(case, its):
-        return True
     if place is not None or trial.model.corrections:
-        return False
-    return fall_by_simulation(case, trial.model.rig) > max(_AGAIN * trial.gain, LEAST_GAIN)
+        return bool(left_by_simulation(case, its))
+    stay, fall = left_and_fall(case, its, trial.model.rig)
+    return bool(stay) or fall > max(_AGAIN * trial.gain, LEAST_GAIN)
 
 
 def _at(mismatch: Mismatch, place: Place, ratio: float) -> bool:

@@ -35,31 +35,36 @@ def left_by_simulation(case: Case, left: Sequence[Mismatch]) -> tuple[Mismatch, 
     if not left:
         return ()
     try:
-        copies, beyond = _beyond_the_twin(case)
+        return _still_there(case, left, *_beyond_the_twin(case))
     except SimulationError:
         return tuple(left)
+
+
+def left_and_fall(case: Case, left: Sequence[Mismatch], other: Rig) -> tuple[tuple[Mismatch, ...], float]:
+    """Return the same, and by how much the misfit falls with another rig beside what only simulations have.
+
+    Of the slow torque of a steady run under load that is the load's chance, and left out. It falls by 0 where the
+    case's rig cannot be simulated: nothing then speaks for the other.
+    """
+    try:
+        copies, beyond = _beyond_the_twin(case)
+    except SimulationError:
+        return tuple(left), 0.0
+    told = [
+        replace(each, level=np.zeros_like(each.level)) if _random(features.observed) else each
+        for each, features in zip(beyond, case.seen, strict=True)
+    ]
+    before, after = (misfits_of(rig, case.seen, told) for rig in (case.model.rig, other))
+    return _still_there(case, left, copies, beyond), misfit_sum(before) - misfit_sum(after)
+
+
+def _still_there(
+    case: Case, left: Sequence[Mismatch], copies: Sequence[Sequence[Observed]], beyond: Sequence[Correction]
+) -> tuple[Mismatch, ...]:
     simulated = replace(case, model=replace(case.model, misfits=misfits_of(case.model.rig, case.seen, beyond)))
     found = mismatches(simulated, beyond)
     again = [each for each in found if each.domain != "distribution" or _flies_more(case, copies)]
     return tuple(mismatch for mismatch in left if any(_same(mismatch, other) for other in again))
-
-
-def fall_by_simulation(case: Case, other: Rig) -> float:
-    """Return by how much the misfit falls with another rig, beside what only simulations of the case's rig have.
-
-    Of the slow torque of a steady run under load that is the load's chance, and left out. 0 where the rig cannot be
-    simulated: nothing then speaks for the other.
-    """
-    try:
-        _, beyond = _beyond_the_twin(case)
-    except SimulationError:
-        return 0.0
-    beyond = [
-        replace(each, level=np.zeros_like(each.level)) if _random(features.observed) else each
-        for each, features in zip(beyond, case.seen, strict=True)
-    ]
-    before, after = (misfits_of(rig, case.seen, beyond) for rig in (case.model.rig, other))
-    return misfit_sum(before) - misfit_sum(after)
 
 
 def _random(run: Observed) -> bool:

@@ -127,8 +127,9 @@ def _code(observed: Observed) -> float:
     moving = steps[steps > 0]
     if not 0 < moving.size < 0.5 * steps.size:
         return 0.0
-    moved = np.cumsum(np.sort(moving))
-    return float(np.sort(moving)[np.searchsorted(moved, _SMALLEST * moved[-1])])
+    rising = np.sort(moving)
+    moved = np.cumsum(rising)
+    return float(rising[np.searchsorted(moved, _SMALLEST * moved[-1])])
 
 
 def _smooth(observed: Observed) -> Floats:
