@@ -15,6 +15,7 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
+from torquerig.diagnose.judging.spread_lines import spread_lines
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, why_withdrawn
 from torquerig.diagnose.looking.features import Features
@@ -132,7 +133,7 @@ def diagnose(
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
     as_a_whole: tuple[Mismatch, ...] = ()
     if not (left or named or sought.descriptions):
-        left = as_a_whole = misfit_as_a_whole(after, unseen, held_out=fit.after)
+        left = as_a_whole = misfit_as_a_whole(after, unseen, held_out=fit.after) or _spread(after, faults)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
@@ -165,6 +166,11 @@ def _verdict(
     if left or faults.unnamed or faults.untrue or described:
         return "unexplained"
     return "missing_physics" if findings else "adequate"
+
+
+def _spread(case: Case, faults: SampleFindings) -> tuple[Mismatch, ...]:
+    """Return the lines spread over a hertz or two, where no fault of the samples spreads the others."""
+    return () if faults.candidates or faults.unnamed else tuple(spread_lines(case))
 
 
 def _completed(case: Case, faults: SampleFindings) -> Rig:

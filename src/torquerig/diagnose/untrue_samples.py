@@ -13,6 +13,7 @@ from torquerig.diagnose.looking.copied import copied
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, without_steps
 from torquerig.diagnose.looking.refilled import Moments
+from torquerig.diagnose.looking.sample_jumps import sample_jumps
 from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
 from torquerig.diagnose.looking.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
@@ -23,6 +24,7 @@ Untrue = tuple[str, Mismatch]
 _TOLD = 4  # moments of a recording that are told
 _TAKEN_OUT = "the rest was judged with the steps taken out"
 _LEFT_IN = "there are too many of them to put the rest right"
+_FEWEST_JUMPS = 3  # of a sample, in one recording: one may be a switch of the load, and passes
 _FEW_STEPS = 3  # of a recording: a mean that steps to and fro is not put right by taking out those that are seen
 
 
@@ -94,6 +96,9 @@ def without_untrue(
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
+    for recording, moments in zip(answer, lost, strict=True):
+        if recording.name not in standing:
+            told += _jumping_values(recording, moments, resolution=2 * resolution)
     moments_of_each, steps_of_each = list(lost), mean_steps(answer, lost, resolution=resolution)
     few = max(map(len, steps_of_each), default=0) <= _FEW_STEPS
     for index, steps in enumerate(steps_of_each):
@@ -141,6 +146,21 @@ def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
         "library does that: the rest was judged with these moments scaled back"
     )
     return sentence, _place(recording, moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)))
+
+
+def _jumping_values(recording: Recording, lost: Moments, *, resolution: float) -> Iterator[Untrue]:
+    rate, channel = recording.sample_rate, recording.channels[recording.torque_name()]
+    jumps = sample_jumps(channel.values, lost, resolution=resolution)
+    if jumps.size < _FEWEST_JUMPS:
+        return
+    heights = np.abs(channel.values[jumps] - channel.values[jumps - 1])
+    sentence = (
+        f"{recording.name}: at {_moments((jumps / rate).tolist())} the signal jumps by up to "
+        f"{float(heights.max()) * channel.si_per_unit:.3g} N m from one sample to the next, and is smooth before and "
+        "after; no torque does that, a gain or a zero that changes or lost samples do, and no mechanism of the "
+        "library: the rest was judged with the jumps in it"
+    )
+    yield sentence, _place(recording, int(jumps[0]), int(jumps[0]) + 1, excess=0.0)
 
 
 def _stepping(recording: Recording, steps: Sequence[MeanStep], *, taken_out: bool) -> Untrue:

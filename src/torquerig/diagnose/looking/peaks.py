@@ -102,10 +102,15 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
     return tuple(sorted(accepted, key=lambda peak: -peak.excess))
 
 
-def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
+def beside_lines(run: Observed, known: Sequence[Place]) -> Floats:
+    """Return what the lines at ``known`` leave of the torque in the stretches that fits may see, one after another."""
     seen = [stretch for stretch in run.stretches if not stretch.held]
-    rest = np.concatenate([_rest(run, stretch.start, stretch.stop, known) for stretch in seen])
-    angle = run.angle[seen[0].start : seen[0].start + rest.size]
+    return np.concatenate([_rest(run, stretch.start, stretch.stop, known) for stretch in seen])
+
+
+def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
+    rest, start = beside_lines(run, known), next(stretch.start for stretch in run.stretches if not stretch.held)
+    angle = run.angle[start : start + rest.size]
     window = np.hanning(rest.size)
     direct = np.abs(np.fft.rfft(rest * window)) ** 2
     even = np.linspace(angle[0], angle[-1], rest.size)
