@@ -68,7 +68,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
     lost_of_each = tuple(map(moments_lost, recordings))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
-    under_hum = None if flat is not None or codes is not None else flat_under_hum(mended)
+    under_hum = None if flat is not None or codes is not None else flat_under_hum(mended, full_range=full)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
     elif under_hum is not None:

@@ -57,3 +57,14 @@ def test_a_limit_before_an_alias_is_found(cut: bool) -> None:
 )  # fmt: skip
 def test_where_there_is_none_none_is_found(cut: bool, hum: float, after: bool) -> None:
     assert flat_under_hum([recording(cut=cut, hum=hum, after=after)]) is None
+
+
+def test_what_the_converter_stops_is_no_limit_of_an_amplifier() -> None:
+    """An alias too small to move the code at which a converter ends lies on everything that it does not stop."""
+    given = recording(cut=False, hum=0.0)
+    volts = given.channels["torque_V"].values + 0.03 * np.cos(2 * pi * 1153.71 * TIME)
+    given = given.with_values("torque_V", np.minimum(volts, LIMIT))
+    found = flat_under_hum([given])
+    assert found is not None
+    assert found.limit == pytest.approx(LIMIT, abs=1e-3)
+    assert flat_under_hum([given], full_range=LIMIT) is None

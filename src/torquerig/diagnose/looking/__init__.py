@@ -24,5 +24,5 @@ strong_alias    a tone that hides faults of samples    under_hum    a limit behi
 sweep_course    a sweep's ends, and a run without it   flight_statistics   what flights tell of the gap
 kept            worked out once for all models         robust_spread   how far values scatter
 orders_standing_out   whether lines stand at some orders
-sample_jumps    from one sample to the next
+sample_jumps    from one sample to the next            tone_frequency  by all runs together
 """

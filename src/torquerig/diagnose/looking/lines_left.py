@@ -12,9 +12,10 @@ from torquerig.diagnose.looking.common_tones import tone_of
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED, may_be_fixed, rather_fixed
 from torquerig.diagnose.looking.peaks import LEADING, SHIFTED, TOP_ORDER, Peak, peaks
-from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
+from torquerig.diagnose.looking.places import SAME_ORDER, Place, frequency, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
 from torquerig.diagnose.looking.smeared_orders import smeared_orders
+from torquerig.diagnose.looking.tone_frequency import told_frequency
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
@@ -89,11 +90,20 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
         beside += [peak.place for peak in strong if peak not in new]
         for peak in new:
             place = _whole(peak, runs, ratio, _series(found, ratio, least=peak.excess))
+            place = _of_all_runs(replace(peak, place=place), runs, [*carriers, *(other.place for other in new)])
             if place not in {*carriers, *(other.place for other in found)}:
                 found.append(replace(peak, place=place))
     found.sort(key=lambda peak: -peak.excess)
     asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in found[:_ASKED]]
     return (*asked, *found[_ASKED:])
+
+
+def _of_all_runs(peak: Peak, runs: Sequence[Observed], lines: Sequence[Place]) -> Place:
+    """Return where all runs that show a clear tone tell it: one alone may have a line of the shaft beside it."""
+    if peak.place.domain == "order" or peak.excess < LEADING:
+        return peak.place
+    shown = [run for run in runs if run.steady and run.name in peak.runs]
+    return frequency(told_frequency(peak.place.at, shown, lines))
 
 
 def _series(found: Sequence[Peak], ratio: float, *, least: float) -> list[int]:

@@ -24,8 +24,10 @@ _CLOSER, _ROUNDS = 0.6, 12
 _OVER_BESIDE = 4.0  # samples of a pile over those just below, on twice its width
 
 
-def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
+def flat_under_hum(recordings: Sequence[Recording], *, full_range: float = float("inf")) -> FlatTops | None:
     """Return the level at which the signal stops once a hum or an alias is taken off, where it piles up there.
+
+    What stops at ``full_range`` [V] stops in the converter, behind any cable.
 
     The hum is fitted by least squares with the harmonics 1 to 3 of the grid, their amplitudes straight in time (which
     takes up what its frequency is misjudged by), and once more on the samples near the limit alone, closer and closer:
@@ -41,7 +43,7 @@ def flat_under_hum(recordings: Sequence[Recording]) -> FlatTops | None:
             hum = np.hstack([np.ones((volts.size, 1)), waves])
             for sign in (1.0, -1.0):
                 pile = _pile(sign * volts, hum)
-                if pile is not None:
+                if pile is not None and pile[0] < full_range - _LAST:
                     found[recording.name] = pile
     if not found:
         return None
