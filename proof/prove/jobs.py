@@ -39,6 +39,8 @@ def run_jobs(
 
 
 def _one_thread() -> Any:  # in a worker it holds until the worker ends
+    # only libraries that are loaded already can be told, and two threads each on two workers slow both down
+    import scipy.linalg  # noqa: F401
     from threadpoolctl import threadpool_limits
 
     return threadpool_limits(limits=1)

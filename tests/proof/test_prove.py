@@ -136,6 +136,22 @@ def test_jobs_are_done_in_several_processes_and_progress_counts_them():
     assert {row[2] for row in seen} == {"", *"01234"}
 
 
+def threads_of_linear_algebra(_: int) -> str:
+    import scipy.linalg  # noqa: F401
+    from threadpoolctl import threadpool_info
+
+    return str({each["num_threads"] for each in threadpool_info() if each["user_api"] == "blas"})
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_linear_algebra_of_a_job_has_one_thread_even_in_libraries_that_it_loads_itself(workers, monkeypatch):
+    monkeypatch.setenv("OMP_NUM_THREADS", "2")  # what a machine of two cores sets where nobody does
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    seen = set()
+    run_jobs(threads_of_linear_algebra, [0, 1], workers=workers, progress=lambda _d, _t, name: seen.add(name))
+    assert seen == {"", "{1}"}
+
+
 def test_practice_answers_are_told_in_the_contracts_words(tmp_path):
     left = {
         "a": {"left_out": {"gear_mesh": {"teeth": 72.0, "amplitudes_rad": [5e-5, 1e-6], "planet_modulation": 0.1}}},
