@@ -48,8 +48,19 @@ def test_a_line_that_jumps_is_told_at_its_order_by_two_speeds(wear_rig: Scenario
     assert told.at == pytest.approx(ORDER, rel=0.02)
     assert told.recordings == ("100", "70")
     assert told.p_value < 1e-3
-    # a Lorentzian's density at its middle, a^2/L at L jumps a second, over the noise's, 2 s^2/rate
-    assert told.excess_dB == pytest.approx(10 * np.log10(4e-3**2 / (3.0 * 2 * 2e-2**2 / RATE)), abs=4.0)
+    # the median over a width w of a Lorentzian, a^2 L / (L^2 + (pi w / 2)^2) at L jumps a second, over 2 s^2 / rate
+    width = told.width * 85.0 / (2 * pi)
+    assert width == pytest.approx(1.5, rel=0.02) or width == pytest.approx(3.0, rel=0.02)
+    line = 4e-3**2 * 3.0 / (3.0**2 + (0.5 * pi * width) ** 2)
+    assert told.excess_dB == pytest.approx(10 * np.log10(line / (2 * 2e-2**2 / RATE)), abs=2.0)
+
+
+def test_runs_that_show_it_little_show_it_together(wear_rig: Scenario, made: Made) -> None:
+    runs = [made(speed, seed=seed, line=2.2e-3) for seed, speed in enumerate((100.0, 83.0, 70.0, 58.0), start=1)]
+    assert all(found(wear_rig, run) == [] for run in runs[:2])
+    (told,) = found(wear_rig, *runs)
+    assert told.domain == "order"
+    assert told.at == pytest.approx(ORDER, rel=0.02)
 
 
 def test_one_speed_tells_its_frequency(wear_rig: Scenario, made: Made) -> None:
