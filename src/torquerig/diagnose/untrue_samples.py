@@ -96,10 +96,10 @@ def without_untrue(
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
-    for recording, moments in zip(answer, lost, strict=True):
-        if recording.name not in standing:
-            told += _jumping_values(recording, moments, resolution=2 * resolution)
     moments_of_each, steps_of_each = list(lost), mean_steps(answer, lost, resolution=resolution)
+    for recording, moments, steps in zip(answer, lost, steps_of_each, strict=True):
+        if not steps and recording.name not in standing:
+            told += _jumping_values(recording, moments, resolution=2 * resolution)
     few = max(map(len, steps_of_each), default=0) <= _FEW_STEPS
     for index, steps in enumerate(steps_of_each):
         if steps:
