@@ -15,7 +15,7 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
-from torquerig.diagnose.judging.spread_lines import spread_lines
+from torquerig.diagnose.judging.spread_lines import spread_line
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, why_withdrawn
 from torquerig.diagnose.looking.features import Features
@@ -169,8 +169,9 @@ def _verdict(
 
 
 def _spread(case: Case, faults: SampleFindings) -> tuple[Mismatch, ...]:
-    """Return the lines spread over a hertz or two, where no fault of the samples spreads the others."""
-    return () if faults.candidates or faults.unnamed else tuple(spread_lines(case))
+    """Return a line spread over a hertz or two, where no fault of the samples spreads the others."""
+    told = None if faults.candidates or faults.unnamed else spread_line(case)
+    return () if told is None else (told,)
 
 
 def _completed(case: Case, faults: SampleFindings) -> Rig:

@@ -4,8 +4,7 @@ leftover       where it is significantly wrong         whole_fit   whether it fi
 by_simulation  whether a simulation is wrong there too  one_load    whether runs differ as no load does
 held_out       how well it predicts what no fit has seen
 narrow_humps   noise at one order or one frequency    fixed_after_all  orders that turned out to be tones
-spread_lines   lines between the two
-passing        what comes and goes within a run
+spread_lines   lines a hertz or two wide              passing   what comes and goes within a run
 band_excess    what two runs are compared by
 chance         how probable a residual is             share_explained  how much goes where an effect changes something
 withdrawn      why what was found is not believed

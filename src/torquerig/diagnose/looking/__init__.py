@@ -25,4 +25,5 @@ sweep_course    a sweep's ends, and a run without it   flight_statistics   what 
 kept            worked out once for all models         robust_spread   how far values scatter
 orders_standing_out   whether lines stand at some orders
 sample_jumps    from one sample to the next            tone_frequency  by all runs together
+spread_heights  the power of a hertz or two over that on both sides
 """

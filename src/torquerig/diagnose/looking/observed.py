@@ -97,6 +97,12 @@ class Observed:
         return answer
 
     @property
+    def seen(self) -> slice:
+        """From the first to the last sample that fits may see; in a steady run all between them."""
+        seen = [stretch for stretch in self.stretches if not stretch.held]
+        return slice(seen[0].start, seen[-1].stop)
+
+    @property
     def torque_unit(self) -> float:
         """Torque [N m] per unit of the recorded channel."""
         return self.recording.channels[self.recording.torque_name()].si_per_unit

@@ -58,16 +58,10 @@ def _buried(fixed: float, run: Observed, shown: Sequence[Observed]) -> bool:
 
 def _bins_around(run: Observed, fixed: float) -> NDArray[np.float64]:
     """Return the power of a tone in each bin near ``fixed`` [Hz], as one of amplitude 1 has it in any run."""
-    part = _seen_part(run)
+    part = run.seen
     torque = run.torque[part] - run.torque[part].mean()
     phase = np.asarray(2 * np.pi * fixed / run.rate * np.arange(torque.size), dtype=np.float64)
     return np.asarray(_around(torque, phase) / (np.hanning(torque.size).sum() / 2) ** 2, dtype=np.float64)
-
-
-def _seen_part(run: Observed) -> slice:
-    """Return what fits may see of a run, from its first to its last stretch."""
-    seen = [stretch for stretch in run.stretches if not stretch.held]
-    return slice(seen[0].start, seen[-1].stop)
 
 
 def rather_fixed(runs: Sequence[Observed], place: Place) -> bool:
@@ -111,7 +105,7 @@ def _powers(run: Observed, order: float, at: float) -> tuple[float, float]:
 
     Where it stands on the whole is known from itself; only how the speed strays from its mean is asked of the angle.
     """
-    part = _seen_part(run)
+    part = run.seen
     torque, angle = run.torque[part] - run.torque[part].mean(), run.angle[part]
     strays = order * (angle - np.linspace(angle[0], angle[-1], angle.size))
     still = np.asarray(2 * np.pi * at / run.rate * np.arange(angle.size), dtype=np.float64)

@@ -109,8 +109,8 @@ def beside_lines(run: Observed, known: Sequence[Place]) -> Floats:
 
 
 def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
-    rest, start = beside_lines(run, known), next(stretch.start for stretch in run.stretches if not stretch.held)
-    angle = run.angle[start : start + rest.size]
+    rest = beside_lines(run, known)
+    angle = run.angle[run.seen.start : run.seen.start + rest.size]
     window = np.hanning(rest.size)
     direct = np.abs(np.fft.rfft(rest * window)) ** 2
     even = np.linspace(angle[0], angle[-1], rest.size)

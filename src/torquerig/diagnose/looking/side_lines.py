@@ -57,8 +57,7 @@ class _Straying:
 
     def __init__(self, run: Observed, twin: Twin, *, twist: float) -> None:
         self.passed = twin.torque_on(twin.drives[0].on) if twin.drives else None
-        seen = [stretch for stretch in run.stretches if not stretch.held]
-        part = slice(seen[0].start, seen[-1].stop)
+        part = run.seen
         self.angle, torque = run.angle[part], run.torque[part]
         self.time = np.arange(part.start, part.stop) / run.rate
         self.window = np.hanning(self.angle.size)

@@ -65,8 +65,7 @@ def _grid() -> Floats:
 
 def _heights(run: Observed) -> Floats:
     """Return the logarithm of the power gathered around each order over that beside it, on the higher side."""
-    seen = [stretch for stretch in run.stretches if not stretch.held]
-    torque = run.torque[seen[0].start : seen[-1].stop]
+    torque = run.torque[run.seen]
     power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
     summed = np.concatenate([[0.0], np.cumsum(power)])
     bins = np.exp(_grid()) * abs(run.mean_speed) / (2 * pi) * torque.size / run.rate

@@ -45,8 +45,7 @@ def steady_frequency(run: Observed, at: float) -> float:
 
 def spectrum_of_seen(run: Observed) -> tuple[Floats, float]:
     """Return the power of what fits may see of a run under a Hann window, and the step of its frequencies [Hz]."""
-    seen = [stretch for stretch in run.stretches if not stretch.held]
-    torque = run.torque[seen[0].start : seen[-1].stop]
+    torque = run.torque[run.seen]
     power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
     return power, run.rate / torque.size
 

@@ -49,14 +49,8 @@ def told_frequency(at: float, runs: Sequence[Observed], known: Sequence[Place]) 
     return at + float(offsets[top] + (0.5 * (before - after) / curve if curve < 0 else 0.0) * (offsets[1] - offsets[0]))
 
 
-def _seen(run: Observed) -> tuple[int, int]:
-    seen = [stretch for stretch in run.stretches if not stretch.held]
-    return seen[0].start, seen[-1].stop
-
-
 def _seconds(run: Observed) -> float:
-    start, stop = _seen(run)
-    return (stop - start) / run.rate
+    return float((run.seen.stop - run.seen.start) / run.rate)
 
 
 def _alone(at: float, run: Observed, known: Sequence[Place]) -> bool:
@@ -66,9 +60,9 @@ def _alone(at: float, run: Observed, known: Sequence[Place]) -> bool:
 
 def _periodogram(at: float, run: Observed, offsets: Floats) -> Floats:
     """Return the power at each offset [Hz], by the signal turned back by ``at`` and summed over blocks."""
-    start, stop = _seen(run)
-    size = (stop - start) // _BLOCKS * _BLOCKS
-    torque = run.torque[start : start + size]
+    torque = run.torque[run.seen]
+    size = torque.size // _BLOCKS * _BLOCKS
+    torque = torque[:size]
     turned = (torque - torque.mean()) * np.hanning(size) * np.exp(-2j * pi * at / run.rate * np.arange(size))
     blocks = turned.reshape(_BLOCKS, -1).sum(axis=1)
     middle = (np.arange(_BLOCKS) + 0.5) * (size / _BLOCKS / run.rate)
