@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -97,13 +98,31 @@ def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progre
     nominal, own_gap = closed(whole)
     progress("looking at the samples")
     faults = sample_findings(recordings, nominal)
-    progress("following the shaft")
-    runs = followed(recordings, faults.recordings, nominal)
+    progress("following the shaft and fitting the nominal model's own numbers")
+    runs, before, held = _calibrated(scenario, recordings, nominal, faults)
+    other = faults.at_other_level()
+    if other is not None:
+        progress("trying the other level of the telegraph noise")
+        at_other = _calibrated(scenario, recordings, nominal, other)
+        if at_other.before.model.cost < before.model.cost:
+            faults, (runs, before, held) = other, at_other
     untrue = (*faults.untrue, *off_ratios(sheets, runs, nominal), *off_set_points(recordings, runs))
-    progress("fitting the nominal model's own numbers")
-    before, held = opened(scenario, runs, nominal, faults)
     before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
     return Beginning(
         scenario=scenario, whole=whole, own_gap=own_gap, faults=faults, runs=runs, untrue=untrue, before=before,
         held=held, remarks=(unknown,) if thresholds is None else (),
     )  # fmt: skip
+
+
+class _Calibrated(NamedTuple):
+    runs: tuple[Observed, ...]
+    before: Case
+    held: tuple[Features, ...]
+
+
+def _calibrated(
+    scenario: Scenario, recordings: Sequence[Recording], nominal: Rig, faults: SampleFindings
+) -> _Calibrated:
+    """Return the runs along their shafts, and the nominal model calibrated on them."""
+    runs = followed(recordings, faults.recordings, nominal)
+    return _Calibrated(runs, *opened(scenario, runs, nominal, faults))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -48,6 +49,9 @@ class Candidate:
         Fields of the model whose numbers have stood in for it, and must give way where it is looked at first.
     bends : tuple of str
         Names of the model's knobs that are fitted far off where it is missing, and come back where it is not.
+    promised : float
+        What it must gain, by the derivatives, once the model's numbers give way, prices aside, to be fitted as it was
+        proposed; never where infinite.
     slow : bool
         Whether it moves the slow torque and nothing else, so that lines and bands tell nothing of it.
     resembled : bool
@@ -65,6 +69,7 @@ class Candidate:
     price: float = 0.0
     loosens: tuple[str, ...] = ()
     bends: tuple[str, ...] = ()
+    promised: float = math.inf
     slow: bool = False
     resembled: bool = False
     within: Mapping[str, tuple[float, float]] = field(default_factory=dict)

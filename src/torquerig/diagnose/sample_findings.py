@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate
@@ -25,7 +25,7 @@ class SampleFindings:
     ``lost`` are the moments without signal of each recording, and those of steps on their way, first sample and one
     past the last; ``untrue`` tells what recordings hold that no rig of the library does, in a sentence and as a
     place; ``stepping`` is whether their mean torque steps, ``swept`` over which frequencies [Hz] a line swept
-    that was taken out.
+    that was taken out; ``to_the_other`` leads each recording to the other level of its telegraph noise [V].
     """
 
     candidates: tuple[Candidate, ...]
@@ -37,6 +37,17 @@ class SampleFindings:
     untrue: tuple[Untrue, ...] = ()
     stepping: bool = False
     swept: tuple[tuple[float, float], ...] = ()
+    to_the_other: tuple[float, ...] = ()
+
+    def at_other_level(self) -> SampleFindings | None:
+        """Return the same with all telegraph noise at its other level, None where there is none."""
+        if not any(self.to_the_other):
+            return None
+        moved = [
+            each.with_values(each.torque_name(), each.channels[each.torque_name()].values + volts)
+            for each, volts in zip(self.recordings, self.to_the_other, strict=True)
+        ]
+        return replace(self, recordings=tuple(moved), to_the_other=tuple(-volts for volts in self.to_the_other))
 
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
@@ -87,4 +98,5 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     return SampleFindings(
         tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost,
         (*repeated(sure), *jumping(recordings), *true.told), true.stepping, true.swept,
+        true.to_the_other,
     )  # fmt: skip

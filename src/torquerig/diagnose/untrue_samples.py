@@ -33,7 +33,8 @@ class Mended:
     """Recordings without what no rig does, the lost moments of each, and what was told of them.
 
     ``stepping`` is whether the mean torque of one steps, ``swept`` the frequencies [Hz], lowest and highest, over which
-    a line swept that was taken out.
+    a line swept that was taken out, ``to_the_other`` what leads each recording to the other level of its telegraph
+    noise [V].
     """
 
     recordings: tuple[Recording, ...]
@@ -41,6 +42,7 @@ class Mended:
     told: tuple[Untrue, ...]
     stepping: bool
     swept: tuple[tuple[float, float], ...]
+    to_the_other: tuple[float, ...]
 
 
 def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
@@ -89,9 +91,9 @@ def without_untrue(
     """
     levels = telegraph_noise(recordings, lost, resolution=2 * resolution)
     told = [_telegraph(each, own) for each, own in zip(recordings, levels, strict=True) if own is not None]
-    at_one_level, on_the_way = without_telegraph(recordings, levels)
-    answer, lost = list(at_one_level), [[*some, *more] for some, more in zip(lost, on_the_way, strict=True)]
-    for index, (recording, moments) in enumerate(zip(at_one_level, lost, strict=True)):
+    level = without_telegraph(recordings, levels)
+    answer, lost = list(level.recordings), [[*some, *more] for some, more in zip(lost, level.moments, strict=True)]
+    for index, (recording, moments) in enumerate(zip(level.recordings, lost, strict=True)):
         gains = () if recording.name in standing else gain_moments(recording, without=moments)
         if gains:
             answer[index] = with_one_gain(recording, gains)
@@ -117,8 +119,10 @@ def without_untrue(
         if sweep is not None:
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
-    stepping = any(steps_of_each)
-    return Mended(tuple(answer), tuple(moments_of_each), tuple(told), stepping=stepping, swept=swept)
+    return Mended(
+        tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(steps_of_each), swept=swept,
+        to_the_other=level.to_the_other,
+    )  # fmt: skip
 
 
 def _telegraph(recording: Recording, own: Telegraph) -> Untrue:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, cast
@@ -54,13 +55,15 @@ def test_what_the_numbers_stood_in_for_is_fitted_once_they_give_way(monkeypatch:
     monkeypatch.setattr(screening, "profiled_cost", lambda model, rig, seen: costs[rig])
     case = cast(Any, SimpleNamespace(model=Held("model"), seen=()))
 
-    def tried(mechanism: str, rig: str, *bends: str) -> Trial:
+    def tried(mechanism: str, rig: str, *, promised: float = 10.0) -> Trial:
         candidate = SimpleNamespace(
-            mechanism=mechanism, bends=bends, knobs=(1,), price=0.0, added_to=lambda _: rig
+            mechanism=mechanism, promised=promised, knobs=(1,), price=0.0, added_to=lambda _: rig
         )  # fmt: skip
         return Trial(cast(Any, candidate), cast(Any, None), -7.0)
 
-    every = [tried("mode", "light", "inertia"), tried("mode", "heavy", "inertia"), tried("branch", "little", "inertia")]
-    (found,) = screening.given_way_to(case, every)
+    (found,) = screening.given_way_to(case, [tried("mode", "light"), tried("mode", "heavy"), tried("branch", "little")])
     assert (found.model.rig, found.gain) == ("heavy", 100.0 - screening.PER_KNOB)
-    assert screening.given_way_to(case, [tried("bandwidth", "heavy")]) == []
+    assert screening.given_way_to(case, [tried("bandwidth", "heavy", promised=math.inf)]) == []
+    assert screening.given_way_to(case, [tried("bandwidth", "light", promised=40.0)]) == []
+    (low_pass,) = screening.given_way_to(case, [tried("bandwidth", "heavy", promised=40.0)])
+    assert low_pass.model.rig == "heavy"

@@ -58,9 +58,10 @@ def test_it_is_found_to_the_sample_and_taken_out(height: float, clean: list[Reco
         assert own.jumps == flips
         assert own.height == pytest.approx(abs(height), rel=0.03)
         assert own.up == (height > 0)
-    mended, moments = without_telegraph(spoilt, found)
-    assert all(not each for each in moments)
-    for after, before in zip(mended, clean, strict=True):
+    level = without_telegraph(spoilt, found)
+    assert all(not each for each in level.moments)
+    assert [abs(volts) for volts in level.to_the_other] == pytest.approx([abs(height)] * len(clean), rel=0.03)
+    for after, before in zip(level.recordings, clean, strict=True):
         assert np.abs(volts_of(after) - volts_of(before)).max() < 0.03 * abs(height)
 
 
@@ -68,8 +69,8 @@ def test_it_is_found_to_the_sample_and_taken_out(height: float, clean: list[Reco
 def test_jumps_that_a_filter_has_slowed_are_found_too(takes: int, clean: list[Recording]) -> None:
     spoilt = jumping(clean, 0.8, takes=takes)
     found = found_in(spoilt)
-    mended, moments = without_telegraph(spoilt, found)
-    for own, flips, after, before, left_out in zip(found, FLIPS, mended, clean, moments, strict=True):
+    level = without_telegraph(spoilt, found)
+    for own, flips, after, before, left_out in zip(found, FLIPS, level.recordings, clean, level.moments, strict=True):
         assert own is not None
         assert own.lag >= takes - 1
         assert own.jumps == pytest.approx(flips, abs=2 * own.lag)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, explained_share
+from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.fitting.calibration import misfits_of
@@ -29,6 +29,10 @@ _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something l
 _WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
 # one that gains so much, and as much on what no fit has seen, may leave more at its places: clean rigs reach 55
 _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
+# where nothing stands out before it: half of its places, if what no fit has seen gains more than on a clean rig (53 at
+# most of 86); where no single feature falls clearly, for what was called chance or bent comes back all over: twice what
+# it must gain, and half of that on what no fit has seen
+_AGAIN_BY_ITSELF, _TWICE = 75.0, 2.0
 _OF_WRONG = 0.1  # of what is wrong: beside a load that steps in one run, a drift takes up a little in the others
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
@@ -63,11 +67,18 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
         return False
     alone = not (earlier or trial.candidate.description)
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
+    if trusted and not _falls_clearly(case, trial):
+        return trial.gain > _TWICE * least and trusted * trial.gain > _AGAIN * least
     again_enough = trusted * trial.gain > least if trial.candidate.resembled else trusted > _AGAIN
     borne_out = share > _WHOLE and again_enough
     beside_more = _mode(trial) and excess(case) > 2 * trial.gain  # what else is wrong with the shafts moves their modes
     enough = max(_enough(case, trial, trusted), _WHOLE if beside_more else 0.0)
     return share > enough and (trial.gain > least or borne_out)
+
+
+def _falls_clearly(case: Case, trial: Trial) -> bool:
+    """Whether the trial changes a feature for the better so that it can be told which share of its places it takes."""
+    return trial.alone > 0 or changes_places(case.model.misfits, trial.model.misfits)
 
 
 def _mode(trial: Trial) -> bool:
@@ -87,8 +98,10 @@ def _enough(case: Case, trial: Trial, again: float) -> float:
     enough = LEAST_SHARE
     if fits and trial.gain > _LARGE:
         enough = _HALF if trial.gain > _VERY_LARGE else LEAST_SHARE_WHERE_ALL_FITS
-    borne_out = trial.gain > max(_MUCH, _OF_WRONG * excess(case)) and again > _AS_WELL
-    return min(enough, _MORE_THAN_HALF) if borne_out else enough
+    much = trial.gain > max(_MUCH, _OF_WRONG * excess(case))
+    if much and again * trial.gain > _AGAIN_BY_ITSELF and not mismatches(case):
+        return min(enough, _HALF)
+    return min(enough, _MORE_THAN_HALF) if much and again > _AS_WELL else enough
 
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:

@@ -28,6 +28,11 @@ def explained_share(
     return share_explained(_squares(before), _squares(after), beside=beside)
 
 
+def changes_places(before: Sequence[Misfit], after: Sequence[Misfit]) -> bool:
+    """Whether the robust square of any feature falls clearly."""
+    return bool(np.any(_squares(before) - _squares(after) > CHANGED))
+
+
 def gained_at_its_places(before: Sequence[Misfit], with_it: Sequence[Misfit], with_other: Sequence[Misfit]) -> float:
     """Return by how much the robust squares fall with another effect at the features that an effect changes."""
     old, new, other = map(_squares, (before, with_it, with_other))

@@ -9,14 +9,13 @@ import numpy as np
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.explained import explained_share
-from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
+from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.profiled import profiled_cost
 
 BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
 _FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
-_PROMISED = 0.25  # of the least gain: so much the derivatives promise of what fits then may find
 _DERIVATIVES, _LOOSE_DERIVATIVES = 2, 3
 
 
@@ -58,12 +57,12 @@ def finalists(tried: Sequence[Trial]) -> list[Trial]:
 
 
 def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
-    """Return what bends the model's numbers and gains enough once they give way, as it was proposed; one of a kind.
+    """Return what bends the model's numbers and gains what it promised once they give way; one of a kind.
 
     The numbers may have stood in for it, as an inertia for a heavy mode. Its own numbers, fitted while the model is
-    held, then lead away from it. A low-pass is not asked so: what laws differ by passes for one, on clean rigs too.
+    held, then lead away from it, so that each is returned as it was proposed.
     """
-    bending = [trial.candidate for trial in tried if trial.candidate.bends]
+    bending = [trial.candidate for trial in tried if np.isfinite(trial.candidate.promised)]
     before = profiled_cost(case.model, case.model.rig, case.seen) if bending else 0.0
     answer: dict[str, Trial] = {}
     for candidate in bending:
@@ -73,7 +72,7 @@ def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
             candidate, replace(case.model, rig=rig), before - profiled_cost(case.model, rig, case.seen) - paid
         )
         best = answer.get(candidate.mechanism, trial)
-        if trial.gain + candidate.price > _PROMISED * LEAST_GAIN and trial.gain >= best.gain:
+        if trial.gain + candidate.price > candidate.promised and trial.gain >= best.gain:
             answer[candidate.mechanism] = trial
     return [*answer.values()]
 

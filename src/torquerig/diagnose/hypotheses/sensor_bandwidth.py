@@ -9,26 +9,34 @@ import numpy as np
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.fitting.profiled import profiled_cost
 from torquerig.rig.parts import TorqueSensor
 
 _LOWEST = 15.0  # [Hz]
 _TRIALS = 24
+_PROMISED = 40.0  # by the derivatives: as much as an effect must gain, which no clean rig comes to
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield the cutoff below the sensor's own that fits best.
+    """Yield the cutoff below the sensor's own that fits best, and the one that does so once the numbers give way.
 
-    Laws of friction and contact that differ from the model's fade like a low-pass, held out as well: of 53 blind rigs
-    without one two gain 34 and 37 by it, six more 10 to 26, and one with an alias 70.
+    Stiffnesses, dampings and the laws of the load may have stood in for a low-pass, and what laws differ by resembles
+    one: of 86 blind rigs with nothing hidden none gains more than 31, and 53 on what no fit has seen.
     """
     sensor = case.nominal.part(case.nominal.measured)
     if not isinstance(sensor, TorqueSensor):
         return
-    ranked: list[tuple[float, Candidate]] = []
-    for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS):
-        part = mechanisms.SensorBandwidth(name="sensor_bandwidth", sensor=sensor.name, cutoff=float(cutoff))
-        candidate = Candidate(
-            mechanism="sensor_bandwidth", parts=(part,), knobs=(Knob(part.name, "cutoff", 0.3),), resembled=True
-        )
-        ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
-    yield min(ranked, key=lambda item: item[0])[1]
+    tried = [_low_pass(sensor, float(cutoff)) for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS)]
+    held = min(tried, key=lambda one: case.misfit_of(one.added_to(case.model.rig)))
+    yield held
+    loose = min(tried, key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
+    if loose is not held:
+        yield loose
+
+
+def _low_pass(sensor: TorqueSensor, cutoff: float) -> Candidate:
+    part = mechanisms.SensorBandwidth(name="sensor_bandwidth", sensor=sensor.name, cutoff=cutoff)
+    return Candidate(
+        mechanism="sensor_bandwidth", parts=(part,), knobs=(Knob(part.name, "cutoff", 0.3),), promised=_PROMISED,
+        resembled=True,
+    )  # fmt: skip

@@ -81,13 +81,23 @@ def telegraph_noise(
     return max(each_lag, key=lambda told: min((own.clear for own in told if own is not None), default=0.0))
 
 
-def without_telegraph(
-    recordings: Sequence[Recording], found: Sequence[Telegraph | None]
-) -> tuple[tuple[Recording, ...], tuple[Moments, ...]]:
-    """Return the recordings at one level, and the moments in which each is on its way to another.
+@dataclass(frozen=True)
+class OneLevel:
+    """Recordings at one level, the moments in which each is on its way to another, and what leads to the other [V].
 
-    Which of the two is the zero nobody knows: the one taken brings the mean of the emptiest run nearest to none, for
-    idle shafts need little torque and such as turn back need none on average.
+    The last, to be added to every value of a recording, is 0 where that never jumps.
+    """
+
+    recordings: tuple[Recording, ...]
+    moments: tuple[Moments, ...]
+    to_the_other: tuple[float, ...]
+
+
+def without_telegraph(recordings: Sequence[Recording], found: Sequence[Telegraph | None]) -> OneLevel:
+    """Return the recordings at one level.
+
+    Which of the two is the zero the samples do not tell: the one taken brings the mean of the emptiest run nearest to
+    none, for idle shafts need little torque and such as turn back need none on average. A model may tell better.
     """
     each = [_at_lower(recording, own) for recording, own in zip(recordings, found, strict=True)]
     jumping = [(recording, volts) for recording, volts, own in zip(recordings, each, found, strict=True) if own]
@@ -100,7 +110,8 @@ def without_telegraph(
         moments.append([] if own is None or own.lag == 1 else [(at - own.lag, at) for at in own.jumps])
         if own is not None:
             mended[index] = recording.with_values(recording.torque_name(), each[index] + zero)
-    return tuple(mended), tuple(moments)
+    other = tuple(0.0 if own is None else height - 2 * zero for own in found)
+    return OneLevel(tuple(mended), tuple(moments), other)
 
 
 def _load(recording: Recording) -> float:
