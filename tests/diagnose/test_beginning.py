@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,9 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.misfit import Misfit
 from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+Record = Callable[..., Recording]
 
 
 class Reading:
@@ -49,3 +53,28 @@ def test_the_reading_that_fits_is_taken(
     assert start.scenario is (other if said else drawn)
     assert len(start.remarks) == len(said)
     assert all(each in remark for each, remark in zip(said, start.remarks, strict=True))
+
+
+@pytest.mark.parametrize(("costs", "taken"), [((912.0, 491.0), 1), ((491.0, 912.0), 0)])
+def test_telegraph_noise_is_judged_at_the_level_that_fits(
+    costs: tuple[float, float], taken: int, wear_rig: Scenario, record: Record, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Which of the two levels is the zero the samples do not tell; a model that misses less by one does."""
+    runs = [record(wear_rig.rig, 3 + row, rpm=rpm, rate=10_000.0) for row, rpm in enumerate((700.0, 1000.0))]
+    flip = np.zeros(runs[0].samples)
+    flip[[9_000, 17_000, 17_400, 30_000]] = 1.0
+    high = 0.6 * (np.cumsum(flip) % 2)
+    spoilt = [each.with_values("torque_V", each.channels["torque_V"].values + high) for each in runs]
+    levels: list[float] = []
+
+    def opened(_scenario: Scenario, followed: Any, _nominal: Any, _faults: Any) -> tuple[Case, tuple[()]]:
+        levels.append(float(np.mean([run.torque.mean() for run in followed])))
+        none = np.zeros(0)
+        model = Calibrated(wear_rig.rig, (), none, np.zeros((0, 0)), (), costs[len(levels) - 1])
+        return Case(nominal=wear_rig.rig, runs=followed, seen=(), model=model, left=()), ()
+
+    monkeypatch.setattr(beginning, "opened", opened)
+    start = begun(wear_rig, (), spoilt, lambda _: None)
+    assert levels[1] - levels[0] == pytest.approx(0.6 * start.runs[0].torque_unit, rel=0.03)
+    assert np.mean([run.torque.mean() for run in start.runs]) == pytest.approx(levels[taken])
+    assert len(start.untrue) >= 2

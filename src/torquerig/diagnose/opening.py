@@ -51,8 +51,12 @@ def opened(
 ) -> tuple[Case, tuple[Features, ...]]:
     """Return the case with the nominal model calibrated, and the held-out features."""
     runs = tuple(
-        replace(run, rebuilt=run.name in faults.rebuilt, stepping=faults.stepping, swept=faults.swept) for run in runs
-    )
+        replace(
+            run, rebuilt=run.name in faults.rebuilt, stepping=faults.stepping, broken=run.name in faults.broken,
+            swept=faults.swept,
+        )
+        for run in runs
+    )  # fmt: skip
     whole = _for_fits(runs, faults)
     known = known_places(whole, nominal)
     left = without_comb(lines_left(whole, known, rig=nominal))

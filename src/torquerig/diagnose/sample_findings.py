@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from torquerig import mechanisms
+from torquerig.diagnose.broken_time import broken_time
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.looking.under_hum import flat_under_hum
-from torquerig.diagnose.untrue_samples import Untrue, jumping, repeated, without_untrue
+from torquerig.diagnose.told_in_time import Untrue
+from torquerig.diagnose.untrue_samples import without_untrue
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
@@ -25,7 +27,8 @@ class SampleFindings:
     ``lost`` are the moments without signal of each recording, and those of steps on their way, first sample and one
     past the last; ``untrue`` tells what recordings hold that no rig of the library does, in a sentence and as a
     place; ``stepping`` is whether their mean torque steps, ``swept`` over which frequencies [Hz] a line swept
-    that was taken out; ``to_the_other`` leads each recording to the other level of its telegraph noise [V].
+    that was taken out; ``to_the_other`` leads each recording to the other level of its telegraph noise [V]; ``broken``
+    are the recordings whose samples were written twice or lost.
     """
 
     candidates: tuple[Candidate, ...]
@@ -38,6 +41,7 @@ class SampleFindings:
     stepping: bool = False
     swept: tuple[tuple[float, float], ...] = ()
     to_the_other: tuple[float, ...] = ()
+    broken: tuple[str, ...] = ()
 
     def at_other_level(self) -> SampleFindings | None:
         """Return the same with all telegraph noise at its other level, None where there is none."""
@@ -77,7 +81,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
-    lost_of_each = tuple(map(moments_lost, recordings))
+    lost_of_each: tuple[Moments, ...] = tuple(map(moments_lost, recordings))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     under_hum = None if flat is not None or codes is not None else flat_under_hum(mended, full_range=full)
     if flat is not None:
@@ -93,10 +97,10 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
     put_right = tuple(name for name in clipped if name in changed)
     resolution = 0.5 * (codes.step if codes else step)
-    sure = [each for each in recordings if under_hum is None or each.name not in under_hum.runs]  # tones repeat
+    time = broken_time(recordings, repeating=() if under_hum is None else under_hum.runs)
+    lost_of_each = tuple([*some, *more] for some, more in zip(lost_of_each, time.seams, strict=True))
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(
-        tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost,
-        (*repeated(sure), *jumping(recordings), *true.told), true.stepping, true.swept,
-        true.to_the_other,
+        tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost, (*time.told, *true.told),
+        true.stepping, true.swept, true.to_the_other, time.names,
     )  # fmt: skip

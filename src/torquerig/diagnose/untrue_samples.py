@@ -1,15 +1,14 @@
-"""What no rig does, in words and as places: samples written twice, jumps, levels, another gain, steps, a sweep."""
+"""What no rig does, in words and as places: jumps, levels, another gain, steps, a sweep."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import Mismatch
-from torquerig.diagnose.looking.angle_jumps import angle_jumps
-from torquerig.diagnose.looking.copied import copied
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, without_steps
 from torquerig.diagnose.looking.refilled import Moments
@@ -17,11 +16,10 @@ from torquerig.diagnose.looking.sample_jumps import sample_jumps
 from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
 from torquerig.diagnose.looking.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
+from torquerig.diagnose.seams import seams
+from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time
 from torquerig.signals.recording import Recording
 
-Untrue = tuple[str, Mismatch]
-
-_TOLD = 4  # moments of a recording that are told
 _TAKEN_OUT = "the rest was judged with the steps taken out"
 _LEFT_IN = "there are too many of them to put the rest right"
 _FEWEST_JUMPS = 3  # of a sample, in one recording: one may be a switch of the load, and passes
@@ -43,34 +41,6 @@ class Mended:
     stepping: bool
     swept: tuple[tuple[float, float], ...]
     to_the_other: tuple[float, ...]
-
-
-def repeated(recordings: Sequence[Recording]) -> Iterator[Untrue]:
-    """Yield a sentence and a place for each recording that holds samples twice."""
-    for recording in recordings:
-        found, rate = copied(recording), recording.sample_rate
-        if not found:
-            continue
-        length = max(each.stop - each.start for each in found) / rate
-        sentence = (
-            f"{recording.name}: at {_moments([each.start / rate for each in found])} samples repeat earlier ones "
-            f"exactly, for up to {1e3 * length:.3g} ms; the logger wrote them twice, so its time base cannot be trusted"
-        )
-        yield sentence, _place(recording, found[0].start, found[0].stop, excess=0.0)
-
-
-def jumping(recordings: Sequence[Recording]) -> Iterator[Untrue]:
-    """Yield a sentence and a place for each recording whose measured angle jumps."""
-    for recording in recordings:
-        found, rate = angle_jumps(recording), recording.sample_rate
-        if found:
-            furthest = max(abs(each.turn) for each in found) / (2 * np.pi)
-            sentence = (
-                f"{recording.name}: at {_moments([each.start / rate for each in found])} the channel "
-                f"{found[0].channel} jumps by up to {furthest:.2g} turns from one sample to the next, and no shaft "
-                "does; samples or counts were lost or written twice, so its time base cannot be trusted"
-            )
-            yield sentence, _place(recording, found[0].start, found[0].start + 1, excess=0.0)
 
 
 def without_untrue(
@@ -98,18 +68,22 @@ def without_untrue(
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
-    moments_of_each, steps_of_each = list(lost), mean_steps(answer, lost, resolution=resolution)
-    for recording, moments, steps in zip(answer, lost, steps_of_each, strict=True):
-        if not steps and recording.name not in standing:
-            told += _jumping_values(recording, moments, resolution=2 * resolution)
+    steps_of_each = mean_steps(answer, lost, resolution=resolution)
+    free = [not steps and each.name not in standing for each, steps in zip(answer, steps_of_each, strict=True)]
+    jumps = [
+        _jumps_of(recording, moments, resolution=2 * resolution) if may else []
+        for recording, moments, may in zip(answer, lost, free, strict=True)
+    ]
+    told += [_jumping_values(recording, own) for recording, own in zip(answer, jumps, strict=True) if own]
+    moments_of_each = [[*some, *seams(own, each)] for some, own, each in zip(lost, jumps, answer, strict=True)]
     few = max(map(len, steps_of_each), default=0) <= _FEW_STEPS
     for index, steps in enumerate(steps_of_each):
         if steps:
             told.append(_stepping(answer[index], steps, taken_out=few))
         if steps and few:
-            moments_of_each[index] = [*lost[index], *edges(answer[index], steps)]
+            moments_of_each[index] += edges(answer[index], steps)
             answer[index] = without_steps(answer[index], steps)
-    volts = [(each.channels[each.torque_name()].values, each.sample_rate) for each in answer]
+    volts = [(_volts(each), each.sample_rate) for each in answer]
     steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
     sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
     known = [sweep for sweep in sweeps.values() if sweep is not None]
@@ -128,13 +102,13 @@ def without_untrue(
 def _telegraph(recording: Recording, own: Telegraph) -> Untrue:
     rate, unit = recording.sample_rate, recording.channels[recording.torque_name()].si_per_unit
     sentence = (
-        f"{recording.name}: at {_moments([at / rate for at in own.jumps])} the signal jumps to and fro between two "
+        f"{recording.name}: at {in_words([at / rate for at in own.jumps])} the signal jumps to and fro between two "
         f"levels {own.height * unit:.3g} N m apart, within {_samples(own.lag)}; no torque does that, random telegraph "
         "(burst) noise of an amplifier or a loose contact does, and no mechanism of the library: the rest was judged "
         "at one level"
     )
     stop = own.jumps[1] if len(own.jumps) > 1 else recording.samples
-    return sentence, _place(recording, own.jumps[0], stop, excess=20 * float(np.log10(own.clear)))
+    return sentence, place_in_time(recording, own.jumps[0], stop, excess=20 * float(np.log10(own.clear)))
 
 
 def _samples(count: int) -> str:
@@ -145,39 +119,46 @@ def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
     rate, factor = recording.sample_rate, float(np.median([each.factor for each in moments]))
     length = max(each.stop - each.start for each in moments) / rate
     sentence = (
-        f"{recording.name}: at {_moments([each.start / rate for each in moments])} all of the signal, noise too, is "
+        f"{recording.name}: at {in_words([each.start / rate for each in moments])} all of the signal, noise too, is "
         f"{factor:.3g} times as large, for up to {length:.3g} s; that is a gain which changes, and no mechanism of the "
         "library does that: the rest was judged with these moments scaled back"
     )
-    return sentence, _place(recording, moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)))
+    return sentence, place_in_time(recording, moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)))
 
 
-def _jumping_values(recording: Recording, lost: Moments, *, resolution: float) -> Iterator[Untrue]:
-    rate, channel = recording.sample_rate, recording.channels[recording.torque_name()]
-    jumps = sample_jumps(channel.values, lost, resolution=resolution)
-    if jumps.size < _FEWEST_JUMPS:
-        return
-    heights = np.abs(channel.values[jumps] - channel.values[jumps - 1])
+def _jumps_of(recording: Recording, lost: Moments, *, resolution: float) -> list[int]:
+    """Return the first samples after a jump, none where there are so few that a load may have switched."""
+    jumps = sample_jumps(_volts(recording), lost, resolution=resolution).tolist()
+    return jumps if len(jumps) >= _FEWEST_JUMPS else []
+
+
+def _jumping_values(recording: Recording, jumps: Sequence[int]) -> Untrue:
+    volts, unit = _volts(recording), recording.channels[recording.torque_name()].si_per_unit
+    heights = np.abs(np.diff(volts))[np.array(jumps) - 1]
     sentence = (
-        f"{recording.name}: at {_moments((jumps / rate).tolist())} the signal jumps by up to "
-        f"{float(heights.max()) * channel.si_per_unit:.3g} N m from one sample to the next, and is smooth before and "
-        "after; no torque does that, a gain or a zero that changes or lost samples do, and no mechanism of the "
-        "library: the rest was judged with the jumps in it"
+        f"{recording.name}: at {in_words([at / recording.sample_rate for at in jumps])} the signal jumps by up to "
+        f"{float(heights.max()) * unit:.3g} N m from one sample to the next, and is smooth before and after; no torque "
+        "does that, a gain or a zero that changes or lost samples do, and no mechanism of the library: the rest was "
+        "judged with the jumps bridged"
     )
-    yield sentence, _place(recording, int(jumps[0]), int(jumps[0]) + 1, excess=0.0)
+    return sentence, place_in_time(recording, jumps[0], jumps[0] + 1, excess=0.0)
+
+
+def _volts(recording: Recording) -> NDArray[np.float64]:
+    return recording.channels[recording.torque_name()].values
 
 
 def _stepping(recording: Recording, steps: Sequence[MeanStep], *, taken_out: bool) -> Untrue:
     rate, unit = recording.sample_rate, recording.channels[recording.torque_name()].si_per_unit
     largest = max(steps, key=lambda each: abs(each.height))
     sentence = (
-        f"{recording.name}: at {_moments([each.sample / rate for each in steps])} the mean torque steps by up to "
+        f"{recording.name}: at {in_words([each.sample / rate for each in steps])} the mean torque steps by up to "
         f"{abs(largest.height) * unit:.3g} N m within some milliseconds and stays there; a load that changes or a zero "
         f"that jumps does that, no mechanism of the library: {_TAKEN_OUT if taken_out else _LEFT_IN}"
     )
     start = steps[0].sample
     stop = steps[1].sample if len(steps) > 1 else recording.samples
-    return sentence, _place(recording, start, stop, excess=20 * float(np.log10(largest.clear)))
+    return sentence, place_in_time(recording, start, stop, excess=20 * float(np.log10(largest.clear)))
 
 
 def _sweeping(recording: Recording, sweep: Sweep) -> Untrue:
@@ -188,15 +169,4 @@ def _sweeping(recording: Recording, sweep: Sweep) -> Untrue:
     return sentence, Mismatch(
         domain="frequency", axis="Hz", at=0.5 * (sweep.start + sweep.stop), width=abs(sweep.stop - sweep.start),
         recordings=(recording.name,), excess_dB=20 * float(np.log10(sweep.clear)), share_of_misfit=0.0, p_value=0.0,
-    )  # fmt: skip
-
-
-def _moments(starts: Sequence[float]) -> str:
-    return f"{', '.join(f'{start:.4g}' for start in starts[:_TOLD])} s{' and later' if len(starts) > _TOLD else ''}"
-
-
-def _place(recording: Recording, start: int, stop: int, *, excess: float) -> Mismatch:
-    return Mismatch(
-        domain="time", axis="s", at=start / recording.sample_rate, width=(stop - start) / recording.sample_rate,
-        recordings=(recording.name,), excess_dB=excess, share_of_misfit=0.0, p_value=0.0,
     )  # fmt: skip

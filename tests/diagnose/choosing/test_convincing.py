@@ -206,7 +206,9 @@ def test_where_nothing_stands_out_a_strong_effects_details_are_no_second_effect(
 def judged_again(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Callable[..., bool]:
     """Whether a first effect is convincing that explains a share of its places, and gains again on what is held out."""
 
-    def judged(before: Calibrated, effect: Trial, *, share: float, held_gain: float) -> bool:
+    def judged(before: Calibrated, effect: Trial, *, share: float, held_gain: float, standing_out: bool = True) -> bool:
+        places = ("somewhere",) if standing_out else ()
+        monkeypatch.setattr(judging, "mismatches", lambda _: places)
         case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
         monkeypatch.setattr(judging, "share_of", lambda *_: share)
         monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
@@ -241,6 +243,29 @@ def test_a_large_gain_may_leave_more_where_all_of_it_comes_again(
     effect = trial(wear_rig.rig, "blade_pass", *[1.5] * 41, before=before)
     assert 100.0 < effect.gain < 150.0
     assert judged_again(before, effect, share=share, held_gain=held_gain) is named
+
+
+@pytest.mark.parametrize(
+    ("held_gain", "share", "named"), [(100.0, 0.58, True), (60.0, 0.58, False), (100.0, 0.4, False)]
+)
+def test_where_nothing_stands_out_half_of_its_places_is_enough_for_what_comes_again(
+    held_gain: float, share: float, named: bool, wear_rig: Scenario, judged_again: Callable[..., bool]
+) -> None:
+    """Laws that differ miss a little all over, and no effect is to explain them; no clean rig gains 75 there."""
+    before = model(wear_rig.rig, *[1.5] * 40, 12.0)
+    effect = trial(wear_rig.rig, "sensor_bandwidth", *[1.5] * 41, before=before)
+    told = judged_again(before, effect, share=share, held_gain=held_gain, standing_out=False)
+    assert told is named
+
+
+@pytest.mark.parametrize(("features", "held_gain", "named"), [(60, 25.0, True), (60, 15.0, False), (40, 25.0, False)])
+def test_what_falls_everywhere_a_little_has_no_places_of_its_own(
+    features: int, held_gain: float, named: bool, wear_rig: Scenario, judged_again: Callable[..., bool]
+) -> None:
+    """Levels that were called random by a model without drag: each falls by less than chance moves it, all do."""
+    before = model(wear_rig.rig, *[1.5] * features)
+    effect = trial(wear_rig.rig, "quadratic_drag", *[0.6] * features, before=before)
+    assert judged_again(before, effect, share=0.0, held_gain=held_gain, standing_out=False) is named
 
 
 def test_a_line_is_judged_by_its_places_beside_numbers_that_stand_still(case: Case, wear_rig: Scenario) -> None:

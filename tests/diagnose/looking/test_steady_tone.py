@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -32,6 +33,14 @@ def test_bursts_keep_their_share_in_the_line(share: float, by_hand: ByHand) -> N
     seen = run(by_hand, 0.1 * on * np.cos(2 * pi * 733.0 * TIME))
     assert _share_in_line(seen, 733.0, [order(12.0)]) == pytest.approx(share, abs=0.12)
     assert not sounds_all_along(Peak(frequency(733.0), 90.0, ("run1",), 2), [seen], [order(12.0)])
+
+
+def test_a_run_whose_time_base_is_broken_tells_nothing_of_bursts(by_hand: ByHand) -> None:
+    """A tone that falls behind by a third of its period twice a second loses its line, and never paused."""
+    late = TIME - np.floor(2 * TIME) / (3 * 733.0)
+    seen, peak = run(by_hand, 0.1 * np.cos(2 * pi * 733.0 * late)), Peak(frequency(733.0), 90.0, ("run1",), 2)
+    assert not sounds_all_along(peak, [seen], [order(12.0)])
+    assert sounds_all_along(peak, [replace(seen, broken=True)], [order(12.0)])
 
 
 @pytest.mark.parametrize("size", [0.002, 0.1])

@@ -55,6 +55,8 @@ class Observed:
         Whether moments at a limit were filled in, whose ends ring through the spectrum, which is then not looked at.
     stepping : bool
         Whether the mean torque of this run or of another steps, of which some may not have been seen and stay in it.
+    broken : bool
+        Whether samples of this run were written twice or lost, so that tones jump in phase that never did.
     swept : tuple of (float, float)
         Lowest and highest frequency [Hz] of each line that swept in this run or in another, and was taken out: some of
         it is left.
@@ -71,6 +73,7 @@ class Observed:
     stretches: tuple[Stretch, ...]
     rebuilt: bool = False
     stepping: bool = False
+    broken: bool = False
     swept: tuple[tuple[float, float], ...] = ()
     tones: tuple[float, ...] = ()
 

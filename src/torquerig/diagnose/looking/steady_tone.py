@@ -26,9 +26,11 @@ def sounds_all_along(peak: Peak, runs: Sequence[Observed], known: Sequence[Place
 
     Of a tone of amplitude A that sounds for a share d of the time, ``d A^2`` is its power and ``d^2 A^2`` that of its
     line; the rest is spread beside it. A tone whose frequency jumps or sweeps loses its line likewise. What stands
-    beside the lines at ``known``, side lines once a turn of a shaft among it, is theirs.
+    beside the lines at ``known``, side lines once a turn of a shaft among it, is theirs. A run whose time base is
+    broken spreads every tone, and tells nothing of it.
     """
-    shares = [_share_in_line(run, peak.place.at, known) for run in runs if run.steady and run.name in peak.runs]
+    shown = [run for run in runs if run.steady and run.name in peak.runs and not run.broken]
+    shares = [_share_in_line(run, peak.place.at, known) for run in shown]
     return not shares or max(shares) > _STEADY
 
 

@@ -1,0 +1,71 @@
+"""Recordings whose time base is broken: samples were written twice or lost, as the samples or a measured angle tell."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from torquerig.diagnose.looking.angle_jumps import AngleJump, angle_jumps
+from torquerig.diagnose.looking.copied import Copied, copied
+from torquerig.diagnose.looking.refilled import Moments
+from torquerig.diagnose.seams import seams
+from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time
+from torquerig.signals.recording import Recording
+
+
+@dataclass(frozen=True)
+class BrokenTime:
+    """The names of such recordings, what was told of them, and the moments about the seams of each recording."""
+
+    names: tuple[str, ...]
+    told: tuple[Untrue, ...]
+    seams: tuple[Moments, ...]
+
+
+def broken_time(recordings: Sequence[Recording], *, repeating: Collection[str] = ()) -> BrokenTime:
+    """Return where samples were written twice or lost; those of ``repeating`` recordings are not looked at for copies.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        As they were read.
+    repeating : collection of str
+        Names of those whose samples repeat by themselves, as the tones at a limit do.
+    """
+    names: list[str] = []
+    copies, jumps, about = list[Untrue](), list[Untrue](), list[Moments]()
+    for recording in recordings:
+        twice = () if recording.name in repeating else copied(recording)
+        turned = angle_jumps(recording)
+        if twice:
+            copies.append(_copied(recording, twice))
+        if turned:
+            jumps.append(_jumping(recording, turned))
+        if twice or turned:
+            names.append(recording.name)
+        ends = (at for each in twice for at in (each.start, each.stop))
+        about.append(seams([*ends, *(each.start + 1 for each in turned)], recording))
+    return BrokenTime(tuple(names), (*copies, *jumps), tuple(about))
+
+
+def _copied(recording: Recording, found: Sequence[Copied]) -> Untrue:
+    rate = recording.sample_rate
+    length = max(each.stop - each.start for each in found) / rate
+    sentence = (
+        f"{recording.name}: at {in_words([each.start / rate for each in found])} samples repeat earlier ones exactly, "
+        f"for up to {1e3 * length:.3g} ms; the logger wrote them twice, so its time base cannot be trusted: the seams "
+        "were bridged"
+    )
+    return sentence, place_in_time(recording, found[0].start, found[0].stop, excess=0.0)
+
+
+def _jumping(recording: Recording, found: Sequence[AngleJump]) -> Untrue:
+    rate, furthest = recording.sample_rate, max(abs(each.turn) for each in found) / (2 * np.pi)
+    sentence = (
+        f"{recording.name}: at {in_words([each.start / rate for each in found])} the channel {found[0].channel} jumps "
+        f"by up to {furthest:.2g} turns from one sample to the next, and no shaft does; samples or counts were lost or "
+        "written twice, so its time base cannot be trusted: the seams were bridged"
+    )
+    return sentence, place_in_time(recording, found[0].start, found[0].start + 1, excess=0.0)
