@@ -142,3 +142,15 @@ def test_it_is_told_in_words(clean: list[Recording], wear_rig: Scenario) -> None
         assert place.domain == "time"
     assert found.untrue[0][1].at == pytest.approx(FLIPS[0][0] / RATE)
     assert not found.stepping
+
+
+def test_it_is_found_beside_a_bearing_that_rings(clean: list[Recording]) -> None:
+    """Blows that ring at 1 kHz have differences as clear as the jumps; none of them stands alone."""
+    since = (np.arange(clean[0].samples) / RATE + 0.02) % (1 / 30.0)  # the last blow [s]
+    ring = 0.3 * np.exp(-600.0 * since) * np.sin(2 * np.pi * 1000.0 * since)
+    ringing = [each.with_values("torque_V", volts_of(each) + ring) for each in clean]
+    assert found_in(ringing) == (None,) * len(clean)
+    for own, flips in zip(found_in(jumping(ringing, 0.9)), FLIPS, strict=True):
+        assert own is not None
+        assert own.jumps == flips
+        assert own.height == pytest.approx(0.9, rel=0.1)

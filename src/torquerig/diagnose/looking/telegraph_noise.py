@@ -1,7 +1,8 @@
 """Random telegraph (burst, popcorn) noise: a zero that jumps to and fro between two levels, in all runs by one height.
 
 A jump that takes a few samples stands out of the signal's differences over so many samples long before it stands out of
-the signal, for loads and shafts take their time. Blows and bursts do so too, but come back at once: a jump stays.
+the signal, for loads and shafts take their time. Blows and bursts do so too, but come back at once: a jump stays. Where
+a bearing rings so that its differences are as clear, a jump within a sample still stands alone among those beside it.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.robust_spread import spread_about_median, spread_about_zero
+from torquerig.diagnose.looking.sample_jumps import sample_jumps
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -24,7 +26,9 @@ _CLEAR = 8.0  # robust spreads of the differences, or codes
 _STAYS = (0.001, 0.004)  # [s] for which the mean must stand higher or lower by the height
 _OF_THE_HEIGHT, _SPREADS = 0.2, 4.0  # within which it must
 _ALIKE = 0.1  # of the height: spread of what is one height
-_RATHER_A_LEVEL = 0.5  # of the spread of the heights: ends that scatter less are one level, to which a signal is lost
+# of the spread of the heights: ends that scatter less are one level, to which a signal is lost; more is asked of jumps
+# that stand alone, which need not stay
+_RATHER_A_LEVEL, _OF_THOSE_ALONE = 0.5, 1.0
 _FEWEST, _RUNS = 6, 2  # jumps over all runs, and runs with any: fewer are steps of the mean, which a load makes too
 _TRUE_ONES, _TO_AND_FRO = 0.8, 0.9  # of what is clear stays; of what stays follows one of the other sign
 
@@ -78,6 +82,8 @@ def telegraph_noise(
     rates = [recording.sample_rate for recording in recordings]
     looks = [*zip(volts, rates, lost, strict=True)]
     each_lag = [_one_telegraph([_jumps(*look, lag=lag, resolution=resolution) for look in looks], lag) for lag in _LAGS]
+    alone = [_alone(own, without, resolution=resolution) for own, without in zip(volts, lost, strict=True)]
+    each_lag.append(_one_telegraph(alone, 1, level=_OF_THOSE_ALONE))
     return max(each_lag, key=lambda told: min((own.clear for own in told if own is not None), default=0.0))
 
 
@@ -143,7 +149,16 @@ def _jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: f
     return _Jumps(at + lag, differences[at], np.minimum(volts[at], volts[at + lag]), clear_ones, spread)
 
 
-def _one_telegraph(found: Sequence[_Jumps], lag: int) -> tuple[Telegraph | None, ...]:
+def _alone(volts: Floats, lost: Moments, *, resolution: float) -> _Jumps:
+    """Return the jumps from one sample to the next that stand alone."""
+    at, spread = sample_jumps(volts, lost, resolution=resolution), spread_about_zero(np.diff(volts))
+    lower = np.minimum(volts[at], volts[at - 1])
+    return _Jumps(at, volts[at] - volts[at - 1], lower, at.size, max(spread, resolution, 1e-12))
+
+
+def _one_telegraph(
+    found: Sequence[_Jumps], lag: int, *, level: float = _RATHER_A_LEVEL
+) -> tuple[Telegraph | None, ...]:
     """Return the telegraph noise that the jumps of all runs make, None in all where they make none."""
     none = (None,) * len(found)
     heights = np.concatenate([each.heights for each in found])
@@ -156,9 +171,9 @@ def _one_telegraph(found: Sequence[_Jumps], lag: int) -> tuple[Telegraph | None,
     lower = np.concatenate([each.lower for each in found])
     if spread_about_zero(np.abs(heights) - height) > _ALIKE * height or follows < _TO_AND_FRO * pairs:
         return none
-    if min(
-        spread_about_median(lower), spread_about_median(lower + np.abs(heights))
-    ) < _RATHER_A_LEVEL * spread_about_median(np.abs(heights)):
+    if min(spread_about_median(lower), spread_about_median(lower + np.abs(heights))) < level * spread_about_median(
+        np.abs(heights)
+    ):
         return none
     return tuple(_alternating(each, height, lag) for each in found)
 
