@@ -96,3 +96,40 @@ def test_only_what_explained_some_of_an_effect_may_take_its_place(
     alone = [replace(accepted[0], tried=Tried((accepted[0].trial,), ())), accepted[1]]
     assert [each.trial for each in revised(first, alone)] == [each.trial for each in accepted]
     assert len(asked) == 1, "nothing explained any of it: nobody is asked"
+
+
+@pytest.mark.parametrize(("by", "replaced"), [(0.01, False), (0.03, True)])
+def test_a_rival_must_explain_clearly_more(
+    by: float, replaced: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Both explain one line of 10 000; no model of a line is right to a hundredth of that."""
+    gain = 10_000.0
+
+    def costing(rig: Rig, knobs: Sequence[Knob]) -> Calibrated:
+        held = {part.name for part in rig.parts}
+        cost = 25_000.0 - sum(gain * (name in held) for name in NEEDED) - gain * (1 + by) * ("quadratic_drag" in held)
+        return replace(fitted(rig, knobs), cost=cost)
+
+    rig, knobs = wear_rig.rig, tuple[Knob, ...]()
+    first = case = Case(nominal=rig, runs=(), seen=(), model=costing(rig, ()), left=())
+    accepted: list[Accepted] = []
+    for name in NEEDED:
+        own = candidate(name)
+        rig, knobs = own.added_to(rig), (*knobs, *own.knobs)
+        trial = Trial(own, costing(rig, knobs), gain)
+        rival = Trial(candidate("quadratic_drag"), trial.model, 0.9 * gain)
+        accepted.append(Accepted(before=case, trial=trial, tried=Tried((trial, rival), ())))
+        case = revising.with_all(first, accepted)
+
+    def trials(others: Case, **_: object) -> Tried:
+        own = candidate("quadratic_drag")
+        if others.has(own.mechanism):
+            return Tried((), ())
+        beside = costing(own.added_to(others.model.rig), (*others.model.knobs, *own.knobs))
+        return Tried((Trial(own, beside, gain * (1 + by)),), ())
+
+    monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: costing(rig, knobs))
+    monkeypatch.setattr(revising, "trials", trials)
+    names = [each.trial.candidate.mechanism for each in revised(first, accepted)]
+    assert ("quadratic_drag" in names) is replaced
+    assert (NEEDED[0] in names) is not replaced

@@ -17,7 +17,7 @@ from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.side_by_side import of_each
 
-_RIVALS = 0.02  # of an effect's gain
+_RIVALS = 0.02  # of an effect's gain: what explained less is no rival, and by less more none is better
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -58,11 +58,11 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
             kept[-1] = replace(kept[-1], before=before)
             continue
         rivals = _rivals(kept[at])
-        own = {kept[at].trial.candidate.mechanism}  # with what else it may have now, as further harmonics
-        tried = trials(others, simulated=False, to_beat=final.cost, among=rivals | own) if rivals else Tried((), ())
+        tried = trials(others, simulated=False, to_beat=final.cost, among=rivals) if rivals else Tried((), ())
         better = tried.fitted[0] if tried.fitted else None
         alike = _gain(kept[at].trial, others.model, final) * _RIVALS  # no model of a line is right to less
-        if better is not None and better.model.cost < final.cost - max(LEAST_GAIN, alike):
+        clearly = final.cost - max(LEAST_GAIN, alike)
+        if better is not None and _other(better, kept[at].trial) and better.model.cost < clearly:
             kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
             continue
         beside = replace(kept[at].trial, model=final, gain=_gain(kept[at].trial, others.model, final))
