@@ -17,7 +17,7 @@ from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.side_by_side import of_each
 
-_RIVALS = 0.02  # of an effect's gain: what explained less is no rival, and by less more none is better
+_RIVALS = 0.02  # of an effect's gain
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -60,9 +60,7 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
         rivals = _rivals(kept[at])
         tried = trials(others, simulated=False, to_beat=final.cost, among=rivals) if rivals else Tried((), ())
         better = tried.fitted[0] if tried.fitted else None
-        alike = _gain(kept[at].trial, others.model, final) * _RIVALS  # no model of a line is right to less
-        clearly = final.cost - max(LEAST_GAIN, alike)
-        if better is not None and _other(better, kept[at].trial) and better.model.cost < clearly:
+        if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
             kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
             continue
         beside = replace(kept[at].trial, model=final, gain=_gain(kept[at].trial, others.model, final))
