@@ -169,8 +169,8 @@ def _verdict(
 
 
 def _spread(case: Case, faults: SampleFindings) -> tuple[Mismatch, ...]:
-    """Return a line spread over a hertz or two, where no fault of the samples spreads the others."""
-    told = None if faults.candidates or faults.unnamed else spread_line(case)
+    """Return a line spread over a hertz or two, where neither a fault of the samples nor a gap spreads the others."""
+    told = None if faults.candidates or faults.unnamed or case.has(MECHANISM) else spread_line(case)
     return () if told is None else (told,)
 
 

@@ -11,18 +11,22 @@ from torquerig.diagnose.looking.robust_spread import spread_about_median
 Floats = NDArray[np.float64]
 
 _JUMP = 12.0  # robust sigma of the steps
-_RELATIVE, _FLOORS = 0.15, np.array([0.01, 2e-3, 0.05])  # spread of the three numbers
+_RELATIVE = np.array([0.15, 0.15, 0.075])  # spread of the three numbers: of the number of jumps 0.15, of its root half
+_FLOORS = np.array([0.01, 2e-3, 1.22])  # the chance of a count and of the mean of two simulated ones
 
 
 def value_features(observed: Observed, *, held: bool) -> Floats:
-    """Return the share of equal neighbours, the share of samples on the end value, and jumps per second, shape (3,)."""
+    """Return the share of equal neighbours, the share of samples on the end value, and the jumps, shape (3,).
+
+    Jumps are counted as twice the root of their number, which chance spreads by 1 (Anscombe 1948, Biometrika 35).
+    """
     channel = observed.recording.channels[observed.recording.torque_name()]
     volts = np.concatenate([channel.values[s.start : s.stop] for s in observed.stretches if s.held == held])
     steps = np.diff(volts)
     sigma = spread_about_median(steps)
     on_end = max(float(np.mean(volts == volts.max())), float(np.mean(volts == volts.min())))
-    jumps = float(np.sum(np.abs(steps) > _JUMP * sigma)) / (volts.size / observed.rate) if sigma > 0 else 0.0
-    return np.array([float(np.mean(steps == 0)), on_end, jumps])
+    jumps = float(np.sum(np.abs(steps) > _JUMP * sigma)) if sigma > 0 else 0.0
+    return np.array([float(np.mean(steps == 0)), on_end, 2 * np.sqrt(jumps + 0.375)])
 
 
 def value_misfit(measured: Floats, model: Floats) -> Floats:

@@ -1,0 +1,35 @@
+"""How the values of a reading are spread: the number of jumps is a count, and its chance that of counts."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.looking.value_features import value_misfit
+
+
+def _counted(jumps: float | np.ndarray) -> np.ndarray:
+    return 2 * np.sqrt(np.asarray(jumps) + 0.375)
+
+
+def _values(jumps: float) -> np.ndarray:
+    return np.array([0.0, 0.0, float(_counted(jumps))])
+
+
+@pytest.mark.parametrize("mean", [2.0, 8.0])
+def test_a_count_is_missed_by_its_chance_and_no_more(mean: float) -> None:
+    rng = np.random.default_rng(1)
+    drawn = _counted(rng.poisson(mean, (3, 4000)))
+    missed = [
+        value_misfit(np.array([0, 0, one]), np.array([0, 0, (a + b) / 2]))[2] for one, a, b in drawn.T
+    ]  # a recording beside two simulations
+    assert np.std(missed) == pytest.approx(1.0, abs=0.12)
+
+
+def test_what_is_there_ten_times_is_missed_clearly() -> None:
+    assert abs(value_misfit(_values(30), _values(3))[2]) > 4
+
+
+def test_shares_are_missed_by_their_own_spreads() -> None:
+    missed = value_misfit(np.array([0.5, 0.1, 1.2]), np.array([0.1, 0.0, 1.2]))
+    assert missed == pytest.approx([0.4 / np.hypot(0.01, 0.075), 0.1 / np.hypot(2e-3, 0.015), 0.0])
