@@ -24,6 +24,8 @@ from torquerig.rig.rig import Rig
 # fields of a model that make its slow torque, and stand in for an effect that changes it
 SLOW_TORQUE = ("mean_by_occupancy_percent", "viscous", "coulomb", "slow_rms", "slow_cutoff")
 
+_MISSED = 6.0  # spreads in one run
+
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
@@ -145,6 +147,18 @@ def left_line(case: Case, motor_order: float) -> Place | None:
         if peak.place.domain == "order" and abs(peak.place.at - motor_order) < SAME_ORDER:
             return peak.place
     return None
+
+
+def missed_lines(case: Case) -> list[Place]:
+    """Return those of the model's own lines at an order that it misses by more than chance, the worst first."""
+    worst: dict[Place, float] = {}
+    for features, misfit in zip(case.seen, case.model.misfits, strict=True):
+        if features.turning is None:
+            sizes = np.abs(np.atleast_2d(misfit.lines)).max(axis=0, initial=0.0)
+            for place, size in zip(features.places, sizes, strict=True):
+                worst[place] = max(worst.get(place, 0.0), float(size))
+    own = {place for place in worst if place.domain == "order"}.difference(*(each.unknown for each in case.seen))
+    return sorted((place for place in own if worst[place] > _MISSED), key=lambda place: -worst[place])
 
 
 def line_factor(case: Case, rig: Rig, place: Place) -> float:

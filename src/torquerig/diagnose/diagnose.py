@@ -133,7 +133,9 @@ def diagnose(
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
     as_a_whole: tuple[Mismatch, ...] = ()
     if not (left or named or sought.descriptions):
-        left = as_a_whole = misfit_as_a_whole(after, unseen, held_out=fit.after) or _spread(after, faults)
+        coarse = any(each.mechanism == "quantization" for each in faults.candidates)
+        whole_fit = misfit_as_a_whole(after, unseen, held_out=fit.after, coarse=coarse)
+        left = as_a_whole = whole_fit or _spread(after, faults)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,

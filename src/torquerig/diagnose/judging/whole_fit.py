@@ -21,7 +21,9 @@ _BY_CHANCE = (
 )
 
 
-def misfit_as_a_whole(case: Case, unseen: Sequence[Features], *, held_out: float) -> tuple[Mismatch, ...]:
+def misfit_as_a_whole(
+    case: Case, unseen: Sequence[Features], *, held_out: float, coarse: bool = False
+) -> tuple[Mismatch, ...]:
     """Return the run, and the domain of it, whose residuals together are largest for their number.
 
     None where what no fit has seen is missed by no more than chance brings, or what was seen is: a run of bad luck in
@@ -35,9 +37,11 @@ def misfit_as_a_whole(case: Case, unseen: Sequence[Features], *, held_out: float
         Of the stretches that no fit has seen.
     held_out : float
         Misfit of them beside simulations [1].
+    coarse : bool
+        Whether the codes are coarse, of which a twin has the power and not what a signal within few of them becomes.
     """
     worst = max(_kinds(case), key=lambda mismatch: mismatch.excess_dB, default=None)
-    badly = held_out > _LARGEST or _missed_everywhere(case, unseen)
+    badly = held_out > _LARGEST or (not coarse and _missed_everywhere(case, unseen))
     return (worst,) if worst is not None and badly and worst.p_value < _BY_CHANCE else ()
 
 
