@@ -1,4 +1,4 @@
-"""Recordings whose time base is broken: samples were written twice or lost, as the samples or a measured angle tell."""
+"""Recordings whose time base is broken: samples written twice, lost or held, as they or a measured angle tell."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ import numpy as np
 
 from torquerig.diagnose.looking.angle_jumps import AngleJump, angle_jumps
 from torquerig.diagnose.looking.copied import Copied, copied
+from torquerig.diagnose.looking.held_samples import renewed_every
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.seams import seams
-from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time
+from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time, renewal
 from torquerig.signals.recording import Recording
 
 
@@ -25,7 +26,7 @@ class BrokenTime:
 
 
 def broken_time(recordings: Sequence[Recording], *, repeating: Collection[str] = ()) -> BrokenTime:
-    """Return where samples were written twice or lost; those of ``repeating`` recordings are not looked at for copies.
+    """Return where samples were written twice, lost or held; copies are not looked for in ``repeating`` recordings.
 
     Parameters
     ----------
@@ -36,6 +37,7 @@ def broken_time(recordings: Sequence[Recording], *, repeating: Collection[str] =
     """
     names: list[str] = []
     copies, jumps, about = list[Untrue](), list[Untrue](), list[Moments]()
+    held = [(each, every) for each in recordings if (every := renewed_every(each)) is not None]
     for recording in recordings:
         twice = () if recording.name in repeating else copied(recording)
         turned = angle_jumps(recording)
@@ -47,7 +49,8 @@ def broken_time(recordings: Sequence[Recording], *, repeating: Collection[str] =
             names.append(recording.name)
         ends = (at for each in twice for at in (each.start, each.stop))
         about.append(seams([*ends, *(each.start + 1 for each in turned)], recording))
-    return BrokenTime(tuple(names), (*copies, *jumps), tuple(about))
+    names += [each.name for each, _ in held if each.name not in names]
+    return BrokenTime(tuple(names), (*copies, *jumps, *(_held(*each) for each in held)), tuple(about))
 
 
 def _copied(recording: Recording, found: Sequence[Copied]) -> Untrue:
@@ -69,3 +72,13 @@ def _jumping(recording: Recording, found: Sequence[AngleJump]) -> Untrue:
         "written twice, so its time base cannot be trusted: the seams were bridged"
     )
     return sentence, place_in_time(recording, found[0].start, found[0].start + 1, excess=0.0)
+
+
+def _held(recording: Recording, every: float) -> Untrue:
+    rate = recording.sample_rate / every
+    sentence = (
+        f"{recording.name}: the torque is renewed only every {every:.4g} samples, at {rate:.4g} Hz, and held in "
+        f"between; what is faster than {0.5 * rate:.4g} Hz is folded below that, and no mechanism of the library does "
+        "that: the rest was judged with straight lines between the renewals"
+    )
+    return sentence, renewal(recording, rate)

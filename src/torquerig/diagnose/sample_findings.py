@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from torquerig import mechanisms
 from torquerig.diagnose.broken_time import broken_time
 from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.looking.held_samples import on_straight_lines
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
@@ -64,6 +65,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     candidates: list[Candidate] = []
     unnamed: list[str] = []
     present = {part.kind for part in rig.parts}
+    recorded, recordings = recordings, tuple(map(on_straight_lines, recordings))
 
     def add(kind: str, class_name: str, **values: float | str) -> None:
         if kind in present:
@@ -97,7 +99,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
     put_right = tuple(name for name in clipped if name in changed)
     resolution = 0.5 * (codes.step if codes else step)
-    time = broken_time(recordings, repeating=() if under_hum is None else under_hum.runs)
+    time = broken_time(recorded, repeating=() if under_hum is None else under_hum.runs)
     lost_of_each = tuple([*some, *more] for some, more in zip(lost_of_each, time.seams, strict=True))
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(

@@ -23,3 +23,11 @@ def place_in_time(recording: Recording, start: int, stop: int, *, excess: float)
         domain="time", axis="s", at=start / recording.sample_rate, width=(stop - start) / recording.sample_rate,
         recordings=(recording.name,), excess_dB=excess, share_of_misfit=0.0, p_value=0.0,
     )  # fmt: skip
+
+
+def renewal(recording: Recording, rate: float) -> Mismatch:
+    """Return the frequency ``rate`` [Hz] at which what a recording holds is renewed."""
+    return Mismatch(
+        domain="frequency", axis="Hz", at=rate, width=1 / recording.duration, recordings=(recording.name,),
+        excess_dB=0.0, share_of_misfit=0.0, p_value=0.0,
+    )  # fmt: skip

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import cast
 
+import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Case
@@ -26,8 +27,8 @@ def with_lines_left(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Call
             Peak(place=order(each), excess=50.0 / row, runs=("run1",), speeds=1) for row, each in enumerate(at, start=1)
         )
         places = tuple(peak.place for peak in peaks)
-        shown = SimpleNamespace(places=places, unknown=places)
-        model = SimpleNamespace(rig=wear_rig.rig)
+        shown = SimpleNamespace(places=places, unknown=places, turning=None)
+        model = SimpleNamespace(rig=wear_rig.rig, misfits=(SimpleNamespace(lines=np.zeros(len(places))),))
         return cast("Case", SimpleNamespace(left=peaks, nominal=wear_rig.rig, seen=(shown,), runs=(), model=model))
 
     return made

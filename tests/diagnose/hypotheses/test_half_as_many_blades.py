@@ -1,14 +1,18 @@
-"""Half as many blades are another hypothesis, whose first line the rig's own may hide."""
+"""Half as many blades are another hypothesis, whose first line the rig's own may hide; it may hide all of them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any, cast
 
-from torquerig.diagnose.case import Case
+import numpy as np
+
+from torquerig.diagnose.case import SLOW_TORQUE, Case, missed_lines
 from torquerig.diagnose.choosing.screening import finalists
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.hypotheses import blade_pass
+from torquerig.diagnose.looking.places import frequency, order
 
 
 def test_half_as_many_are_fitted_beside_those_of_the_line_that_shows(with_lines_left: Callable[..., Case]) -> None:
@@ -17,3 +21,20 @@ def test_half_as_many_are_fitted_beside_those_of_the_line_that_shows(with_lines_
     assert [cast(Any, each.parts[0]).order_output for each in candidates] == [8.0, 4.0]
     fitted = finalists([Trial(each, cast(Any, None), 631.0 - row) for row, each in enumerate(candidates)])
     assert [one.candidate for one in fitted] == candidates
+
+
+def test_as_many_as_the_gear_turns_to_one_are_sought_on_the_rig_s_own_lines(
+    with_lines_left: Callable[..., Case],
+) -> None:
+    """Of 5 blades behind 5:1 every line is a whole order of the motor: they show where the model misses its own."""
+    places = (order(1.0), order(2.0), order(7.0), frequency(50.0), order(3.2))
+    seen = SimpleNamespace(places=places, unknown=(order(3.2),), turning=None)
+    back = SimpleNamespace(places=places, unknown=(order(3.2),), turning=object())
+    missed = [SimpleNamespace(lines=np.array([[9.0, 7.0, 2.0, 20.0, 30.0]])), SimpleNamespace(lines=np.zeros(0))]
+    case = with_lines_left()
+    own = SimpleNamespace(rig=case.model.rig, misfits=missed)
+    bent = cast("Case", SimpleNamespace(left=(), nominal=case.nominal, seen=(seen, back), runs=(), model=own))
+    assert missed_lines(bent) == [order(1.0), order(2.0)]
+    candidates = list(blade_pass.propose(bent))
+    assert [cast(Any, each.parts[0]).order_output for each in candidates] == [5.0, 10.0]
+    assert all(each.place is None and each.loosens == SLOW_TORQUE for each in candidates)

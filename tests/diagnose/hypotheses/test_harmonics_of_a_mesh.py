@@ -26,3 +26,14 @@ def test_a_mesh_whose_first_two_lines_are_the_motor_s_own_is_proposed(with_lines
     meshes = [cast(Any, each.parts[0]) for each in gear_mesh.propose(case)]
     (sixty,) = [mesh for mesh in meshes if mesh.order_output == 60.0]
     assert len(sixty.transmission_error) >= 3
+
+
+@pytest.mark.parametrize(("beside", "planets"), [((38.4, 37.8, 39.0), 3), ((38.4,), None), ((18.6,), 3)])
+def test_planets_show_beside_any_harmonic(
+    beside: tuple[float, ...], planets: int | None, with_lines_left: Callable[..., Case]
+) -> None:
+    """96 teeth with a small first line: what planets put beside it drowns, what they put beside the second does not."""
+    meshes = list(gear_mesh.propose(with_lines_left(19.2, *beside)))
+    mesh = next(each for each in meshes if cast(Any, each.parts[0]).order_output == 96.0)
+    assert any(knob.field == "planet_modulation" for knob in mesh.knobs) is (planets is not None)
+    assert cast(Any, mesh.parts[0]).planets == (planets or 3)

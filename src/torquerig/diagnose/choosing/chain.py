@@ -52,23 +52,26 @@ def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chai
     """Return the effects that are found one after the other, each looked back at.
 
     Where that ends in a model that is still wrong, it is begun again with the best rival of what was taken first, which
-    may have stood in for two effects together, or have hidden it. A model of other effects that leaves less than half
-    of what that one leaves takes its place.
+    may have stood in for two effects together. A model that does without what was taken first, and leaves less than
+    half of what that one leaves, takes its place.
     """
     found = _chain(case, held, progress)
     rival = _rival_of_first(case, found)
     if rival is not None:
         progress(f"beginning again with {rival.candidate.mechanism}")
-        other = _chain(case, held, progress, first=found.first, begin=rival)
+        other = _chain(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
         found = replace(other, instead=found) if _replaces(other, found) else found
     return found
 
 
 def _chain(
     start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None,
-    begin: Trial | None = None,
+    begin: Trial | None = None, instead_of: str = "",
 ) -> Chain:  # fmt: skip
-    """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``."""
+    """Return the effects that are found one after the other; ``begin`` is taken first, one of those tried ``first``.
+
+    It ends where it comes to the mechanism ``instead_of`` which it was begun: it is no other chain.
+    """
     case, accepted, on_trial, fewest, tried = start, list[Accepted](), False, 1, first
     if begin is not None and first is not None:
         accepted = [Accepted(before=start, trial=begin, tried=first)]
@@ -97,6 +100,8 @@ def _chain(
             break
         accepted = [*with_gap(accepted, best.gap), Accepted(before=case, trial=best, tried=tried)]
         case = with_all(start, accepted)
+        if best.candidate.mechanism == instead_of:
+            return Chain(case=case, accepted=tuple(accepted), begun=begin, first=first, last=tried)
     if on_trial and (len(accepted) < fewest or not _together(start, case, accepted)):
         case, accepted = start, []
     begun = accepted[0].trial if accepted else None
@@ -121,10 +126,14 @@ def _rival_of_first(case: Case, found: Chain) -> Trial | None:
     return max(rivals, key=lambda trial: trial.gain, default=None)
 
 
+def _begun_with(chain: Chain) -> str:
+    return "" if chain.begun is None else chain.begun.candidate.mechanism
+
+
 def _replaces(other: Chain, found: Chain) -> bool:
-    """Whether another chain comes to other effects, and does much better."""
-    these, those = ({each.trial.candidate.mechanism for each in chain.accepted} for chain in (other, found))
-    return bool(these) and these != those and excess(other.case) < _MUCH_LESS * excess(found.case)
+    """Whether another chain does without what was taken first, and does much better."""
+    without = all(each.trial.candidate.mechanism != _begun_with(found) for each in other.accepted)
+    return bool(other.accepted) and without and excess(other.case) < _MUCH_LESS * excess(found.case)
 
 
 def _around_gap(case: Case, tried: Tried) -> list[Trial]:

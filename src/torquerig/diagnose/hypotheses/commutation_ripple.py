@@ -51,7 +51,8 @@ def propose(case: Case) -> Iterator[Candidate]:
                 place=peak.place,
                 price=_price(motors[0], peak.place.at),
             )
-            yield of_lines if harmonics or of_lines.price else _with_second(of_lines, part)
+            six_steps = round(peak.place.at) == _MAIN[0] * (motors[0].pole_pairs or 0)
+            yield _with_second(of_lines, part) if six_steps and not harmonics else of_lines
 
 
 def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:

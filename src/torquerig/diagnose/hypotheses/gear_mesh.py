@@ -49,7 +49,8 @@ def propose(case: Case) -> Iterator[Candidate]:
 def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = False) -> Candidate:
     """Return the mesh with the harmonics that show; with all of them where ``smeared`` ones may stand in bands."""
     turns = abs(gear.ratio)
-    planets = next((n for n in (3, 4, 5) if _beside(case, teeth, n, turns)), None)
+    tooth = [h * teeth for h in range(1, _HARMONICS + 1)]  # the first may be too small for lines beside it
+    planets = next((n for n in (3, 4, 5) if any(_beside(case, at, n, turns) for at in tooth)), None)
     # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well
     further = range(2, _FURTHEST + 1)
     seen = [1, *(h for h in further if (smeared and h <= _HARMONICS) or _shows(case, h * teeth, planets, turns))]

@@ -18,13 +18,13 @@ from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squ
 from torquerig.diagnose.judging.chance import beyond_chance, by_chance
 from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.judging.one_load import load_contradictions
+from torquerig.diagnose.judging.own_lines import of_an_effect
 from torquerig.diagnose.judging.scattered_levels import scattered_levels
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN
 from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
-from torquerig.diagnose.looking.places import SAME_ORDER
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
@@ -32,7 +32,6 @@ _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is a
 _LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
 _DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
 _ELSEWHERE, _BETTER = 0.5, 2.0  # of what is left: more at places that got better by less than this is no detail
-_LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
 _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
 _MEAN_SQUARE = 3.0  # of all bands of a run
 
@@ -102,7 +101,7 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
                 continue
             residual = np.atleast_2d(misfit.lines)[:, column]
             square += beyond_chance(robust_squares(residual))
-            if _of_a_law(case, features, column):
+            if of_an_effect(case, features, column):
                 continue
             size = float(np.abs(residual).max(initial=0.0))
             # a moving run has many stretches, of which a few may stray
@@ -124,22 +123,6 @@ def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
             share_of_misfit=square / total,
             p_value=by_chance(worst, places),
         )
-
-
-def _of_a_law(case: Case, features: Features, column: int) -> bool:
-    """Whether a line is but the detail of an effect's law: a multiple of its order, and small beside its own line."""
-    place, shown = features.places[column], np.isfinite(features.amplitude)
-    squares = np.where(shown, np.abs(features.amplitude) ** 2, 0.0).sum(axis=0)
-    size = np.sqrt(squares / np.maximum(shown.sum(axis=0), 1))
-    for candidate in case.accepted:
-        own = candidate.place
-        if own is None or own.domain != place.domain or own not in features.places:
-            continue
-        times = place.at / own.at
-        multiple = round(times) > 1 and abs(times - round(times)) * own.at < SAME_ORDER
-        if multiple and size[column] < _LAW * size[features.places.index(own)]:
-            return True
-    return False
 
 
 def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Iterator[Mismatch]:

@@ -1,0 +1,50 @@
+"""Samples renewed more seldom than written are told by their rhythm; coarse codes and lost moments keep none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.broken_time import broken_time
+from torquerig.diagnose.looking.held_samples import on_straight_lines, renewed_every
+from torquerig.signals.recording import Channel, Recording
+
+RATE = 10_000.0
+
+
+def of(volts: np.ndarray) -> Recording:
+    return Recording(
+        name="run", channels={"torque_V": Channel(values=volts, quantity="torque", unit="V")}, sample_rate=RATE
+    )
+
+
+@pytest.fixture(scope="module")
+def smooth() -> np.ndarray:
+    time = np.arange(40_000) / RATE
+    return np.sin(2 * np.pi * 7.3 * time) + 0.01 * np.random.default_rng(5).standard_normal(time.size)
+
+
+@pytest.mark.parametrize("every", [2.0, 5.0, 12.34, 55.08])
+def test_a_rhythm_is_told_whole_or_not(every: float, smooth: np.ndarray) -> None:
+    at = (np.floor(np.arange(smooth.size) / every) * every).astype(int)
+    held = of(smooth[at])
+    assert renewed_every(held) == pytest.approx(every, rel=1e-3)
+    found = broken_time([held])
+    ((sentence, place),) = found.told
+    assert found.names == ("run",)
+    assert "renewed only every" in sentence
+    assert place.at == pytest.approx(RATE / every, rel=1e-3)
+    if every > 5:
+        slow = np.convolve(smooth, np.ones(400) / 400, "same")
+        again = np.convolve(on_straight_lines(held).channels["torque_V"].values, np.ones(400) / 400, "same")
+        assert np.abs(again - slow)[1000:-1000].max() < 0.02
+
+
+def test_what_is_not_held_keeps_none(smooth: np.ndarray) -> None:
+    lost = smooth.copy()
+    lost[3000:23_000] = 0.0  # half of it, at one level
+    coarse, slow = 0.2 * np.round(smooth / 0.2), 0.5 * np.round(np.cumsum(smooth) / 50)
+    for volts in (smooth, coarse, slow, lost, np.zeros(5000)):
+        recording = of(volts)
+        assert renewed_every(recording) is None
+        assert on_straight_lines(recording) is recording
