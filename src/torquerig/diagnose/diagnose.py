@@ -15,6 +15,7 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
+from torquerig.diagnose.judging.slow_rhythm import slow_rhythm
 from torquerig.diagnose.judging.spread_lines import spread_line
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, why_withdrawn
@@ -171,8 +172,10 @@ def _verdict(
 
 
 def _spread(case: Case, faults: SampleFindings) -> tuple[Mismatch, ...]:
-    """Return a line spread over a hertz or two, where neither a fault of the samples nor a gap spreads the others."""
-    told = None if faults.candidates or faults.unnamed or case.has(MECHANISM) else spread_line(case)
+    """Return a line spread over a hertz or two, or a slow rhythm, where no fault of samples and no gap makes one."""
+    if faults.candidates or faults.unnamed or case.has(MECHANISM):
+        return ()
+    told = spread_line(case) or slow_rhythm(case)
     return () if told is None else (told,)
 
 

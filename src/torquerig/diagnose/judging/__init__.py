@@ -6,7 +6,7 @@ held_out       how well it predicts what no fit has seen
 narrow_humps   noise at one order or one frequency    fixed_after_all  orders that turned out to be tones
 spread_lines   lines a hertz or two wide              passing   what comes and goes within a run
 band_excess    what two runs are compared by
-own_lines      lines of an effect that was found
+own_lines      lines of an effect that was found       slow_rhythm  pulses once in a second or so
 chance         how probable a residual is             share_explained  how much goes where an effect changes something
 withdrawn      why what was found is not believed
 changing       what drifts in all steady runs         scattered_levels  slow torque that follows no course
