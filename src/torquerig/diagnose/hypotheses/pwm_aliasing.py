@@ -17,7 +17,9 @@ from torquerig.diagnose.looking.peaks import Peak
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading
 _STRONGEST = 3
 _START = 2e-3  # [V]
-_OF_THE_GRID = 0.003  # relative; so near to 50 or 60 Hz an alias falls once in three thousand
+_OF_THE_GRID = 0.003  # relative; so near to 50 or 60 Hz, or a low harmonic, an alias falls once in a thousand
+_HARMONICS = (1, 2, 3, 5, 7)  # that a grid has
+_LOWEST_COMB = 20.0  # [Hz] a slower rhythm is something's that moves, and no switching
 _TEETH = 3  # lines that make a comb
 _APART = 1e-3  # by which a tooth may miss its multiple, relative
 
@@ -26,8 +28,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     """Yield a tone for each of the strongest fixed lines above the mechanical range, and combs of fixed lines.
 
     A line that stands at an order and was seen at one speed alone may be such a tone wherever it stands. So may a comb:
-    no shaft has lines at the multiples of a frequency that no speed moves. A line at the frequency of a grid is the
-    grid's.
+    no shaft has lines at the multiples of a frequency that no speed moves. A line at the frequency of a grid, or at a
+    low harmonic of it, is the grid's.
     """
     top = mechanical_range(case)
     doubtful, fixed = list(doubtful_lines(case)), fixed_lines(case)
@@ -40,7 +42,7 @@ def propose(case: Case) -> Iterator[Candidate]:
 
 
 def _of_the_grid(peak: Peak) -> bool:
-    return any(abs(peak.place.at / grid - 1) < _OF_THE_GRID for grid in GRIDS)
+    return any(abs(peak.place.at / (times * grid) - 1) < _OF_THE_GRID for grid in GRIDS for times in _HARMONICS)
 
 
 def _tones(lines: Sequence[Peak]) -> Candidate:
@@ -62,7 +64,7 @@ def _tones(lines: Sequence[Peak]) -> Candidate:
 def _comb(lines: Sequence[Peak]) -> list[Peak]:
     """Return the longest comb among the fixed lines, its lowest first; beats of the mains are no comb of their own."""
     combs = []
-    for base in lines:
+    for base in (peak for peak in lines if peak.place.at > _LOWEST_COMB):
         ratios = [peak.place.at / base.place.at for peak in lines]
         teeth = [p for p, r in zip(lines, ratios, strict=True) if r > 0.99 and abs(r - round(r)) < _APART * r]
         if not any(abs(base.place.at / grid - round(base.place.at / grid)) < 0.01 for grid in GRIDS):

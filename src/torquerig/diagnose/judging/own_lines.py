@@ -25,9 +25,14 @@ def of_an_effect(case: Case, features: Features, column: int) -> bool:
 
 def _of_impacts(case: Case, features: Features, column: int) -> bool:
     place, ratio = features.places[column], abs(case.nominal.run.gear_ratio or 1.0)
+    turns_a_second = abs(features.observed.mean_speed) / (2 * np.pi)
+    if place.domain == "frequency" and not (features.observed.steady and turns_a_second):
+        return False
+    # a line that one run alone shows may be told at its frequency
+    at = place.at if place.domain == "order" else place.at / turns_a_second
     own = {part.name for candidate in case.accepted for part in candidate.parts}
     orders = [part.order / ratio for part in case.model.rig.parts_of(BearingDefect) if part.name in own]
-    times = [place.at / each for each in orders if place.domain == "order"]
+    times = [at / each for each in orders]
     return any(round(one) >= 1 and abs(one - round(one)) < _NEAR for one in times)
 
 
