@@ -18,7 +18,7 @@ from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.slow_rhythm import slow_rhythm
 from torquerig.diagnose.judging.spread_lines import spread_line
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
-from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, why_withdrawn
+from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, TOO_MANY, why_withdrawn
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.own_gap import MECHANISM
@@ -116,7 +116,9 @@ def diagnose(
     moved = [mismatch for _, mismatch in changes]
     why = ""
     for sought in all_found.in_turn(before, used):
-        if sought.numbers_held and (why == COMES_AND_GOES or (why == LEAVES_A_REST and not sought.all_lines)):
+        if sought.numbers_held and (
+            why in (COMES_AND_GOES, TOO_MANY) or (why == LEAVES_A_REST and not sought.all_lines)
+        ):
             continue  # numbers that stand still explain no more of it; with a line, others may have moved
         after, unseen, completed, fit = foretold(sought.case)
         came_and_went = passing(after, completed)
@@ -124,7 +126,8 @@ def diagnose(
         detail = detail_of(before, after, left)
         left = left if detail is None else ()
         resembled = any(each.trial.candidate.resembled for each in sought.accepted)
-        refused = why_withdrawn(fit, left, resembled=resembled, passing=came_and_went)
+        effects = len(sought.accepted)
+        refused = why_withdrawn(fit, left, effects=effects, resembled=resembled, passing=came_and_went)
         if not (sought.accepted and refused):
             break
         why = refused

@@ -57,3 +57,10 @@ def test_what_noise_resembles_falls_where_noise_comes_and_goes(resembled: bool, 
     """Rattling in bursts has a mean spectrum, and a mode fits that."""
     why = why_withdrawn(fit(6.3, 2.6, 0.8), (), resembled=resembled, passing=SOMEWHERE * times)
     assert ("comes and goes" in why) is gone
+
+
+@pytest.mark.parametrize(("effects", "left", "gone"), [(3, SOMEWHERE, True), (3, (), False), (2, SOMEWHERE, False)])
+def test_three_that_leave_a_rest_are_pieces_of_something_else(effects: int, left: Any, gone: bool) -> None:
+    """A coupling whose stiffness goes with its torque makes lines between lines, and each passes for something."""
+    why = why_withdrawn(fit(6.3, 1.2, 0.95), left, effects=effects)
+    assert ("leave a rest" in why) is gone

@@ -20,7 +20,7 @@ _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording
 _START = 0.15  # [V] where the levels tell no span
 _SPREAD = 0.3  # [V]
 _BESIDE_STEPS = 300.0  # what a drift must gain beside where the mean steps: a step that was not seen looks like one
-_FASTEST = 0.1  # [s] heat and creep take longer to move a zero; what has settled sooner is an offset from the start
+_FASTEST = 0.25  # [s] heat and creep take longer to move a zero; what has settled sooner is an offset from the start
 
 
 def propose(case: Case) -> Iterator[Candidate]:

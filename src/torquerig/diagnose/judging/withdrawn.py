@@ -19,12 +19,17 @@ LEAVES_A_REST = (
     "and more is left"
 )
 COMES_AND_GOES = "fitted, and withdrawn: in several runs noise comes and goes, and its mean over a run looks like this"
+TOO_MANY = (
+    "fitted, and withdrawn: as many effects together leave a rest, and may each be a piece of one that is not known"
+)
 _SEVERAL = 2  # runs
+_MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
 
 
 def why_withdrawn(
-    fit: HeldOut, left: Sequence[Mismatch], *, resembled: bool = False, passing: Sequence[Mismatch] = ()
-) -> str:
+    fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
+    passing: Sequence[Mismatch] = (),
+) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
     Parameters
@@ -33,6 +38,8 @@ def why_withdrawn(
         Before and with it.
     left : sequence of Mismatch
         Where the completed model is still significantly wrong.
+    effects : int
+        How many were found.
     resembled : bool
         Whether something was found that noise resembles.
     passing : sequence of Mismatch
@@ -44,6 +51,8 @@ def why_withdrawn(
         return _PREDICTS_WORSE
     if fit.after > _NO_BETTER * fit.before:
         return _PREDICTS_NO_BETTER
+    if left and effects >= _MANY:
+        return TOO_MANY
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
     if missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere:
