@@ -32,7 +32,7 @@ def propose(case: Case) -> Iterator[Candidate]:
 
     Currents, their offsets and unequal gains all turn with the field: p, 2p and the multiples of 6p; other multiples
     pay, orders that no current has pay more, and so does 12p where no line at 6p leads it. An unsteady load leaves
-    noise beside twice the order too, where a second harmonic stands out as no line: that of 6p has one in any case.
+    noise beside twice the order too, where a second harmonic stands out as no line: that is asked apart.
     """
     motors = case.nominal.parts_of(Motor)
     if motors:
@@ -51,8 +51,9 @@ def propose(case: Case) -> Iterator[Candidate]:
                 place=peak.place,
                 price=_price(motors[0], peak.place.at),
             )
-            six_steps = round(peak.place.at) == _MAIN[0] * (motors[0].pole_pairs or 0)
-            yield _with_second(of_lines, part) if six_steps and not harmonics else of_lines
+            yield of_lines
+            if not harmonics and of_lines.price == 0:
+                yield _with_second(of_lines, part)
 
 
 def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:

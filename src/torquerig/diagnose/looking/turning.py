@@ -18,7 +18,7 @@ _BLOCK = 0.02  # [s] from one to the next, long against the first mode, short ag
 _SPACINGS = 2  # of a block's length: under a Hann window it then weighs little beyond its neighbours' middles
 _POINTS = 64  # of a block, at which the lines are followed
 _RIDGE = 1e-12  # of what a line weighs: blocks that weigh nothing leave no line undetermined
-_LOADS = 3.5  # [1/rev of the motor] few loads come in more pulses
+_FEW, _MANY = 0.9, 3.1  # [1/rev of the motor] of slower lines a load's next one shows, few loads come in more pulses
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
 
 
@@ -106,7 +106,7 @@ def turning(
     ends = observed.speed[np.minimum(starts + length, observed.speed.size - 1)]
     waves = [np.exp(1j * place.at * angle) @ weights for place in places if place.domain == "order"]
     way = np.sign(observed.speed[points])
-    loads = [place for place in places if place.domain == "order" and (place in unknown or place.at < _LOADS)]
+    loads = [place for place in places if place.domain == "order" and (place in unknown or _FEW <= place.at <= _MANY)]
     waves += [(way * np.exp(1j * place.at * angle)) @ weights for place in loads]
     columns = [part for wave in waves for part in (wave.real, wave.imag)]
     steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
