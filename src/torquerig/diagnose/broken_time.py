@@ -12,7 +12,7 @@ from torquerig.diagnose.looking.copied import Copied, copied
 from torquerig.diagnose.looking.held_samples import renewed_every
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.seams import seams
-from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time, renewal
+from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_frequency, place_in_time
 from torquerig.signals.recording import Recording
 
 
@@ -81,4 +81,4 @@ def _held(recording: Recording, every: float) -> Untrue:
         f"between; what is faster than {0.5 * rate:.4g} Hz is folded below that, and no mechanism of the library does "
         "that: the rest was judged with straight lines between the renewals"
     )
-    return sentence, renewal(recording, rate)
+    return sentence, place_in_frequency(recording, rate, width=1 / recording.duration)

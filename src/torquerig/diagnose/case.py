@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.fitting.misfit import misfit_sum
+from torquerig.diagnose.fitting.misfit import Misfit, misfit_sum
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import Peak
@@ -149,14 +149,20 @@ def left_line(case: Case, motor_order: float) -> Place | None:
     return None
 
 
-def missed_lines(case: Case) -> list[Place]:
-    """Return those of the model's own lines at an order that it misses by more than chance, the worst first."""
+def line_residuals(seen: Sequence[Features], misfits: Sequence[Misfit]) -> dict[Place, float]:
+    """Return by how many spreads each line is missed in the run that misses it most; runs that turn back show none."""
     worst: dict[Place, float] = {}
-    for features, misfit in zip(case.seen, case.model.misfits, strict=True):
+    for features, misfit in zip(seen, misfits, strict=True):
         if features.turning is None:
             sizes = np.abs(np.atleast_2d(misfit.lines)).max(axis=0, initial=0.0)
-            for place, size in zip(features.places, sizes, strict=True):
-                worst[place] = max(worst.get(place, 0.0), float(size))
+            for place, size in zip(features.places, sizes.tolist(), strict=True):
+                worst[place] = max(worst.get(place, 0.0), size)
+    return worst
+
+
+def missed_lines(case: Case) -> list[Place]:
+    """Return those of the model's own lines at an order that it misses by more than chance, the worst first."""
+    worst = line_residuals(case.seen, case.model.misfits)
     own = {place for place in worst if place.domain == "order"}.difference(*(each.unknown for each in case.seen))
     return sorted((place for place in own if worst[place] > _MISSED), key=lambda place: -worst[place])
 

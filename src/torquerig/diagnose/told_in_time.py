@@ -1,4 +1,4 @@
-"""What samples hold that no rig does: how it is told, in a sentence and as a place in time."""
+"""What samples hold that no rig does: how it is told, in a sentence and as a place in time or frequency."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ def place_in_time(recording: Recording, start: int, stop: int, *, excess: float)
     )  # fmt: skip
 
 
-def renewal(recording: Recording, rate: float) -> Mismatch:
-    """Return the frequency ``rate`` [Hz] at which what a recording holds is renewed."""
+def place_in_frequency(recording: Recording, at: float, *, width: float, excess: float = 0.0) -> Mismatch:
+    """Return the place about a frequency [Hz], ``width`` [Hz] wide, which stands out by ``excess`` [dB]."""
     return Mismatch(
-        domain="frequency", axis="Hz", at=rate, width=1 / recording.duration, recordings=(recording.name,),
-        excess_dB=0.0, share_of_misfit=0.0, p_value=0.0,
+        domain="frequency", axis="Hz", at=at, width=width, recordings=(recording.name,), excess_dB=excess,
+        share_of_misfit=0.0, p_value=0.0,
     )  # fmt: skip

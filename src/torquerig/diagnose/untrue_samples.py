@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, without_steps
 from torquerig.diagnose.looking.refilled import Moments
@@ -17,7 +16,7 @@ from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
 from torquerig.diagnose.looking.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
 from torquerig.diagnose.seams import seams
-from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time
+from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_frequency, place_in_time
 from torquerig.signals.recording import Recording
 
 _TAKEN_OUT = "the rest was judged with the steps taken out"
@@ -166,7 +165,5 @@ def _sweeping(recording: Recording, sweep: Sweep) -> Untrue:
         f"{recording.name}: a line sweeps from {sweep.start:.5g} to {sweep.stop:.5g} Hz over the run, and nothing "
         "does that at a steady speed; no mechanism of the library does it either: the rest was judged without it"
     )
-    return sentence, Mismatch(
-        domain="frequency", axis="Hz", at=0.5 * (sweep.start + sweep.stop), width=abs(sweep.stop - sweep.start),
-        recordings=(recording.name,), excess_dB=20 * float(np.log10(sweep.clear)), share_of_misfit=0.0, p_value=0.0,
-    )  # fmt: skip
+    middle, width = 0.5 * (sweep.start + sweep.stop), abs(sweep.stop - sweep.start)
+    return sentence, place_in_frequency(recording, middle, width=width, excess=20 * float(np.log10(sweep.clear)))

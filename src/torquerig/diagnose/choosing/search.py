@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Case
+from torquerig.diagnose.case import Case, line_residuals
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
 from torquerig.diagnose.choosing.possible import can_be
@@ -103,17 +103,8 @@ def extended(case: Case, best: Trial) -> Case:
 
 def unexplained(peaks: Sequence[Peak], case: Case, model: Calibrated) -> tuple[Peak, ...]:
     """Return those of the peaks that a model of the case does not explain."""
-    answer: list[Peak] = []
-    for peak in peaks:
-        misses = []
-        for features, misfit in zip(case.seen, model.misfits, strict=True):
-            if features.turning is not None:
-                continue
-            column = features.places.index(peak.place)
-            misses.append(float(np.abs(np.atleast_2d(misfit.lines)[:, column]).max()))
-        if max(misses, default=0.0) > _EXPLAINED:
-            answer.append(peak)
-    return tuple(answer)
+    worst = line_residuals(case.seen, model.misfits)
+    return tuple(peak for peak in peaks if worst.get(peak.place, 0.0) > _EXPLAINED)
 
 
 def _cleared(case: Case, fitted: Sequence[Trial]) -> bool:
