@@ -38,3 +38,13 @@ def test_a_low_harmonic_of_the_grid_is_the_grid_s(at: float, switching: bool, pr
 def test_a_comb_is_of_a_rhythm_that_nothing_slow_has(proposed: Any) -> None:
     assert [280.0, 560.0, 840.0] in proposed(280.0, 560.0, 840.0)
     assert all(len(each) == 1 for each in proposed(3.55, 7.1, 10.65, 14.2))
+
+
+def test_a_tone_at_an_order_pays_for_the_chance_that_put_it_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pwm_aliasing, "mechanical_range", lambda case: 500.0)
+    ordered, above = (Peak(place=frequency(at), excess=50.0, runs=("a",), speeds=1) for at in (98.415, 4711.0))
+    monkeypatch.setattr(pwm_aliasing, "fixed_lines", lambda case: [ordered, above])
+    monkeypatch.setattr(pwm_aliasing, "doubtful_lines", lambda case: [ordered])
+    prices = {each.place: each.price for each in pwm_aliasing.propose(cast("Case", SimpleNamespace()))}
+    assert prices[above.place] == 0.0
+    assert prices[ordered.place] == pytest.approx(7.82, abs=0.01)  # one in fifty

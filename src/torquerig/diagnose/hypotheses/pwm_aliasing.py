@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import log
 
 import numpy as np
 
@@ -22,6 +23,7 @@ _HARMONICS = (1, 2, 3, 5, 7)  # that a grid has
 _LOWEST_COMB = 20.0  # [Hz] a slower rhythm is something's that moves, and no switching
 _TEETH = 3  # lines that make a comb
 _APART = 1e-3  # by which a tooth may miss its multiple, relative
+_BY_CHANCE = 0.02  # of all tones fall so near to a whole order of a shaft, where runs tell no speed from another
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -29,13 +31,13 @@ def propose(case: Case) -> Iterator[Candidate]:
 
     A line that stands at an order and was seen at one speed alone may be such a tone wherever it stands. So may a comb:
     no shaft has lines at the multiples of a frequency that no speed moves. A line at the frequency of a grid, or at a
-    low harmonic of it, is the grid's.
+    low harmonic of it, is the grid's. A tone that stands at an order by chance pays for that chance.
     """
     top = mechanical_range(case)
     doubtful, fixed = list(doubtful_lines(case)), fixed_lines(case)
     lines = [peak for peak in fixed if (peak.place.at > top or peak in doubtful) and not _of_the_grid(peak)]
     for peak in lines[:_STRONGEST]:
-        yield _tones([peak])
+        yield _tones([peak], price=-2 * log(_BY_CHANCE) if peak in doubtful else 0.0)
     comb = _comb(fixed)
     if len(comb) >= (2 if comb and comb[0] in doubtful else _TEETH):
         yield _tones(comb)
@@ -45,7 +47,7 @@ def _of_the_grid(peak: Peak) -> bool:
     return any(abs(peak.place.at / (times * grid) - 1) < _OF_THE_GRID for grid in GRIDS for times in _HARMONICS)
 
 
-def _tones(lines: Sequence[Peak]) -> Candidate:
+def _tones(lines: Sequence[Peak], *, price: float = 0.0) -> Candidate:
     parts = tuple(
         mechanisms.PwmAliasing(
             name="pwm_aliasing" + (f"_{number}" if number > 1 else ""), frequency=peak.place.at, amplitude=_START
@@ -58,6 +60,7 @@ def _tones(lines: Sequence[Peak]) -> Candidate:
         knobs=tuple(Knob(part.name, "amplitude", 1.5) for part in parts),
         variant="comb" if len(parts) > 1 else "",
         place=lines[0].place,
+        price=price,
     )
 
 
