@@ -13,10 +13,9 @@ from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
+from torquerig.diagnose.judging.last_questions import last_question
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
-from torquerig.diagnose.judging.slow_rhythm import slow_rhythm
-from torquerig.diagnose.judging.spread_lines import spread_line
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, TOO_MANY, why_withdrawn
 from torquerig.diagnose.looking.features import Features
@@ -135,11 +134,12 @@ def diagnose(
     named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
     found_more = bool(named or faults.candidates or sought.descriptions)
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
-    as_a_whole: tuple[Mismatch, ...] = ()
+    as_a_whole, asked = tuple[Mismatch, ...](), tuple[tuple[str, Mismatch], ...]()
     if not (left or named or sought.descriptions):
         coarse = any(each.mechanism == "quantization" for each in faults.candidates)
         whole_fit = misfit_as_a_whole(after, unseen, held_out=fit.after, coarse=coarse)
-        left = as_a_whole = whole_fit or _spread(after, faults)
+        asked = () if whole_fit else _asked_last(after, faults)
+        left = as_a_whole = whole_fit or tuple(mismatch for _, mismatch in asked)
     verdict = _verdict(found, left, faults, described=bool(sought.descriptions))
     diagnosis = Diagnosis(
         verdict=verdict,
@@ -154,7 +154,7 @@ def diagnose(
             *(sentence for sentence, _ in start.untrue),
             *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
             *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
-            *(sentence for sentence, _ in changes),
+            *(sentence for sentence, _ in (*changes, *asked) if sentence),
             *([_FILLED] if any(each.mechanism == "signal_dropout" for each in faults.candidates) else []),
             *([_BY_TWIN] if fit.by_twin else []),
             *([] if detail is None else [_DETAIL.format(detail)]),
@@ -174,11 +174,11 @@ def _verdict(
     return "missing_physics" if findings else "adequate"
 
 
-def _spread(case: Case, faults: SampleFindings) -> tuple[Mismatch, ...]:
-    """Return a line spread over a hertz or two, or a slow rhythm, where no fault of samples and no gap makes one."""
+def _asked_last(case: Case, faults: SampleFindings) -> tuple[tuple[str, Mismatch], ...]:
+    """Return what the last questions find, where no fault of samples and no gap is there, which make such things."""
     if faults.candidates or faults.unnamed or case.has(MECHANISM):
         return ()
-    told = spread_line(case) or slow_rhythm(case)
+    told = last_question(case)
     return () if told is None else (told,)
 
 

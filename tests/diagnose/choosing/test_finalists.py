@@ -13,6 +13,7 @@ from torquerig.diagnose.case import SLOW_TORQUE, Candidate
 from torquerig.diagnose.choosing import screening
 from torquerig.diagnose.choosing.screening import finalists
 from torquerig.diagnose.choosing.trial import Trial
+from torquerig.diagnose.looking.places import order
 
 
 @dataclass
@@ -22,9 +23,10 @@ class Held:
     rig: str
 
 
-def trial(name: str, gain: float, *, slow: bool = False) -> Trial:
+def trial(name: str, gain: float, *, slow: bool = False, at: float | None = None) -> Trial:
     loosens = SLOW_TORQUE if slow else ()
-    candidate = Candidate(mechanism=name, parts=(), knobs=(), loosens=loosens)
+    place = None if at is None else order(at)
+    candidate = Candidate(mechanism=name, parts=(), knobs=(), loosens=loosens, place=place)
     return Trial(candidate, cast(Any, None), gain)
 
 
@@ -39,6 +41,14 @@ def test_beside_a_line_small_gains_are_not_fitted() -> None:
     screened = [trial("gear_mesh", 80.0), trial("cogging", 30.0), trial("quadratic_drag", 10.0, slow=True)]
     assert [each.candidate.mechanism for each in finalists(screened)] == ["gear_mesh", "cogging"]
     assert finalists([trial("gear_mesh", -5.0)]) == []
+
+
+@pytest.mark.parametrize(("gain", "at", "fitted"), [(-3.4, 84.0, True), (-25.0, 84.0, False), (-3.4, 42.0, False)])
+def test_a_close_rival_of_a_line_is_fitted_with_it(gain: float, at: float, fitted: bool) -> None:
+    """The numbers that the line has bent decide between them, and stand still while hypotheses are screened."""
+    screened = [trial("mode", 7.3), trial("cogging", 5.9, at=84.0), trial("ripple", gain, at=at)]
+    named = [each.candidate.mechanism for each in finalists(screened)]
+    assert named == ["mode", "cogging", *["ripple"] * fitted]
 
 
 def test_slow_ones_do_not_crowd_out_a_line() -> None:

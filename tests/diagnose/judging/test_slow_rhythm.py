@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
@@ -14,7 +14,8 @@ from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.judging.slow_rhythm import slow_rhythm
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.places import order
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import frequency, order
 from torquerig.scenario.reading import Scenario
 
 RATE, LENGTH, SPEED = 2000.0, 12.0, 105.0
@@ -40,10 +41,11 @@ def made(by_hand: Callable[..., Observed]) -> Made:
     return run
 
 
-def told(wear_rig: Scenario, *runs: Observed) -> Mismatch | None:
-    seen = tuple(features(run, [order(0.2), order(0.4)]) for run in runs)
+def told(wear_rig: Scenario, *runs: Observed, left: Sequence[Peak] = ()) -> Mismatch | None:
+    places = [order(0.2), order(0.4), *(peak.place for peak in left)]
+    seen = tuple(features(run, places) for run in runs)
     model = Calibrated(wear_rig.rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
-    return slow_rhythm(Case(nominal=wear_rig.rig, runs=runs, seen=seen, model=model, left=()))
+    return slow_rhythm(Case(nominal=wear_rig.rig, runs=runs, seen=seen, model=model, left=tuple(left)))
 
 
 @pytest.mark.parametrize("period", [0.45, 0.8, 1.3])
@@ -55,6 +57,15 @@ def test_a_rhythm_is_told_with_its_frequency_and_its_runs(period: float, wear_ri
     times = found.at * period  # every second pulse, or two to a period, are told by the same lines
     assert times == pytest.approx(1.0, rel=0.02) or times == pytest.approx(0.5, rel=0.02)
     assert found.p_value < 1e-9
+
+
+def test_lines_of_the_rhythm_that_stand_out_by_themselves_count_too(wear_rig: Scenario, made: Made) -> None:
+    """Strong pulses at idle leave thirty lines, of which fits take account as of any that a model lacks."""
+    run = made(seed=1, pulse=3.0, period=0.8)
+    lines = [Peak(place=frequency(1.25 * tooth), excess=90.0, runs=("run",), speeds=1) for tooth in range(2, 33)]
+    found = told(wear_rig, run, left=lines)
+    assert found is not None
+    assert found.at == pytest.approx(1.25, rel=0.02) or found.at == pytest.approx(0.625, rel=0.02)
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -16,6 +16,7 @@ from torquerig.diagnose.fitting.profiled import profiled_cost
 BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
 _FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
+_NEAR_BY = 20.0  # by which a rival may gain less of the same line with the model held: the numbers that bend decide it
 _DERIVATIVES, _LOOSE_DERIVATIVES = 2, 3
 
 
@@ -38,9 +39,9 @@ def screened(case: Case, candidate: Candidate) -> Trial:
 
 
 def finalists(tried: Sequence[Trial]) -> list[Trial]:
-    """Return those worth fitting with all numbers free: the best, and of what moves the slow torque alike any.
+    """Return those worth fitting with all numbers free: the best, their close rivals, and what moves the slow torque.
 
-    The latter do not crowd out the others: what loosens the slow torque gains by that alone where it is bent. ``tried``
+    The last do not crowd out the others: what loosens the slow torque gains by that alone where it is bent. ``tried``
     are sorted, the largest gain first.
     """
     top = tried[0].gain if tried else 0.0
@@ -53,6 +54,17 @@ def finalists(tried: Sequence[Trial]) -> list[Trial]:
         if worthwhile and room and not _repeated(trial, answer):
             answer.append(trial)
             others += not alike
+    return [*answer, *_rivals(answer, tried)]
+
+
+def _rivals(finalists: Sequence[Trial], tried: Sequence[Trial]) -> list[Trial]:
+    """Return the best of each further mechanism that gains nearly as much of a finalist's line."""
+    answer: list[Trial] = []
+    for trial in tried:
+        mine = trial.candidate
+        same = [one for one in (*finalists, *answer) if one.candidate.place == mine.place is not None]
+        if same and all(one.candidate.mechanism != mine.mechanism for one in same):
+            answer += [trial] * (trial.gain > max(one.gain for one in same) - _NEAR_BY)
     return answer
 
 

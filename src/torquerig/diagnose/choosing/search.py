@@ -64,7 +64,8 @@ def trials(
     last = [*finalists(tried), *given_way_to(case, tried)]
     near = _NEAR * to_beat
     fitted = _one_of_a_kind(sorted(_fitted(case, last, near=near), key=lambda trial: -trial.gain))
-    promising = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN and trial.model.cost < near]
+    best = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN or _of_line(trial, fitted[0])]
+    promising = [trial for trial in best if fitted[0].gain > LEAST_GAIN and trial.model.cost < near]
     fitted[: len(promising)] = of_each(partial(_polished, case), promising)
     gap_failed = False
     if simulated and gap_is_possible(case) and (flanks_fly(case) or not _cleared(case, fitted)):
@@ -75,6 +76,11 @@ def trials(
     fitted = [trial for trial in fitted if can_be(trial.candidate, trial.model)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(tried), gap_failed)
+
+
+def _of_line(trial: Trial, best: Trial) -> bool:
+    """Whether a trial is of the same line as the best."""
+    return trial.candidate.place == best.candidate.place is not None
 
 
 def _one_of_a_kind(fitted: Sequence[Trial]) -> list[Trial]:

@@ -6,7 +6,8 @@ import numpy as np
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.places import SAME_ORDER
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.diagnose.looking.places import SAME_ORDER, Place
 from torquerig.mechanisms import BearingDefect
 
 _LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
@@ -20,13 +21,13 @@ def of_an_effect(case: Case, features: Features, column: int) -> bool:
     smeared over the band beside it, goes with how they slip, which nobody knows (Randall & Antoni 2011, Mechanical
     Systems and Signal Processing 25(2)).
     """
-    return _of_impacts(case, features, column) or _of_its_law(case, features, column)
+    return of_impacts(case, features.places[column], features.observed) or _of_its_law(case, features, column)
 
 
-def _of_impacts(case: Case, features: Features, column: int) -> bool:
-    place, ratio = features.places[column], abs(case.nominal.run.gear_ratio or 1.0)
-    turns_a_second = abs(features.observed.mean_speed) / (2 * np.pi)
-    if place.domain == "frequency" and not (features.observed.steady and turns_a_second):
+def of_impacts(case: Case, place: Place, run: Observed) -> bool:
+    """Whether a line that a run shows stands at a multiple of the order of impacts that are in the case's model."""
+    ratio, turns_a_second = abs(case.nominal.run.gear_ratio or 1.0), abs(run.mean_speed) / (2 * np.pi)
+    if place.domain == "frequency" and not (run.steady and turns_a_second):
         return False
     # a line that one run alone shows may be told at its frequency
     at = place.at if place.domain == "order" else place.at / turns_a_second

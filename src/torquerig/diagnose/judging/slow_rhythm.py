@@ -64,13 +64,15 @@ def _alike(one: _Rhythm, other: _Rhythm) -> bool:
 
 
 def _power(run: Observed, case: Case) -> _Power:
-    rest = beside_lines(run, case.seen[0].places)
+    left = {peak.place for peak in case.left}  # what the model lacks may be the rhythm's own lines
+    lines = [place for place in case.seen[0].places if place not in left]
+    rest = beside_lines(run, lines)
     power = np.abs(np.fft.rfft((rest - rest.mean()) * np.hanning(rest.size))) ** 2
     step = run.rate / rest.size
     power = power[: int((_HIGHEST + _FLOOR) / step) + 1]
     frequency = np.arange(power.size) * step
     shown = np.ones(power.size, dtype=bool)
-    for place in case.seen[0].places:
+    for place in lines:
         shown &= np.abs(frequency - abs(place.frequency(run.mean_speed))) > _LINE * step + run.smearing * frequency
     floor = median_filter(power[shown], size=max(9, round(_FLOOR / step)), mode="nearest") / log(2)
     over = np.full(power.size, np.nan)

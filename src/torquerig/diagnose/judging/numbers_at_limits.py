@@ -1,0 +1,45 @@
+"""Whether a number of the finished model stands where no fit goes further: it stands in for something.
+
+A wrong number is no missing physics, and the fits allow each to be wrong by seven of its stated spreads. Where one is
+driven there, and nothing that was tried explains why, the model fits by a number that nobody would believe: a level
+that a bent characteristic makes, hits that are pulses of another kind. Of 156 rigs with nothing hidden, some of them
+with numbers wrong by twice their stated spreads, none had one beyond 5.2.
+"""
+
+from __future__ import annotations
+
+from math import log10, pi
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.fitting.calibration import LIMIT
+from torquerig.diagnose.judging.chance import by_chance
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.mechanisms import ParticleLoad
+
+_NEARLY = 0.97  # of the limit
+
+
+def number_at_limit(case: Case) -> tuple[str, Mismatch] | None:
+    """Return a sentence and a mismatch for the number that stands furthest off, None unless at the fits' limit."""
+    positions = zip(case.model.knobs, case.model.positions.tolist(), strict=True)
+    knob, position = max(positions, key=lambda pair: abs(pair[1]), default=(None, 0.0))
+    if knob is None or abs(position) < _NEARLY * LIMIT:
+        return None
+    stated, needed = knob.value(case.nominal_with_accepted()), knob.value(case.model.rig)
+    level = isinstance(case.nominal.part(knob.part), ParticleLoad) and knob.key is not None
+    runs = [run for run in case.runs if not level or _near(run, knob.key)] or list(case.runs)
+    sentence = (
+        f"{knob.name} would have to be {needed:.3g} or further off, where the scenario states {stated:.3g} and no fit "
+        f"leaves that by more than {LIMIT:g} of its spreads: correct it if it is wrong, else something stands behind it"
+    )
+    mismatch = Mismatch(
+        domain="level", axis="rpm", at=abs(runs[0].mean_speed) * 30 / pi, width=0.0,
+        recordings=tuple(run.name for run in runs), excess_dB=20 * log10(abs(position)), share_of_misfit=0.0,
+        p_value=by_chance(abs(position), len(case.model.knobs)),
+    )  # fmt: skip
+    return sentence, mismatch
+
+
+def _near(run: Observed, percent: object) -> bool:
+    return run.run.occupancy_percent == percent

@@ -1,0 +1,50 @@
+"""A number that stands where no fit goes further is told; one that is only wrong is not."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.fitting.calibration import LIMIT
+from torquerig.diagnose.fitting.knobs import Knob, turned
+from torquerig.diagnose.judging.numbers_at_limits import number_at_limit
+from torquerig.scenario.reading import Scenario
+
+INERTIA = Knob("wear_part", "inertia", 0.1)
+LEVEL = Knob("load", "mean_by_occupancy_percent", 0.05, key=21.0)
+
+
+def case_at(wear_rig: Scenario, *positions: float) -> Case:
+    runs = [SimpleNamespace(name=f"at{percent:g}", mean_speed=105.0, run=SimpleNamespace(occupancy_percent=percent))
+            for percent in (0.0, 21.0)]  # fmt: skip
+    knobs, at = (INERTIA, LEVEL), np.array(positions)
+    model = SimpleNamespace(knobs=knobs, positions=at, rig=turned(wear_rig.rig, knobs, at))
+    nominal: Any = wear_rig.rig
+    return cast("Case", SimpleNamespace(runs=runs, model=model, nominal=nominal, nominal_with_accepted=lambda: nominal))
+
+
+@pytest.mark.parametrize("positions", [(0.0, 0.0), (5.2, -5.2), (-6.5, 3.0)])
+def test_a_wrong_number_is_no_missing_physics(positions: tuple[float, float], wear_rig: Scenario) -> None:
+    assert number_at_limit(case_at(wear_rig, *positions)) is None
+
+
+def test_a_level_at_its_limit_is_told_with_the_runs_that_have_it(wear_rig: Scenario) -> None:
+    found = number_at_limit(case_at(wear_rig, 1.0, LIMIT))
+    assert found is not None
+    sentence, mismatch = found
+    assert "load.mean_by_occupancy_percent.21 would have to be 5.39" in sentence
+    assert "states 3.8" in sentence
+    assert mismatch.recordings == ("at21",)
+    assert mismatch.domain == "level"
+    assert mismatch.p_value < 1e-10
+
+
+def test_any_other_number_is_of_all_runs(wear_rig: Scenario) -> None:
+    found = number_at_limit(case_at(wear_rig, -LIMIT, 0.0))
+    assert found is not None
+    assert "wear_part.inertia" in found[0]
+    assert found[1].recordings == ("at0", "at21")
