@@ -10,4 +10,6 @@ own_lines      lines of an effect that was found       slow_rhythm  pulses once 
 chance         how probable a residual is             share_explained  how much goes where an effect changes something
 withdrawn      why what was found is not believed
 changing       what drifts in all steady runs         scattered_levels  slow torque that follows no course
+last_questions what no single place shows             one_gain    all lines change by one factor
+numbers_at_limits  numbers that no fit takes further
 """
