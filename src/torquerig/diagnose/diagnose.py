@@ -126,7 +126,10 @@ def diagnose(
         left = left if detail is None else ()
         resembled = any(each.trial.candidate.resembled for each in sought.accepted)
         effects = len(sought.accepted)
-        refused = why_withdrawn(fit, left, effects=effects, resembled=resembled, passing=came_and_went)
+        drifts = bool(moved) and after.has("sensor_drift")
+        refused = why_withdrawn(
+            fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts
+        )
         if not (sought.accepted and refused):
             break
         why = refused

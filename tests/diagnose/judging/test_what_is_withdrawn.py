@@ -64,3 +64,9 @@ def test_three_that_leave_a_rest_are_pieces_of_something_else(effects: int, left
     """A coupling whose stiffness goes with its torque makes lines between lines, and each passes for something."""
     why = why_withdrawn(fit(6.3, 1.2, 0.95), left, effects=effects)
     assert ("leave a rest" in why) is gone
+
+
+def test_no_zero_drifts_where_the_spectrum_changes_with_time() -> None:
+    held = fit(3.0, 1.0, 0.9)
+    assert why_withdrawn(held, ()) == ""
+    assert "spectrum changes along the steady runs" in why_withdrawn(held, (), drifts_in_all=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.judging.load_over_time import load_over_time
 from torquerig.diagnose.judging.numbers_at_limits import number_at_limit
 from torquerig.diagnose.judging.one_gain import one_gain
 from torquerig.diagnose.judging.slow_rhythm import slow_rhythm
@@ -13,4 +14,6 @@ from torquerig.diagnose.judging.spread_lines import spread_line
 def last_question(case: Case) -> tuple[str, Mismatch] | None:
     """Return what the first of them finds, with a sentence where the place alone does not say it; None if nothing."""
     told = spread_line(case) or slow_rhythm(case)
-    return one_gain(case) or number_at_limit(case) if told is None else ("", told)
+    if told is not None:
+        return "", told
+    return one_gain(case) or load_over_time(case) or number_at_limit(case)

@@ -22,13 +22,16 @@ COMES_AND_GOES = "fitted, and withdrawn: in several runs noise comes and goes, a
 TOO_MANY = (
     "fitted, and withdrawn: as many effects together leave a rest, and may each be a piece of one that is not known"
 )
+_NO_ZERO = (
+    "fitted, and withdrawn: the spectrum changes along the steady runs too, which a zero that drifts does not do to it"
+)
 _SEVERAL = 2  # runs
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
 
 
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
-    passing: Sequence[Mismatch] = (),
+    passing: Sequence[Mismatch] = (), drifts_in_all: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -44,9 +47,11 @@ def why_withdrawn(
         Whether something was found that noise resembles.
     passing : sequence of Mismatch
         Times at which the spectrum of a steady run stands elsewhere.
+    drifts_in_all : bool
+        Whether a zero that drifts was found, and the spectrum changes along the steady runs as well.
     """
-    if resembled and len(passing) >= _SEVERAL:
-        return COMES_AND_GOES
+    if drifts_in_all or (resembled and len(passing) >= _SEVERAL):
+        return _NO_ZERO if drifts_in_all else COMES_AND_GOES
     if fit.after > _WORSE * fit.before:
         return _PREDICTS_WORSE
     if fit.after > _NO_BETTER * fit.before:
