@@ -54,7 +54,9 @@ def spectrum_of_seen(run: Observed) -> tuple[Floats, float]:
 
 def _share_in_line(run: Observed, at: float, known: Sequence[Place]) -> float:
     power, step = spectrum_of_seen(run)
-    frequency = step * np.arange(power.size)
+    first = max(int((at - _FLOOR) / step), 0)  # what stands further off is not asked
+    power = power[first : int((at + _FLOOR) / step) + 2]
+    frequency = step * (first + np.arange(power.size))
     far = np.abs(frequency - at)
     free = far > _LINE * step
     for place in (*known, *_side_lines(known)):
