@@ -128,8 +128,9 @@ def diagnose(
         effects = len(sought.accepted)
         drifts = bool(moved) and after.has("sensor_drift")
         refused = why_withdrawn(
-            fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts
-        )
+            fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts,
+            samples_too=bool(start.untrue or faults.untrue),
+        )  # fmt: skip
         if not (sought.accepted and refused):
             break
         why = refused

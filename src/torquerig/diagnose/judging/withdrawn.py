@@ -25,13 +25,17 @@ TOO_MANY = (
 _NO_ZERO = (
     "fitted, and withdrawn: the spectrum changes along the steady runs too, which a zero that drifts does not do to it"
 )
+_STILL_WRONG = (
+    "fitted, and withdrawn: what no fit has seen is predicted without it as well as by a true model, and the model is "
+    "still wrong with it"
+)
 _SEVERAL = 2  # runs
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
 
 
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
-    passing: Sequence[Mismatch] = (), drifts_in_all: bool = False,
+    passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -49,6 +53,8 @@ def why_withdrawn(
         Times at which the spectrum of a steady run stands elsewhere.
     drifts_in_all : bool
         Whether a zero that drifts was found, and the spectrum changes along the steady runs as well.
+    samples_too : bool
+        Whether samples were found untrue, of which a rest may stay.
     """
     if drifts_in_all or (resembled and len(passing) >= _SEVERAL):
         return _NO_ZERO if drifts_in_all else COMES_AND_GOES
@@ -56,9 +62,9 @@ def why_withdrawn(
         return _PREDICTS_WORSE
     if fit.after > _NO_BETTER * fit.before:
         return _PREDICTS_NO_BETTER
-    if left and effects >= _MANY:
-        return TOO_MANY
     missing, rest = fit.before - 1, fit.after - 1
+    if left and (effects >= _MANY or (missing < 0 and not samples_too)):
+        return TOO_MANY if effects >= _MANY else _STILL_WRONG
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
     if missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere:
         return _PREDICTS_NO_BETTER
