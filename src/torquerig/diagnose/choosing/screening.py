@@ -63,8 +63,9 @@ def _rivals(finalists: Sequence[Trial], tried: Sequence[Trial]) -> list[Trial]:
     for trial in tried:
         mine = trial.candidate
         same = [one for one in (*finalists, *answer) if one.candidate.place == mine.place is not None]
-        if same and all(one.candidate.mechanism != mine.mechanism for one in same):
-            answer += [trial] * (trial.gain > max(one.gain for one in same) - _NEAR_BY)
+        other = all(one.candidate.mechanism != mine.mechanism for one in same)
+        if same and other and trial.gain > max(one.gain for one in same) - _NEAR_BY:
+            answer.append(trial)
     return answer
 
 

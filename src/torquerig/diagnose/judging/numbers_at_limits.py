@@ -14,7 +14,6 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import LIMIT
 from torquerig.diagnose.judging.chance import by_chance
-from torquerig.diagnose.looking.observed import Observed
 from torquerig.mechanisms import ParticleLoad
 
 _NEARLY = 0.97  # of the limit
@@ -28,7 +27,7 @@ def number_at_limit(case: Case) -> tuple[str, Mismatch] | None:
         return None
     stated, needed = knob.value(case.nominal_with_accepted()), knob.value(case.model.rig)
     level = isinstance(case.nominal.part(knob.part), ParticleLoad) and knob.key is not None
-    runs = [run for run in case.runs if not level or _near(run, knob.key)] or list(case.runs)
+    runs = [run for run in case.runs if not level or run.run.occupancy_percent == knob.key] or list(case.runs)
     sentence = (
         f"{knob.name} would have to be {needed:.3g} or further off, where the scenario states {stated:.3g} and no fit "
         f"leaves that by more than {LIMIT:g} of its spreads: correct it if it is wrong, else something stands behind it"
@@ -39,7 +38,3 @@ def number_at_limit(case: Case) -> tuple[str, Mismatch] | None:
         p_value=by_chance(abs(position), len(case.model.knobs)),
     )  # fmt: skip
     return sentence, mismatch
-
-
-def _near(run: Observed, percent: object) -> bool:
-    return run.run.occupancy_percent == percent

@@ -25,7 +25,7 @@ TOO_MANY = (
 _NO_ZERO = (
     "fitted, and withdrawn: the spectrum changes along the steady runs too, which a zero that drifts does not do to it"
 )
-_STILL_WRONG = (
+STILL_WRONG = (
     "fitted, and withdrawn: what no fit has seen is predicted without it as well as by a true model, and the model is "
     "still wrong with it"
 )
@@ -56,19 +56,19 @@ def why_withdrawn(
     samples_too : bool
         Whether samples were found untrue, of which a rest may stay.
     """
-    if drifts_in_all or (resembled and len(passing) >= _SEVERAL):
-        return _NO_ZERO if drifts_in_all else COMES_AND_GOES
-    if fit.after > _WORSE * fit.before:
-        return _PREDICTS_WORSE
-    if fit.after > _NO_BETTER * fit.before:
-        return _PREDICTS_NO_BETTER
     missing, rest = fit.before - 1, fit.after - 1
-    if left and (effects >= _MANY or (missing < 0 and not samples_too)):
-        return TOO_MANY if effects >= _MANY else _STILL_WRONG
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
-    if missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere:
-        return _PREDICTS_NO_BETTER
-    return LEAVES_A_REST if left and rest > _LARGE_REST * missing and fit.explained < LEAST_SHARE else ""
+    against = (
+        (drifts_in_all, _NO_ZERO),
+        (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
+        (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
+        (fit.after > _NO_BETTER * fit.before, _PREDICTS_NO_BETTER),
+        (left and effects >= _MANY, TOO_MANY),
+        (left and missing < 0 and not samples_too, STILL_WRONG),
+        (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
+        (left and rest > _LARGE_REST * missing and fit.explained < LEAST_SHARE, LEAVES_A_REST),
+    )
+    return next((reason for speaks, reason in against if speaks), "")
 
 
 def _clearly_there(fit: HeldOut) -> bool:
