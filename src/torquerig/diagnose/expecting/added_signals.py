@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import pi
 
@@ -59,11 +60,18 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
         elif isinstance(stage, Rounding):
             codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
-            impacts = stage.order * stage.turns * abs(observed.mean_speed) / (2 * pi)
-            rung = stage.density_between(*seen.band_edges, impacts) * twin.amplifier_power(seen.band)
-            power, ringing = power + rung, ringing + rung
             struck = np.hypot(struck, _struck(stage, twin, seen))
+    for _, rung in rung_by(twin, seen):
+        power, ringing = power + rung, ringing + rung
     return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing)
+
+
+def rung_by(twin: Twin, seen: Features) -> Iterator[tuple[Ringing, Floats]]:
+    """Yield each mode that impacts ring, and the density that it leaves in each band of a run [(N m)^2/Hz]."""
+    for stage in twin.rig.stages():
+        if isinstance(stage, Ringing):
+            impacts = stage.order * stage.turns * abs(seen.observed.mean_speed) / (2 * pi)
+            yield stage, stage.density_between(*seen.band_edges, impacts) * twin.amplifier_power(seen.band)
 
 
 def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:

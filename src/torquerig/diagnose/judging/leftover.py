@@ -13,14 +13,13 @@ from scipy.stats import poisson
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.expecting.correction import Correction
-from torquerig.diagnose.expecting.expectation import expected
-from torquerig.diagnose.fitting.misfit import BAND_TOLERANCE, Misfit, robust_squares
+from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
 from torquerig.diagnose.judging.chance import beyond_chance, by_chance
+from torquerig.diagnose.judging.forgiven_bands import forgiven
 from torquerig.diagnose.judging.narrow_humps import narrow_humps
 from torquerig.diagnose.judging.one_load import load_contradictions
 from torquerig.diagnose.judging.own_lines import of_an_effect
 from torquerig.diagnose.judging.scattered_levels import scattered_levels
-from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN
@@ -29,7 +28,6 @@ from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
-_LOAD_SHAPE = 0.35  # of the logarithm: pulses of another shape leave nulls and humps of 1.5 dB and more
 _DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
 _ELSEWHERE, _BETTER = 0.5, 2.0  # of what is left: more at places that got better by less than this is no detail
 _BAND_RUN, _ALONE = 2, 12.0  # neighbouring bands that must all stand out; one alone only if so far
@@ -87,7 +85,7 @@ def _excess(every: Sequence[Misfit]) -> float:
 def _eased(case: Case, features: Features, misfit: Misfit) -> Misfit:
     """Return the residuals less what a random load, or chance in an effect beyond the twin, may be forgiven."""
     eased = misfit.scaled(1 / _slack(case))
-    return replace(eased, bands=eased.bands * _for_the_load(case, features)) if eased.bands.size else eased
+    return replace(eased, bands=forgiven(case, features, eased.bands)) if eased.bands.size else eased
 
 
 def _lines(case: Case, total: float, places: int) -> Iterator[Mismatch]:
@@ -186,14 +184,6 @@ def _flights(case: Case) -> Iterator[Mismatch]:
         recordings=tuple(name for name, count in shown.items() if count), excess_dB=20 * log10(number / BY_CHANCE),
         share_of_misfit=0.0, p_value=float(poisson.sf(number - 1, BY_CHANCE)),
     )  # fmt: skip
-
-
-def _for_the_load(case: Case, features: Features) -> NDArray[np.float64]:
-    """Return a factor below 1 for bands that a random load fills: its spectrum is its own, no physics of the rig."""
-    twin = Twin(case.model.rig.at(features.observed.run))
-    share = twin.load_power_between(*features.band_edges) / expected(case.model.rig, features).power
-    tight = 1 / features.count + BAND_TOLERANCE**2
-    return np.asarray(np.sqrt(tight / (tight + (_LOAD_SHAPE * np.clip(share, 0.0, 1.0)) ** 2)))
 
 
 def _slack(case: Case) -> float:
