@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from torquerig.rig.rig import Rig
 # fields of a model that make its slow torque, and stand in for an effect that changes it
 SLOW_TORQUE = ("mean_by_occupancy_percent", "viscous", "coulomb", "slow_rms", "slow_cutoff")
 
+BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
 _MISSED = 6.0  # spreads in one run
 
 
@@ -130,6 +131,15 @@ class Case:
         for earlier in self.accepted:
             rig = earlier.added_to(rig)
         return rig
+
+    def unbent(self) -> Calibrated | None:
+        """Return the model with none of its numbers fitted, where some stand so far off that they were bent; else None.
+
+        Its ``jacobian`` is the fitted one's: slopes of residuals to the same knobs, elsewhere.
+        """
+        if np.abs(self.model.positions).max(initial=0.0) < BENT:
+            return None
+        return replace(self.model, rig=self.nominal_with_accepted(), positions=np.zeros_like(self.model.positions))
 
     def misfit_of(self, rig: Rig) -> float:
         """Return the misfit sum of another rig, with what no twin can hold as it stands in the model."""

@@ -7,13 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.case import BENT, Candidate, Case
 from torquerig.diagnose.choosing.explained import explained_share
 from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.profiled import profiled_cost
 
-BENT = 4.0  # spreads: a number that stands so far off has been bent by what is missing
 _FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _NEAR_BY = 20.0  # by which a rival may gain less of the same line with the model held: the numbers that bend decide it
@@ -73,20 +72,22 @@ def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
     """Return what bends the model's numbers and gains what it promised once they give way; one of a kind.
 
     The numbers may have stood in for it, as an inertia for a heavy mode. Its own numbers, fitted while the model is
-    held, then lead away from it, so that each is returned as it was proposed.
+    held, then lead away from it, so that each is returned as it was proposed: beside the numbers as they stand or,
+    where they have been bent too far to come back, as the scenario has them, whichever promises more.
     """
     bending = [trial.candidate for trial in tried if np.isfinite(trial.candidate.promised)]
+    unbent = case.unbent()
+    beginnings = [case.model] if unbent is None else [case.model, unbent]
     before = profiled_cost(case.model, case.model.rig, case.seen) if bending else 0.0
     answer: dict[str, Trial] = {}
     for candidate in bending:
-        rig = candidate.added_to(case.model.rig)
         paid = PER_KNOB * len(candidate.knobs) + candidate.price
-        trial = Trial(
-            candidate, replace(case.model, rig=rig), before - profiled_cost(case.model, rig, case.seen) - paid
-        )
-        best = answer.get(candidate.mechanism, trial)
-        if trial.gain + candidate.price > candidate.promised and trial.gain >= best.gain:
-            answer[candidate.mechanism] = trial
+        for model in beginnings:
+            beside = replace(model, rig=candidate.added_to(model.rig))
+            trial = Trial(candidate, beside, before - profiled_cost(model, beside.rig, case.seen) - paid)
+            best = answer.get(candidate.mechanism, trial)
+            if trial.gain + candidate.price > candidate.promised and trial.gain >= best.gain:
+                answer[candidate.mechanism] = trial
     return [*answer.values()]
 
 

@@ -9,11 +9,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Case, line_residuals
+from torquerig.diagnose.case import BENT, Case, line_residuals
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
 from torquerig.diagnose.choosing.possible import can_be
-from torquerig.diagnose.choosing.screening import BENT, finalists, given_way_to, screened
+from torquerig.diagnose.choosing.screening import finalists, given_way_to, screened
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.knobs import turned
@@ -151,8 +151,9 @@ def _fits_well(trial: Trial) -> bool:
 
 
 def _from_here(case: Case, trial: Trial) -> Trial:
-    """Fit all numbers together, from where the model stands."""
-    return _joint(case, trial, trial.model.rig, case.model.positions)
+    """Fit all numbers together, from where the model stands, or beside which the candidate was looked at."""
+    nuisance = trial.model.positions if trial.model.knobs == case.model.knobs else case.model.positions
+    return _joint(case, trial, trial.model.rig, nuisance)
 
 
 def _from_apart(case: Case, trial: Trial) -> Trial:

@@ -18,7 +18,7 @@ _PROMISED = 40.0  # by the derivatives: as much as an effect must gain, which no
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield the cutoff below the sensor's own that fits best, and the one that does so once the numbers give way.
+    """Yield the cutoff below the sensor's own that fits best, and the ones that do so once the numbers give way.
 
     Stiffnesses, dampings and the laws of the load may have stood in for a low-pass, and what laws differ by resembles
     one: of 86 blind rigs with nothing hidden none gains more than 31, and 53 on what no fit has seen.
@@ -29,9 +29,12 @@ def propose(case: Case) -> Iterator[Candidate]:
     tried = [_low_pass(sensor, float(cutoff)) for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS)]
     held = min(tried, key=lambda one: case.misfit_of(one.added_to(case.model.rig)))
     yield held
-    loose = min(tried, key=lambda one: profiled_cost(case.model, one.added_to(case.model.rig), case.seen))
-    if loose is not held:
-        yield loose
+    yielded, unbent = [held], case.unbent()
+    for model in [case.model] if unbent is None else [case.model, unbent]:
+        loose = min(tried, key=lambda one: profiled_cost(model, one.added_to(model.rig), case.seen))
+        if loose not in yielded:
+            yielded.append(loose)
+            yield loose
 
 
 def _low_pass(sensor: TorqueSensor, cutoff: float) -> Candidate:

@@ -63,7 +63,8 @@ class Features:
     reach : float or ndarray, shape (stretches, places)
         Bins of a stretch within which whatever stands there counts as the line.
     beneath : float or ndarray, shape (stretches, places)
-        Density that a smeared line stands in [(N m)^2/Hz], 0 where the bands tell it.
+        Density that a smeared line stands in, or that leaks into one of a moving run [(N m)^2/Hz]; 0 where the bands or
+        the model tell it.
     unknown : tuple of Place
         Those of the places whose lines no model had when the run was looked at.
     turning : Turning or None

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.leakage import leaked
 from torquerig.diagnose.looking.observed import Observed, Stretch
 from torquerig.diagnose.looking.places import RESOLVED, RESOLVED_WELL, Place
 from torquerig.diagnose.looking.regression import regressed
@@ -60,6 +61,10 @@ def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place])
     reach, beneath = np.full(len(places), resolved_bins(observed)), np.zeros(len(places))
     mean = float(np.abs(observed.speed[part]).mean())
     lines = [places[index].frequency(mean) for index in shown]
+    if not observed.steady:
+        slowest, fastest = float(np.abs(observed.speed[part]).min()), float(np.abs(observed.speed[part]).max())
+        swept = [(places[index].frequency(slowest), places[index].frequency(fastest)) for index in shown]
+        beneath[shown] = leaked(found.rest, observed.rate, swept)
     if observed.steady and observed.smearing:
         wide = WIDE / observed.smearing * observed.rate / time.size
         turning = [r for r, index in enumerate(shown) if places[index].domain == "order" and lines[r] > wide]
