@@ -8,9 +8,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from torquerig.diagnose.linear.twin import Twin
-from torquerig.diagnose.looking.common_tones import tone_of
+from torquerig.diagnose.looking.common_tones import common_tones, tone_of
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED, may_be_fixed, rather_fixed
+from torquerig.diagnose.looking.order_or_fixed import (
+    DECIDED,
+    ONE_SPEED,
+    evidence,
+    followed_by,
+    may_be_fixed,
+    rather_fixed,
+)
 from torquerig.diagnose.looking.peaks import LEADING, SHIFTED, TOP_ORDER, Peak, peaks
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, frequency, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
@@ -94,8 +101,27 @@ def lines_left(runs: Sequence[Observed], known: Sequence[Place], *, rig: Rig) ->
             if place not in {*carriers, *(other.place for other in found)}:
                 found.append(replace(peak, place=place))
     found.sort(key=lambda peak: -peak.excess)
-    asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in found[:_ASKED]]
+    asked = [_where_a_tone_stands(peak, runs, known, rig) for peak in found[:_ASKED]]
+    asked = [replace(peak, either=may_be_fixed(runs, peak, known, rig)) for peak in asked]
     return (*asked, *found[_ASKED:])
+
+
+def _where_a_tone_stands(peak: Peak, runs: Sequence[Observed], known: Sequence[Place], rig: Rig) -> Peak:
+    """Return a peak as the tone that it is, where all runs of one speed share one and the wander shows that it stays.
+
+    An angle that such a tone led astray spreads it over orders at which, in other runs, nothing is: asked are the runs
+    in which the peak stands at the tone.
+    """
+    if peak.place.domain == "frequency" or peak.excess < LEADING or peak.speeds > 1:
+        return peak
+    shown = [run for run in runs if run.name in peak.runs and run.steady]
+    for tone in common_tones(runs):
+        near = [
+            run for run in shown if abs(peak.place.frequency(run.mean_speed) - tone) < SHIFTED * run.smearing * tone
+        ]
+        if near and evidence([followed_by(known, run, rig) for run in near], peak.place) < -DECIDED:
+            return replace(peak, place=frequency(tone), runs=tuple(run.name for run in runs if run.steady))
+    return peak
 
 
 def _of_all_runs(peak: Peak, runs: Sequence[Observed], lines: Sequence[Place]) -> Place:
