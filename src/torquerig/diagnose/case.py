@@ -13,11 +13,13 @@ from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.calibration import Calibrated, misfits_of
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.misfit import Misfit, misfit_sum
+from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import Peak
-from torquerig.diagnose.looking.places import SAME_ORDER, Place
+from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnose.null_table import NullTable
+from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 
@@ -175,6 +177,16 @@ def missed_lines(case: Case) -> list[Place]:
     worst = line_residuals(case.seen, case.model.misfits)
     own = {place for place in worst if place.domain == "order"}.difference(*(each.unknown for each in case.seen))
     return sorted((place for place in own if worst[place] > _MISSED), key=lambda place: -worst[place])
+
+
+def bent_lines(case: Case) -> list[Place]:
+    """Return those of the model's own lines whose amplitudes were fitted far above what is known of them."""
+    ratios, answer = Twin(case.nominal).turns, list[Place]()
+    for knob, position in zip(case.model.knobs, case.model.positions.tolist(), strict=True):
+        part = case.model.rig.part(knob.part)
+        if knob.field == "amplitudes" and position > BENT and isinstance(part, TorqueRipple):
+            answer.append(order(float(knob.key) * ratios[case.nominal.node(part.at)]))
+    return answer
 
 
 def line_factor(case: Case, rig: Rig, place: Place) -> float:

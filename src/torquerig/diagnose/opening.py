@@ -8,12 +8,17 @@ from dataclasses import replace
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import calibrated
 from torquerig.diagnose.fitting.knobs import nuisance_knobs
+from torquerig.diagnose.linear.loaded_part import loaded_part
+from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.combs import without_comb
 from torquerig.diagnose.looking.common_tones import common_tones, lead_astray
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.hum import hum_places
 from torquerig.diagnose.looking.lines_left import Strong, known_places, lines_left, strong_lines
 from torquerig.diagnose.looking.observed import Observed, observed
+from torquerig.diagnose.looking.peaks import Peak
+from torquerig.diagnose.looking.places import Place
+from torquerig.diagnose.looking.pulses_both_ways import lines_of_pulses
 from torquerig.diagnose.looking.refilled import refilled
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.diagnose.looking.without_tones import less_tones
@@ -60,6 +65,7 @@ def opened(
     whole = _for_fits(runs, faults)
     known = known_places(whole, nominal)
     left = without_comb(lines_left(whole, known, rig=nominal))
+    left = (*left, *_of_pulses(whole, [*known, *(peak.place for peak in left)], nominal))
     unknown = [peak.place for peak in left]
     places = [*known, *unknown, *hum_places(left)]
     runs = tuple(refilled(run, lost, places) for run, lost in zip(runs, faults.lost, strict=True))
@@ -76,6 +82,12 @@ def opened(
     apart = calibrated(rig, [each.without(unknown) for each in seen], knobs)
     model = calibrated(rig, seen, knobs, start=apart.positions, jacobian=apart.jacobian, near=False)
     return Case(nominal=rig, runs=fitted, seen=seen, model=model, left=left, apart=apart.positions), held
+
+
+def _of_pulses(runs: Sequence[Observed], places: Sequence[Place], rig: Rig) -> list[Peak]:
+    """Return the lines of a load that comes in pulses, where a run that turns back shows it."""
+    at = loaded_part(rig)
+    return [] if at is None else lines_of_pulses(runs, places, turns=Twin(rig).turns[rig.node(at)])
 
 
 def _runs(

@@ -34,6 +34,7 @@ _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
 # it must gain, and half of that on what no fit has seen
 _AGAIN_BY_ITSELF, _TWICE = 75.0, 2.0
 _OF_WRONG = 0.1  # of what is wrong: beside a load that steps in one run, a drift takes up a little in the others
+_ANY_WIDTH = 30.0  # between the bounds of an interval that covers all gaps that are tried
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -55,8 +56,8 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     """
     if trial.candidate.description and not mismatches(case):
         return False  # what does not stand out needs no description
-    if _mode(trial) and any(each.candidate.description for each in earlier):
-        return False  # a mode beside noise that was described takes up what its description leaves
+    if (_mode(trial) or _of_any_width(trial)) and any(each.candidate.description for each in earlier):
+        return False  # such an effect beside noise that was described takes up what its description leaves
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     missed = min(max(trial.model.cost / feature_count(trial.model), 1.0), _MOST_MISSED)
     least = _least_gain(case, trial) * missed
@@ -84,6 +85,12 @@ def _falls_clearly(case: Case, trial: Trial) -> bool:
 def _mode(trial: Trial) -> bool:
     """Whether it is one of the shafts' own modes, which noise resembles and whose place their other numbers move."""
     return trial.candidate.resembled and bool(trial.candidate.bends)
+
+
+def _of_any_width(trial: Trial) -> bool:
+    """Whether it is a gap whose width nothing tells: what comes near zero now and then asks for no width."""
+    low, high = trial.candidate.within.get("gap", (1.0, 1.0))
+    return high > _ANY_WIDTH * low
 
 
 def _enough(case: Case, trial: Trial, again: float) -> float:

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from torquerig import mechanisms
-from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case, left_line, line_factor, missed_lines
+from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case, bent_lines, left_line, line_factor, missed_lines
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.diagnose.linear.twin import Twin
-from torquerig.diagnose.looking.places import SAME_ORDER
+from torquerig.diagnose.looking.places import SAME_ORDER, Place
+from torquerig.diagnose.looking.pulses_both_ways import pulses_both_ways
 
 _STRONGEST = 5
 _MISSED = 2  # of the rig's own lines
@@ -21,8 +22,8 @@ _START = 0.1  # [N m]
 def propose(case: Case) -> Iterator[Candidate]:
     """Yield blades for each of the strongest lines at a whole order of the loaded part, as first or second harmonic.
 
-    As many blades as the gear has turns to one, or a multiple, stand on the rig's own lines alone: of these the worst
-    missed count as well.
+    Some numbers of blades stand on the rig's own lines alone: of these the worst missed count as well, those whose
+    amplitudes were bent to stand in for blades, and those with which a run that turns back swings both ways.
     """
     at = loaded_part(case.nominal)
     if at is None:
@@ -30,20 +31,39 @@ def propose(case: Case) -> Iterator[Candidate]:
     turns = Twin(case.nominal).turns[case.nominal.node(at)]
     tried: set[int] = set()
     left = [peak.place for peak in case.left if peak.place.domain == "order"][:_STRONGEST]
+    for whole in _instead_of_own_lines(case, turns):
+        tried.add(whole)
+        part = mechanisms.BladePass(name="blade_pass", at=at, order_output=float(whole), amplitude=_START)
+        yield _blades(part, place=left_line(case, whole * turns), loosens=(*SLOW_TORQUE, "amplitudes"))
     for place in (*left, *missed_lines(case)[:_MISSED]):
         for harmonic in (1, 2):
-            blades = place.at / turns / harmonic
-            whole = round(blades)
-            if not 1 <= whole <= _MOST_BLADES or abs(blades - whole) * turns > SAME_ORDER or whole in tried:
+            whole = _whole(place.at / turns / harmonic, turns)
+            if not whole or whole in tried:
                 continue
             tried.add(whole)
             part = mechanisms.BladePass(name="blade_pass", at=at, order_output=float(whole), amplitude=_START)
             amplitude = _START * line_factor(case, case.model.rig + part, place)
-            first = left_line(case, whole * turns)  # half as many blades are another hypothesis
-            yield Candidate(
-                mechanism="blade_pass",
-                parts=(replace(part, amplitude=amplitude),),
-                knobs=(Knob(part.name, "amplitude", 1.0),),
-                place=first,
+            yield _blades(
+                replace(part, amplitude=amplitude),
+                place=left_line(case, whole * turns),  # half as many blades are another hypothesis
                 loosens=() if place in left else SLOW_TORQUE,  # which lines of the rig's own cannot tell from it
             )
+
+
+def _blades(part: mechanisms.BladePass, *, place: Place | None, loosens: tuple[str, ...]) -> Candidate:
+    knobs = (Knob(part.name, "amplitude", 1.0),)
+    return Candidate(mechanism="blade_pass", parts=(part,), knobs=knobs, place=place, loosens=loosens)
+
+
+def _instead_of_own_lines(case: Case, turns: float) -> Iterator[int]:
+    """Yield numbers of blades that the rig's own lines stand in for, or that runs show which turn back."""
+    found = [_whole(place.at / turns, turns) for place in bent_lines(case)]
+    known = case.seen[0].places
+    found += [pulses_both_ways(run, known, turns=turns)[0] for run in case.runs]
+    yield from (whole for whole in dict.fromkeys(found) if whole)
+
+
+def _whole(blades: float, turns: float) -> int:
+    """Return the whole number of blades that an order stands at, else 0."""
+    whole = round(blades)
+    return whole if 1 <= whole <= _MOST_BLADES and abs(blades - whole) * turns <= SAME_ORDER else 0

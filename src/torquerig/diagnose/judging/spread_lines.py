@@ -97,11 +97,15 @@ def _together(domain: str, runs: tuple[SpreadHeights, ...], width: float) -> _To
 
 
 def _skirt(shown: SpreadHeights, at: float, known: Sequence[Place], width: float) -> bool:
-    """Whether a run stands out as well across a line of an angle that was not measured, which spreads it evenly."""
-    if shown.run.angle_measured:
-        return False
+    """Whether a run stands out as well across a line, which an angle that was not measured spreads evenly.
+
+    Along a measured one too a line has a foot: what shakes the shaft changes its amplitude.
+    """
     lines = [place.frequency(shown.run.mean_speed) for place in known if place.domain == "order"]
-    across = [np.abs(shown.frequency - (2 * line - at)) < 0.5 * width
-              for line in lines if abs(line - at) < _SKIRT * line]  # fmt: skip
+    across = [
+        np.abs(shown.frequency - (2 * line - at)) < 0.5 * width
+        for line in lines
+        if abs(line - at) < (width if shown.run.angle_measured else _SKIRT * line)
+    ]
     mirrored = max((float(shown.spreads[there].max(initial=0.0)) for there in across), default=0.0)
     return bool(mirrored > _MIRRORED * float(shown.at(np.array([at]))[0][0]))

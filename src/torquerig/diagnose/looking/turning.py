@@ -18,7 +18,7 @@ _BLOCK = 0.02  # [s] from one to the next, long against the first mode, short ag
 _SPACINGS = 2  # of a block's length: under a Hann window it then weighs little beyond its neighbours' middles
 _POINTS = 64  # of a block, at which the lines are followed
 _RIDGE = 1e-12  # of what a line weighs: blocks that weigh nothing leave no line undetermined
-_FEW, _MANY = 0.9, 3.1  # [1/rev of the motor] of slower lines a load's next one shows, few loads come in more pulses
+_FEW, _MANY = 0.5, 3.1  # [1/rev of the motor] few loads come in fewer pulses or in more
 _WIDE = 1e-3  # singular values below this share of the largest carry no line
 
 
@@ -101,14 +101,12 @@ def turning(
         if held is None or stretch.held == held
     ])  # fmt: skip
     middles = starts + length // 2
-    points, weights = starts[:, None] + ((np.arange(_POINTS) + 0.5) * length / _POINTS).astype(int), _weights(_POINTS)
-    angle = observed.angle[points]
     ends = observed.speed[np.minimum(starts + length, observed.speed.size - 1)]
-    waves = [np.exp(1j * place.at * angle) @ weights for place in places if place.domain == "order"]
-    way = np.sign(observed.speed[points])
     loads = [place for place in places if place.domain == "order" and (place in unknown or _FEW <= place.at <= _MANY)]
-    waves += [(way * np.exp(1j * place.at * angle)) @ weights for place in loads]
-    columns = [part for wave in waves for part in (wave.real, wave.imag)]
+    columns = np.hstack([
+        waves_in_blocks(observed, starts, [place.at for place in places if place.domain == "order"]),
+        waves_in_blocks(observed, starts, [place.at for place in loads], both_ways=True),
+    ])  # fmt: skip
     steps = np.arange(0, observed.speed.size, size / STEPS).astype(int)
     return Turning(
         size=size,
@@ -118,8 +116,24 @@ def turning(
         torque=observed.torque[starts[:, None] + np.arange(length)] @ _weights(length),
         speed=observed.speed[middles],
         acceleration=(ends - observed.speed[starts]) * observed.rate / length,
-        lines=_orthonormal(np.array(columns).T.reshape(starts.size, len(columns))),
+        lines=orthonormal(columns),
     )
+
+
+def waves_in_blocks(
+    observed: Observed, starts: NDArray[np.int64], orders: Sequence[float], *, both_ways: bool = False
+) -> Floats:
+    """Return the means over the blocks of a cosine and a sine of each motor order, shape (blocks, 2 orders).
+
+    ``both_ways`` where they oppose the motion whichever way it goes.
+    """
+    length = _SPACINGS * block_size(observed)
+    points, weights = starts[:, None] + ((np.arange(_POINTS) + 0.5) * length / _POINTS).astype(int), _weights(_POINTS)
+    angle = observed.angle[points]
+    way = np.sign(observed.speed[points]) if both_ways else 1.0
+    waves = [(way * np.exp(1j * at * angle)) @ weights for at in orders]
+    columns = [part for wave in waves for part in (wave.real, wave.imag)]
+    return np.array(columns).T.reshape(starts.size, len(columns))
 
 
 def _weights(count: int) -> Floats:
@@ -128,7 +142,8 @@ def _weights(count: int) -> Floats:
     return np.asarray(weights / weights.sum())
 
 
-def _orthonormal(columns: Floats) -> Floats:
+def orthonormal(columns: Floats) -> Floats:
+    """Return orthonormal columns that span what ``columns`` do, less what carries nothing."""
     if columns.shape[1] == 0:
         return columns
     left, sizes, _ = np.linalg.svd(columns, full_matrices=False)
