@@ -28,7 +28,8 @@ def with_lines_left(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Call
         )
         places = tuple(peak.place for peak in peaks)
         shown = SimpleNamespace(places=places, unknown=places, turning=None)
-        model = SimpleNamespace(rig=wear_rig.rig, misfits=(SimpleNamespace(lines=np.zeros(len(places))),))
+        missed = (SimpleNamespace(lines=np.zeros(len(places))),)
+        model = SimpleNamespace(rig=wear_rig.rig, misfits=missed, knobs=(), positions=np.zeros(0))
         return cast("Case", SimpleNamespace(left=peaks, nominal=wear_rig.rig, seen=(shown,), runs=(), model=model))
 
     return made

@@ -11,6 +11,7 @@ import numpy as np
 from torquerig.diagnose.case import SLOW_TORQUE, Case, missed_lines
 from torquerig.diagnose.choosing.screening import finalists
 from torquerig.diagnose.choosing.trial import Trial
+from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.hypotheses import blade_pass
 from torquerig.diagnose.looking.places import frequency, order
 
@@ -32,9 +33,20 @@ def test_as_many_as_the_gear_turns_to_one_are_sought_on_the_rig_s_own_lines(
     back = SimpleNamespace(places=places, unknown=(order(3.2),), turning=object())
     missed = [SimpleNamespace(lines=np.array([[9.0, 7.0, 2.0, 20.0, 30.0]])), SimpleNamespace(lines=np.zeros(0))]
     case = with_lines_left()
-    own = SimpleNamespace(rig=case.model.rig, misfits=missed)
+    own = SimpleNamespace(rig=case.model.rig, misfits=missed, knobs=(), positions=np.zeros(0))
     bent = cast("Case", SimpleNamespace(left=(), nominal=case.nominal, seen=(seen, back), runs=(), model=own))
     assert missed_lines(bent) == [order(1.0), order(2.0)]
     candidates = list(blade_pass.propose(bent))
     assert [cast(Any, each.parts[0]).order_output for each in candidates] == [5.0, 10.0]
     assert all(each.place is None and each.loosens == SLOW_TORQUE for each in candidates)
+
+
+def test_lines_of_the_rig_that_were_bent_to_stand_in_for_blades_give_way(with_lines_left: Callable[..., Case]) -> None:
+    """The pulses of 3 blades are its own third order of the output, and their second, order 6, is left."""
+    case = with_lines_left(1.2)
+    bent = [Knob("shaft", "amplitudes", 0.25, key=at) for at in (2.0, 3.0)]
+    own = SimpleNamespace(**{**vars(case.model), "knobs": tuple(bent), "positions": np.array([1.0, 6.5])})
+    candidates = list(blade_pass.propose(cast("Case", SimpleNamespace(**{**vars(case), "model": own}))))
+    assert [cast(Any, each.parts[0]).order_output for each in candidates] == [3.0, 6.0]
+    assert "amplitudes" in candidates[0].loosens
+    assert not candidates[1].loosens
