@@ -129,7 +129,7 @@ def diagnose(
         drifts = bool(moved) and after.has("sensor_drift")
         refused = why_withdrawn(
             fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts,
-            samples_too=bool(start.untrue or faults.untrue),
+            samples_too=bool(start.untrue or faults.untrue), again=why == LEAVES_A_REST,
         )  # fmt: skip
         if not (sought.accepted and refused):
             break

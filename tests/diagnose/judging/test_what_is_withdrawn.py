@@ -79,3 +79,14 @@ def test_what_nothing_unseen_asks_for_is_not_named_beside_a_rest(before: float, 
     """Of 796 rigs four had such a finding, each of them wrong: a mode for a shaft that hardens, a mesh for another."""
     assert (why_withdrawn(fit(before, 0.7 * before, 0.9), left) == "") is stays
     assert why_withdrawn(fit(before, 0.7 * before, 0.9), left, samples_too=True) == ""
+
+
+@pytest.mark.parametrize(
+    ("again", "left", "gone"), [(True, SOMEWHERE, True), (True, (), False), (False, SOMEWHERE, False)]
+)
+def test_what_left_a_rest_before_must_leave_none_beside_numbers_that_stand_still(
+    again: bool, left: Any, gone: bool
+) -> None:
+    """A sensor with play makes lines at odd orders, and each of them passes for a mesh."""
+    why = why_withdrawn(fit(1.65, 1.28, 0.95), left, again=again)
+    assert ("more is left" in why) is gone

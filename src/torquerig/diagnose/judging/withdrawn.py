@@ -35,7 +35,7 @@ _MANY = 3  # effects at once: few rigs have two, and one that nothing explains f
 
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
-    passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False,
+    passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -55,6 +55,8 @@ def why_withdrawn(
         Whether a zero that drifts was found, and the spectrum changes along the steady runs as well.
     samples_too : bool
         Whether samples were found untrue, of which a rest may stay.
+    again : bool
+        Whether it left a rest before, beside numbers that moved.
     """
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
@@ -66,7 +68,7 @@ def why_withdrawn(
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
-        (left and rest > _LARGE_REST * missing and fit.explained < LEAST_SHARE, LEAVES_A_REST),
+        (left and rest > _LARGE_REST * missing and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
     )
     return next((reason for speaks, reason in against if speaks), "")
 
