@@ -12,4 +12,5 @@ withdrawn      why what was found is not believed
 changing       what drifts in all steady runs         scattered_levels  slow torque that follows no course
 last_questions what no single place shows             one_gain    all lines change by one factor
 numbers_at_limits  numbers that no fit takes further  load_over_time  loads that change or let go
+forgiven_bands  those filled by what has a spectrum of its own
 """
