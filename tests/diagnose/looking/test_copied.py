@@ -75,3 +75,11 @@ def test_a_hum_over_a_flat_top_repeats_without_a_copy(clean: Recording) -> None:
     volts, time = clean.channels["torque_V"].values, np.arange(clean.samples) / clean.sample_rate
     limited = np.minimum(volts, float(np.quantile(volts, 0.6)))
     assert copied(with_volts(clean, limited + 0.4 * np.cos(2 * np.pi * 50.0 * time))) == ()
+
+
+def test_an_alias_that_goes_on_while_the_signal_is_lost_is_no_copy(clean: Recording) -> None:
+    """Behind the loss nothing is left but the tone, whose samples come again after some whole number of its periods."""
+    lost = clean.channels["torque_V"].values.copy()
+    lost[9000:9400] = lost[14000:14400] = 0.0
+    tone = 0.04 * np.cos(2 * np.pi * 1148.6 * np.arange(lost.size) / clean.sample_rate)
+    assert copied(with_volts(clean, lost + tone)) == ()

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.strong_alias import without_tone
 from torquerig.signals.recording import Recording
 
 _NATS = 90.0  # by which a copy must be unlikelier than one chance in e^x for a pair of moments; a run has 1e11 pairs
@@ -40,7 +41,8 @@ def copied(recording: Recording) -> tuple[Copied, ...]:
     length = ceil(_NATS / -log(alike)) if 0 < alike < 1 else steps.size
     if length >= min(_LONGEST * recording.sample_rate, steps.size // 2):
         return ()
-    found = _extended(codes, _pairs(codes, _alive(steps), length), length)
+    beside = without_tone(volts, recording.sample_rate)  # which goes on, and repeats, where a signal is lost
+    found = _extended(codes, _pairs(codes, _alive(steps if beside is None else np.diff(beside)), length), length)
     return () if sum(each.stop - each.start for each in found) > _MOST * volts.size else tuple(found)
 
 
