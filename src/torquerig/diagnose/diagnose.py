@@ -113,6 +113,7 @@ def diagnose(
 
     changes = changing([run for run in before.runs if run.name not in faults.clipped])
     moved = [mismatch for _, mismatch in changes]
+    flown = any(_of_flights(mismatch) and len(mismatch.recordings) > 1 for mismatch in mismatches(before))
     why = ""
     for sought in all_found.in_turn(before, used):
         if sought.numbers_held and (
@@ -130,6 +131,7 @@ def diagnose(
         refused = why_withdrawn(
             fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts,
             samples_too=bool(start.untrue or faults.untrue), again=why == LEAVES_A_REST,
+            flights_told=flown and after.has(MECHANISM) and not any(_of_flights(each) for each in left),
         )  # fmt: skip
         if not (sought.accepted and refused):
             break
@@ -176,6 +178,10 @@ def _verdict(
     if left or faults.unnamed or faults.untrue or described:
         return "unexplained"
     return "missing_physics" if findings else "adequate"
+
+
+def _of_flights(mismatch: Mismatch) -> bool:
+    return mismatch.domain == "distribution" and mismatch.axis == "V"
 
 
 def _asked_last(case: Case, faults: SampleFindings) -> tuple[tuple[str, Mismatch], ...]:

@@ -90,3 +90,9 @@ def test_what_left_a_rest_before_must_leave_none_beside_numbers_that_stand_still
     """A sensor with play makes lines at odd orders, and each of them passes for a mesh."""
     why = why_withdrawn(fit(1.65, 1.28, 0.95), left, again=again)
     assert ("more is left" in why) is gone
+
+
+@pytest.mark.parametrize(("after", "told", "gone"), [(0.995, True, False), (0.995, False, True), (1.005, True, True)])
+def test_a_gap_that_tells_the_flights_need_not_foretell_the_rest_better(after: float, told: bool, gone: bool) -> None:
+    held = fit(0.5, 0.5 * after, 0.3)
+    assert ("hardly predicted better" in why_withdrawn(held, (), flights_told=told)) is gone

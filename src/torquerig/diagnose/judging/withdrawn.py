@@ -36,6 +36,7 @@ _MANY = 3  # effects at once: few rigs have two, and one that nothing explains f
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
+    flights_told: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -57,6 +58,9 @@ def why_withdrawn(
         Whether samples were found untrue, of which a rest may stay.
     again : bool
         Whether it left a rest before, beside numbers that moved.
+    flights_told : bool
+        Whether flanks flew in several runs that no longer do beside it: a few moments, which weigh little among all
+        that is foretold.
     """
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
@@ -64,7 +68,7 @@ def why_withdrawn(
         (drifts_in_all, _NO_ZERO),
         (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
         (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
-        (fit.after > _NO_BETTER * fit.before, _PREDICTS_NO_BETTER),
+        (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
