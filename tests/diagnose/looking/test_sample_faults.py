@@ -277,3 +277,22 @@ def test_on_codes_as_coarse_as_a_sixth_of_the_reading_signals_are_lost_too(clean
     found = dropouts([clean.with_values("torque_V", step * np.round(volts / step))])
     assert found is not None
     assert (found.level, found.count) == (0.0, 3)
+
+
+def test_moments_that_no_jump_leads_into_are_found_by_their_quiet(clean: Recording) -> None:
+    """A run that turns back passes zero: a signal that is lost there keeps its level, and its noise is gone."""
+    rng, rate, samples = np.random.default_rng(4), clean.sample_rate, clean.samples
+    time = np.arange(samples) / rate
+    volts = 0.6 * np.sin(2 * np.pi * 0.5 * time) + 0.005 * rng.standard_normal(samples)
+    lost = [
+        (2_400, 2_600),
+        (4_950, 5_100),
+        (9_930, 10_080),
+        (12_400, 12_600),
+    ]  # at the crests, and where it passes zero
+    for start, stop in lost:
+        volts[start:stop] = 0.0
+    tone = 0.04 * np.cos(2 * np.pi * 1153.71 * time)
+    found = gaps(np.round((volts + tone) / CODE) * CODE, rate)
+    assert [(start, stop) for start, stop, _ in found] == [pytest.approx(each, abs=6) for each in lost]
+    assert [level for _, _, level in found] == pytest.approx([0.0] * 4, abs=1e-3)
