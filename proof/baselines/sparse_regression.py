@@ -23,6 +23,7 @@ THRESHOLDS = (0.1, 0.05, 0.025, 0.012, 0.006, 0.003)  # [N m] rms of a column's 
 _AS_GOOD = 1.002  # a sparser model is taken where it is no worse than this
 _SAMPLES = 10_000  # of each run, drawn without order so that neighbours are far apart
 _ABSORBED = 1e-5  # share of a column's variance beside the model's own columns below which nothing of it can be seen
+_NOTHING = 1e-12  # of the largest: what falls off with the speed may be as good as zero all along
 _TONES = 4
 
 
@@ -95,7 +96,7 @@ def _sparse(seen: Sums, own: NDArray[np.bool_], threshold: float) -> Floats:
     gram = seen.gram[np.ix_(effects, effects)] - seen.gram[np.ix_(effects, own)] @ other
     cross = seen.cross[effects] - other.T @ seen.cross[own]
     power = np.diag(seen.gram)[effects]
-    kept = np.diag(gram) > _ABSORBED * power
+    kept = (power > _NOTHING * power.max(initial=0.0)) & (np.diag(gram) > _ABSORBED * power)
     answer = np.zeros(kept.size)
     if not kept.any():
         return answer
