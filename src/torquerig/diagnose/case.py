@@ -134,14 +134,15 @@ class Case:
             rig = earlier.added_to(rig)
         return rig
 
-    def unbent(self) -> Calibrated | None:
-        """Return the model with none of its numbers fitted, where some stand so far off that they were bent; else None.
+    def beginnings(self) -> tuple[Calibrated, ...]:
+        """Return the models beside which an effect may be begun: as fitted and, where that bent a number, none fitted.
 
-        Its ``jacobian`` is the fitted one's: slopes of residuals to the same knobs, elsewhere.
+        The ``jacobian`` of the latter is the fitted one's: slopes of residuals to the same knobs, elsewhere.
         """
         if np.abs(self.model.positions).max(initial=0.0) < BENT:
-            return None
-        return replace(self.model, rig=self.nominal_with_accepted(), positions=np.zeros_like(self.model.positions))
+            return (self.model,)
+        none = np.zeros_like(self.model.positions)
+        return self.model, replace(self.model, rig=self.nominal_with_accepted(), positions=none)
 
     def misfit_of(self, rig: Rig) -> float:
         """Return the misfit sum of another rig, with what no twin can hold as it stands in the model."""

@@ -113,7 +113,8 @@ def diagnose(
 
     changes = changing([run for run in before.runs if run.name not in faults.clipped])
     moved = [mismatch for _, mismatch in changes]
-    flown = any(_of_flights(mismatch) and len(mismatch.recordings) > 1 for mismatch in mismatches(before))
+    missed = mismatches(before)
+    flown = any(_of_flights(mismatch) and len(mismatch.recordings) > 1 for mismatch in missed)
     why = ""
     for sought in all_found.in_turn(before, used):
         if sought.numbers_held and (
@@ -150,7 +151,7 @@ def diagnose(
     diagnosis = Diagnosis(
         verdict=verdict,
         mismatch=(
-            *((*mismatches(before), *came_and_went, *moved, *as_a_whole) if found_more else left),
+            *((*missed, *came_and_went, *moved, *as_a_whole) if found_more else left),
             *(mismatch for _, mismatch in start.untrue),
         ),
         findings=tuple(found),

@@ -63,7 +63,8 @@ def test_what_the_numbers_stood_in_for_is_fitted_once_they_give_way(monkeypatch:
     """A heavy mode passes for inertia: with the model held it fits worse, with its numbers free far better."""
     costs = {"model": 900.0, "heavy": 800.0, "light": 860.0, "little": 890.0}
     monkeypatch.setattr(screening, "profiled_cost", lambda model, rig, seen: costs[rig])
-    case = cast(Any, SimpleNamespace(model=Held("model"), seen=(), unbent=lambda: None))
+    model = Held("model")
+    case = cast(Any, SimpleNamespace(model=model, seen=(), beginnings=lambda: (model,)))
 
     def tried(mechanism: str, rig: str, *, promised: float = 10.0) -> Trial:
         candidate = SimpleNamespace(
@@ -83,7 +84,8 @@ def test_numbers_bent_too_far_to_come_back_are_begun_as_the_scenario_has_them(mo
     """Stiffness and inertia that stand in for a low-pass lie so far off that their derivatives lead nowhere."""
     costs = {"model": 900.0, "model + low-pass": 1500.0, "scenario + low-pass": 700.0}
     monkeypatch.setattr(screening, "profiled_cost", lambda model, rig, seen: costs[rig])
-    case = cast(Any, SimpleNamespace(model=Held("model"), seen=(), unbent=lambda: Held("scenario")))
+    model = Held("model")
+    case = cast(Any, SimpleNamespace(model=model, seen=(), beginnings=lambda: (model, Held("scenario"))))
     candidate = SimpleNamespace(
         mechanism="bandwidth", promised=40.0, knobs=(1,), price=0.0, added_to=lambda rig: f"{rig} + low-pass"
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import log
 from types import SimpleNamespace
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 import pytest
@@ -31,7 +31,6 @@ def seen(wear_rig: Scenario, by_hand: Callable[..., Observed]) -> Features:
     rate, samples = 5000.0, 30_000
     angle = 2 * np.pi * 16.7 * np.arange(samples) / rate
     run = by_hand(0.01 * np.random.default_rng(3).standard_normal(samples), angle, rate=rate)
-    run = cast(Any, run)
     return features(run, [])
 
 

@@ -76,13 +76,11 @@ def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
     where they have been bent too far to come back, as the scenario has them, whichever promises more.
     """
     bending = [trial.candidate for trial in tried if np.isfinite(trial.candidate.promised)]
-    unbent = case.unbent()
-    beginnings = [case.model] if unbent is None else [case.model, unbent]
     before = profiled_cost(case.model, case.model.rig, case.seen) if bending else 0.0
     answer: dict[str, Trial] = {}
     for candidate in bending:
         paid = PER_KNOB * len(candidate.knobs) + candidate.price
-        for model in beginnings:
+        for model in case.beginnings():
             beside = replace(model, rig=candidate.added_to(model.rig))
             trial = Trial(candidate, beside, before - profiled_cost(model, beside.rig, case.seen) - paid)
             best = answer.get(candidate.mechanism, trial)

@@ -29,8 +29,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     tried = [_low_pass(sensor, float(cutoff)) for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS)]
     held = min(tried, key=lambda one: case.misfit_of(one.added_to(case.model.rig)))
     yield held
-    yielded, unbent = [held], case.unbent()
-    for model in [case.model] if unbent is None else [case.model, unbent]:
+    yielded = [held]
+    for model in case.beginnings():
         loose = min(tried, key=lambda one: profiled_cost(model, one.added_to(model.rig), case.seen))
         if loose not in yielded:
             yielded.append(loose)
