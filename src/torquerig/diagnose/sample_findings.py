@@ -10,9 +10,10 @@ from torquerig.diagnose.broken_time import broken_time
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.looking.held_samples import on_straight_lines
 from torquerig.diagnose.looking.refilled import Moments
-from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, flat_tops, moments_lost
+from torquerig.diagnose.looking.sample_faults import FlatTops, bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.looking.under_hum import flat_under_hum
+from torquerig.diagnose.looking.under_noise import flat_under_noise
 from torquerig.diagnose.told_in_time import Untrue
 from torquerig.diagnose.untrue_samples import without_untrue
 from torquerig.rig.parts import TorqueSensor
@@ -85,24 +86,30 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
     lost_of_each: tuple[Moments, ...] = tuple(map(moments_lost, recordings))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
-    under_hum = None if flat is not None or codes is not None else flat_under_hum(mended, full_range=full)
+    behind = None if flat is not None or codes is not None else _cut_before_noise(mended, full_range=full)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)
-    elif under_hum is not None:
-        add("clipping", "Clipping", limit=under_hum.limit, where="amplifier")
+    elif behind is not None:
+        add("clipping", "Clipping", limit=behind.limit, where="amplifier")
     own = full - 0.5 * codes.step if codes else full  # coarse codes have their last below it
     limit = own if flat is None else min(flat.limit, own)
-    cut = flat or under_hum
+    cut = flat or behind
     clipped = () if cut is None else cut.runs
     standing = clipped if codes is None else [recording.name for recording in recordings]
     filled = tuple(rebuilt(recording, limit=limit) for recording in mended)
     changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
     put_right = tuple(name for name in clipped if name in changed)
     resolution = 0.5 * (codes.step if codes else step)
-    time = broken_time(recorded, repeating=() if under_hum is None else under_hum.runs)
+    time = broken_time(recorded, repeating=() if behind is None else behind.runs)
     lost_of_each = tuple([*some, *more] for some, more in zip(lost_of_each, time.seams, strict=True))
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(
         tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost, (*time.told, *true.told),
         true.stepping, true.swept, true.to_the_other, time.names,
     )  # fmt: skip
+
+
+def _cut_before_noise(recordings: Sequence[Recording], *, full_range: float) -> FlatTops | None:
+    """Return the flat tops on which a hum, an alias or noise rides, None where there are none."""
+    by_hum = flat_under_hum(recordings, full_range=full_range)
+    return by_hum or flat_under_noise(recordings, full_range=full_range)

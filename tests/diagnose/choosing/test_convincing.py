@@ -304,3 +304,46 @@ def test_a_mode_that_leaves_more_than_it_takes_explains_nearly_all_of_its_places
     found = replace(found, candidate=replace(found.candidate, resembled=True, bends=bends))
     case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
     assert judging.convincing(case, found, earlier=(), held=()) is named
+
+
+def test_a_zero_that_drifts_leaves_the_slow_torque_of_no_run_wrong(case: Case, wear_rig: Scenario) -> None:
+    """A staircase of creep strays beside any smooth course, though that explains most of it."""
+    named = []
+    for rest in (1.0, 2.5):
+        drift = trial(wear_rig.rig, "sensor_drift", *[rest] * 40, before=case.model)
+        drift = replace(drift, candidate=replace(drift.candidate, slow=True))
+        assert judging.share_of(case, drift) > 0.9
+        named.append(judging.convincing(case, drift, earlier=(), held=()))
+    assert named == [True, False]
+
+
+@pytest.mark.parametrize(("gain", "resembled", "named"), [(30.0, True, False), (3.0, True, True), (30.0, False, True)])
+def test_what_looks_like_a_low_pass_beside_impacts_is_their_ring(
+    gain: float, resembled: bool, named: bool, case: Case, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(judging, "mismatches", lambda case: ("somewhere",))
+    found = trial(wear_rig.rig, "sensor_bandwidth", *[1.0] * 40, before=case.model)
+    found = replace(found, candidate=replace(found.candidate, resembled=resembled))
+    impacts = replace(found, candidate=Candidate(mechanism="bearing_defect", parts=(), knobs=()))
+    impacts = replace(impacts, gain=gain * found.gain)
+    assert judging.convincing(case, found, earlier=(impacts,), held=()) is named
+
+
+@pytest.mark.parametrize(("own", "of_earlier", "named"), [(("viscous",), (), True), (("viscous",), ("viscous",), False),
+                                                           ((), (), False)])  # fmt: skip
+def test_a_second_effect_of_the_slow_torque_is_trusted_as_a_first_beside_one_that_has_none(
+    own: tuple[str, ...], of_earlier: tuple[str, ...], named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Drag beside blades: it leaves some of its places, and gains again on what no fit has seen."""
+    monkeypatch.setattr(judging, "mismatches", lambda _: ())
+    monkeypatch.setattr(judging, "share_of", lambda *_: 0.58)
+    monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
+    of_before = iter([True])
+    monkeypatch.setattr(judging, "misfit_sum", lambda _: 200.0 if next(of_before, False) else 100.0)
+    before = model(wear_rig.rig, *[1.5] * 40, 12.0)
+    drag = trial(wear_rig.rig, "quadratic_drag", *[1.5] * 41, before=before)
+    drag = replace(drag, candidate=replace(drag.candidate, loosens=own))
+    blades = trial(wear_rig.rig, "blade_pass", *[1.5] * 41, before=before)
+    blades = replace(blades, candidate=replace(blades.candidate, loosens=of_earlier, place=order(2.6)))
+    case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
+    assert judging.convincing(case, drag, earlier=(blades,), held=()) is named

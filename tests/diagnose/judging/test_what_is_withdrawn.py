@@ -96,3 +96,12 @@ def test_what_left_a_rest_before_must_leave_none_beside_numbers_that_stand_still
 def test_a_gap_that_tells_the_flights_need_not_foretell_the_rest_better(after: float, told: bool, gone: bool) -> None:
     held = fit(0.5, 0.5 * after, 0.3)
     assert ("hardly predicted better" in why_withdrawn(held, (), flights_told=told)) is gone
+
+
+@pytest.mark.parametrize(("before", "after", "stays"), [(13.1, 9.4, False), (13.1, 4.0, True), (2.0, 1.6, True)])
+def test_what_leaves_a_model_far_off_is_not_named_though_no_place_stands_out(
+    before: float, after: float, stays: bool
+) -> None:
+    """A neighbour's hammer taken for a gap: beside what no twin can hold more is forgiven at each place."""
+    assert (why_withdrawn(fit(before, after, 0.9), ()) == "") is stays
+    assert why_withdrawn(fit(before, after, 0.9), (), samples_too=True) == ""

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
+import numpy as np
+
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.fitting.calibration import misfits_of
-from torquerig.diagnose.fitting.misfit import misfit_sum, missed_alone
+from torquerig.diagnose.fitting.misfit import misfit_sum, missed_alone, robust_squares
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.looking.features import Features
@@ -22,6 +24,7 @@ _AMPLY = 0.6  # per feature, without prices: as rigs are fitted whose model lack
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
+_OF_RINGING = 0.2  # what looks like modes or a low-pass beside impacts: how they ring is another's law, and the shafts'
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 # a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less;
@@ -35,6 +38,7 @@ _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
 _AGAIN_BY_ITSELF, _TWICE = 75.0, 2.0
 _OF_WRONG = 0.1  # of what is wrong: beside a load that steps in one run, a drift takes up a little in the others
 _ANY_WIDTH = 25.0  # between the bounds of an interval that covers all gaps that are tried, 1.5 to 45 arcmin
+_MEAN_SQUARE = 3.0  # of the levels of a run: what moves the slow torque alone must leave it right in every run
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
 
 
@@ -54,10 +58,8 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     held : sequence of Features
         Of the stretches that no fit has seen.
     """
-    if trial.candidate.description and not mismatches(case):
-        return False  # what does not stand out needs no description
-    if (_mode(trial) or _of_any_width(trial)) and any(each.candidate.description for each in earlier):
-        return False  # such an effect beside noise that was described takes up what its description leaves
+    if _out_of_question(case, trial, earlier):
+        return False
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     missed = min(max(trial.model.cost / feature_count(trial.model), 1.0), _MOST_MISSED)
     least = _least_gain(case, trial) * missed
@@ -66,7 +68,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     again = _gained_again(case, trial, held)
     if again is not None and again < 0:
         return False
-    alone = not (earlier or trial.candidate.description)
+    alone = not (trial.candidate.description or any(_may_leave(each, trial) for each in earlier))
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
     if trusted and not _falls_clearly(case, trial):
         return trial.gain > _TWICE * least and trusted * trial.gain > _AGAIN * least
@@ -77,6 +79,16 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     return share > enough and (trial.gain > least or borne_out)
 
 
+def _out_of_question(case: Case, trial: Trial, earlier: Sequence[Trial]) -> bool:
+    """Whether it is not to be named, however much it gains."""
+    if trial.candidate.description and not mismatches(case):
+        return True  # what does not stand out needs no description
+    if trial.candidate.slow and _levels_still_wrong(trial):
+        return True
+    # such an effect beside noise that was described takes up what its description leaves
+    return (_mode(trial) or _of_any_width(trial)) and any(each.candidate.description for each in earlier)
+
+
 def _falls_clearly(case: Case, trial: Trial) -> bool:
     """Whether the trial changes a feature for the better so that it can be told which share of its places it takes."""
     return trial.alone > 0 or changes_places(case.model.misfits, trial.model.misfits)
@@ -85,6 +97,17 @@ def _falls_clearly(case: Case, trial: Trial) -> bool:
 def _mode(trial: Trial) -> bool:
     """Whether it is one of the shafts' own modes, which noise resembles and whose place their other numbers move."""
     return trial.candidate.resembled and bool(trial.candidate.bends)
+
+
+def _may_leave(earlier: Trial, trial: Trial) -> bool:
+    """Whether what the trial explains may be a rest of an earlier effect: not the slow torque, of one that has none."""
+    return not trial.candidate.loosens or bool(earlier.candidate.loosens) or bool(earlier.model.corrections)
+
+
+def _levels_still_wrong(trial: Trial) -> bool:
+    """Whether the slow torque of a run strays beside it by more than chance: its course is another one."""
+    levels = [each.level for each in trial.model.misfits if each.level.size]
+    return any(float(np.mean(robust_squares(level))) > _MEAN_SQUARE for level in levels)
 
 
 def _of_any_width(trial: Trial) -> bool:
@@ -115,6 +138,8 @@ def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> lis
     """Return what the details of effects that were found earlier may gain when another effect takes them up."""
     if trial.gap is not None:
         return [_OF_EARLIER_TOLD_AGAIN * each.gain for each in earlier]
+    if trial.candidate.resembled and any(each.candidate.mechanism == "bearing_defect" for each in earlier):
+        return [_OF_RINGING * each.gain for each in earlier]
     if case.model.corrections:
         return [_OF_EARLIER * each.gain for each in earlier]
     turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]

@@ -22,6 +22,8 @@ from torquerig.signals.stages.tone import Tone, folded
 Floats = NDArray[np.float64]
 _MULTIPLE = 0.02  # [1/rev of the motor] so near a place stands on a multiple of the impacts
 _ORDER_TOLD = 0.01  # [1/rev] the order of impacts is told to so much
+_BEST_CARRIED = 30.0  # so much better a slow line of impacts may reach the sensor than their ring
+_SLOWED = 0.01  # of the order: balls slip by one to two per cent, so impacts come so much slower or faster
 _LOAD_ZONE = ((1.0, 0.0), (0.5, 1.0))  # of the amplitude, so many turns of the shaft beside a multiple
 _SLOW_RATE = 100.0  # [Hz] a moving zero is looked at so often
 
@@ -89,7 +91,8 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
         apart = abs(at / revolutions - each * multiple)
         strays = seen.observed.smearing * SHIFTED * at / revolutions + _ORDER_TOLD * stage.turns * multiple
         # where the angle was followed, a whole order beside a multiple may be taken for the peak's place
-        reaches = (max(_MULTIPLE, strays if seen.observed.smearing else 0.0), _MULTIPLE)
+        strays = max(strays if seen.observed.smearing else 0.0, _SLOWED * each * multiple)
+        reaches = (max(_MULTIPLE, strays), _MULTIPLE)
         by_zone = [
             share
             for (share, turns), reach in zip(_LOAD_ZONE, reaches, strict=True)
@@ -97,8 +100,18 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
         ]
         if by_zone:
             density = stage.density(np.array([at]), each * revolutions) * twin.amplifier_power(np.array([at]))
-            answer[column] = by_zone[0] * np.sqrt(2 * float(density[0]) * each * revolutions)
+            lone = np.sqrt(2 * float(density[0]) * each * revolutions)
+            answer[column] = by_zone[0] * lone * _carried(stage, at)
     return answer
+
+
+def _carried(stage: Ringing, at: float) -> float:
+    """Return by how much better a frequency reaches the sensor than the mode's own, if the shafts carry the impacts.
+
+    Whether the mode shakes the sensor or drives the shafts is not known; above their modes the latter pass a torque
+    on by the inverse square of its frequency. Never less than 1.
+    """
+    return float(np.clip((stage.frequency / at) ** 2, 1.0, _BEST_CARRIED)) if at else _BEST_CARRIED
 
 
 def zero_of(twin: Twin, seen: Features) -> Floats:

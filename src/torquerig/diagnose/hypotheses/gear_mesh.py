@@ -9,7 +9,7 @@ from math import log
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.diagnose.hypotheses.motor_orders import cogging_orders
+from torquerig.diagnose.hypotheses.motor_orders import STRONG, cogging_orders
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Gear, Motor
@@ -23,7 +23,6 @@ _HARMONICS, _FURTHEST = 4, 6  # that smeared ones may hide, and that are looked 
 _SMALL = 1e-6  # [rad]
 _OF_THE_FIRST = 0.1  # a harmonic that shows in bands or by its side lines alone starts there
 _FIRST = 0.1  # of the largest: an error of teeth is largest once per tooth, and half the teeth would do without
-_STRONG = 100.0  # power over the floor of a line whose harmonics may be smeared until none stands out as a line
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -42,7 +41,7 @@ def propose(case: Case) -> Iterator[Candidate]:
                 if near and _FEWEST_TEETH <= whole <= _MOST_TEETH and (gear.name, whole) not in tried:
                     tried.add((gear.name, whole))
                     yield _mesh(case, gear, whole)
-                    if peak.excess > _STRONG and not all(run.angle_measured for run in case.runs if run.steady):
+                    if peak.excess > STRONG and not all(run.angle_measured for run in case.runs if run.steady):
                         yield _mesh(case, gear, whole, smeared=True)
 
 

@@ -6,6 +6,7 @@ from math import lcm
 
 from torquerig.rig.parts import Motor
 
+STRONG = 100.0  # power over the floor of a line whose harmonics may be smeared until none stands out as a line
 BY_SKIRTS = 20.0  # what an effect must gain beside whose line nobody sees: other things leave noise at its order too
 _MULTIPLES = 6  # of slots or poles that are looked at, and all of them up to ...
 _NATIVE = 3  # ... so many times the native order

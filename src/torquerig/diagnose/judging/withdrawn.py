@@ -12,6 +12,7 @@ _NO_BETTER = 0.98  # of it: less than so much of a fall is none, for what is the
 _CLEAR, _NEARLY_ALL = 0.3, 0.8  # of that misfit beyond chance: clearly there, and hardly less with what was found
 _ITS_PLACES = 0.9  # of what is missed where it acts: what else the rig lacks is not its to explain
 _LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
+_FAR_OFF = 5.0  # beyond chance, per feature: where so much stays, no place stands out only as each is forgiven much
 _PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 _PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
 LEAVES_A_REST = (
@@ -73,6 +74,7 @@ def why_withdrawn(
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
         (left and rest > _LARGE_REST * missing and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
+        (not (left or samples_too) and rest > max(_LARGE_REST * missing, _FAR_OFF), LEAVES_A_REST),
     )
     return next((reason for speaks, reason in against if speaks), "")
 
