@@ -135,3 +135,39 @@ def test_an_order_that_sweeps_across_a_fixed_line_is_told_from_it(by_hand: Calla
     torque = 0.2 * np.cos(3.0 * steady) + 0.1 * np.cos(2 * pi * 30.0 * time + 1.0)
     one = features(by_hand(torque, steady, rate=RATE), [order(3.0), frequency(30.0)])
     assert np.isnan(one.amplitude[:, 1]).all()
+
+
+@pytest.mark.parametrize(("doubt", "left", "paid"), [(0.0, 0.5, 0.0), (0.4, 0.0, 1.25)], ids=["loaded", "idle"])
+def test_the_power_of_an_idle_load_may_be_off_as_a_whole_at_a_price(
+    doubt: float, left: float, paid: float, seen: Features, wear_rig: Scenario
+) -> None:
+    """By half in its logarithm: known to a tenth it stays wrong in each band, to 0.4 it costs 1.25 spreads once."""
+    model = with_line(seen, wear_rig, 0.3)
+    load = np.ones(seen.power.size)
+    off = replace(model, power=seen.power * np.exp(-0.5), load_share=load, load_doubt=doubt)
+    shown = misfit(seen, off)
+    spread = np.sqrt(1 / seen.count + 0.05**2)
+    np.testing.assert_allclose(shown.bands * spread, left, atol=0.02)
+    assert float(shown.price[-1]) == pytest.approx(paid, abs=0.02)
+
+
+def test_what_no_load_makes_is_not_excused_by_it(seen: Features, wear_rig: Scenario) -> None:
+    model = with_line(seen, wear_rig, 0.3)
+    share = np.where(seen.band < 200, 1.0, 0.0)
+    off = replace(
+        model, power=seen.power * np.exp(np.where(seen.band < 200, 0.0, -0.5)), load_share=share, load_doubt=0.4
+    )
+    shown = misfit(seen, off)
+    assert float(np.abs(shown.bands[seen.band < 200]).max()) < 0.01
+    assert float(shown.bands[seen.band > 200].min()) > 2
+
+
+@pytest.mark.parametrize(("percent", "doubt"), [(0.0, 0.4), (5.0, 0.0)])
+def test_the_load_of_an_idle_rig_is_in_doubt_and_no_other(
+    percent: float, doubt: float, seen: Features, wear_rig: Scenario
+) -> None:
+    """A hundredth of a newton metre of a mean of 0.05, twice as much of its power; of 1 N m it is nothing."""
+    recording = seen.observed.recording
+    idle = replace(recording, run=replace(recording.run, occupancy_percent=percent))
+    shown = replace(seen, observed=replace(seen.observed, recording=idle))
+    assert expected(wear_rig.rig, shown).load_doubt == pytest.approx(doubt, rel=1e-6)

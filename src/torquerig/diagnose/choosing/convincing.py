@@ -83,7 +83,7 @@ def _out_of_question(case: Case, trial: Trial, earlier: Sequence[Trial]) -> bool
     """Whether it is not to be named, however much it gains."""
     if trial.candidate.description and not mismatches(case):
         return True  # what does not stand out needs no description
-    if trial.candidate.slow and _levels_still_wrong(trial):
+    if _levels_still_wrong(trial):
         return True
     # such an effect beside noise that was described takes up what its description leaves
     return (_mode(trial) or _of_any_width(trial)) and any(each.candidate.description for each in earlier)
@@ -105,8 +105,8 @@ def _may_leave(earlier: Trial, trial: Trial) -> bool:
 
 
 def _levels_still_wrong(trial: Trial) -> bool:
-    """Whether the slow torque of a run strays beside it by more than chance: its course is another one."""
-    levels = [each.level for each in trial.model.misfits if each.level.size]
+    """Whether it moves the slow torque alone, and that of a run strays beside it: its course is another one."""
+    levels = [each.level for each in trial.model.misfits if each.level.size and trial.candidate.slow]
     return any(float(np.mean(robust_squares(level))) > _MEAN_SQUARE for level in levels)
 
 
@@ -155,7 +155,9 @@ def _least_gain(case: Case, trial: Trial) -> float:
 def promising(case: Case, trial: Trial) -> bool:
     """Whether the trial takes away so much that it is worth asking what another beside it would do."""
     much = trial.gain > max(_PROMISING_GAIN * excess(case), LEAST_GAIN)
-    return much and not trial.candidate.description and share_of(case, trial) > _PROMISING_SHARE
+    if trial.candidate.description or _levels_still_wrong(trial):
+        return False
+    return much and share_of(case, trial) > _PROMISING_SHARE
 
 
 def hopeful(case: Case, trial: Trial) -> bool:

@@ -27,6 +27,8 @@ from torquerig.signals.stages.noise import WhiteNoise
 
 Floats = NDArray[np.float64]
 
+_ZERO_ERROR = 0.01  # [N m] no sensor's zero is known to better
+_KNOWN = 0.1  # [1] of a load's power: who knows it better knows it
 _LOAD_TOLERANCE = 0.05  # [1] of the slow torque: near standstill no two rigs are alike, and a load comes and goes
 _MISTIMED = 0.04  # [s] a reversal that was simulated and not measured may come so much earlier or later
 _FLANK = 0.1  # of the density at the resonance: below it, a mode's flanks begin
@@ -51,6 +53,8 @@ class Expectation:
         Torque of the blocks of a run that turns back [N m].
     load_share : ndarray, shape (bands,)
         Part of ``power`` that random loads make [1].
+    load_doubt : float
+        One sigma by which the logarithm of all that random loads make may be off in the run, 0 where known [1].
     power_tolerance, amplitude_tolerance : float or ndarray
         What chance in an effect beyond the twin may add: of the density's logarithm [1], of an amplitude [N m].
     turning_tolerance : float or ndarray, shape (blocks,)
@@ -64,6 +68,7 @@ class Expectation:
     level_variance: Floats
     turning: Floats | None = None
     load_share: Floats = field(default_factory=lambda: np.zeros(0))
+    load_doubt: float = 0.0
     power_tolerance: float | Floats = 0.0
     amplitude_tolerance: float | Floats = 0.0
     turning_tolerance: float | Floats = 0.0
@@ -152,6 +157,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     return Expectation(
         power=power,
         load_share=load / power,
+        load_doubt=_load_doubt(twin),
         power_tolerance=tolerance,
         amplitude_tolerance=doubtful,
         amplitude=shown.amplitude,
@@ -159,6 +165,17 @@ def expected(rig: Rig, seen: Features) -> Expectation:
         level=level,
         level_variance=_level_variance(twin, seen, shown.amplitude),
     )
+
+
+def _load_doubt(twin: Twin) -> float:
+    """Return how far the power that random loads make may be off as a whole [1]: much where the rig runs idle.
+
+    They are stated as parts of their mean, which is known no better than the sensor's zero, and what shakes an idle rig
+    need not be what shakes a loaded one. Power goes with the square.
+    """
+    mean = sum(abs(term.process.mean) for term in twin.terms if isinstance(term, Load))
+    doubt = 2 * _ZERO_ERROR / mean if mean else 0.0
+    return doubt if doubt > _KNOWN else 0.0
 
 
 def _rounded(step: float, seen: Features, power: Floats, amplitude: Floats) -> tuple[Floats, Floats]:

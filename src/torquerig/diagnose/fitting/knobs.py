@@ -16,7 +16,6 @@ from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.rig import Rig
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
-ZERO_ERROR = 0.01  # [N m] and never better than the sensor's zero is: of an idle rig that is much of its load
 _NOISE_SPREAD = 0.5  # an amplifier that is louder than its data sheet is no missing physics
 _NOISE_COLOUR = 0.11  # no amplifier's noise is quite white
 HIT_RISE = 1e-4  # [s] no pulse rises at once; so short a rise cannot be seen, and a longer one is to be found
@@ -104,15 +103,11 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
         knobs += [Knob(load.name, field, spread) for field, spread in _LOAD_SPECTRUM.items()]
         stated = load.mean_by_occupancy_percent
         knobs += [
-            Knob(load.name, "mean_by_occupancy_percent", _level_spread(stated[percent]), key=percent)
+            Knob(load.name, "mean_by_occupancy_percent", LOAD_LEVEL_SPREAD, key=percent)
             for percent in sorted(set(occupancies))
             if percent in stated
         ]
     return tuple(knobs)
-
-
-def _level_spread(mean: float) -> float:
-    return max(LOAD_LEVEL_SPREAD, ZERO_ERROR / abs(mean)) if mean else LOAD_LEVEL_SPREAD
 
 
 def with_free_load(rig: Rig) -> Rig:

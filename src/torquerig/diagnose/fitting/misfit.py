@@ -40,9 +40,10 @@ class Misfit:
     bands : ndarray, shape (bands,)
     lines : ndarray, shape (places,) in steady runs, (stretches, places) else
     level : ndarray, shape (parts,)
-    price : ndarray, shape (parts + octaves // 2,)
+    price : ndarray, shape (parts + octaves // 2 + 1,)
         What a model pays beside: for calling its levels random (root of the logarithm of their variance over the
-        floor), and for a load whose spectrum is off over two octaves and more, which no dip explains.
+        floor), for a load whose spectrum is off over two octaves and more, which no dip explains, and for one that is
+        off as a whole.
     turning : ndarray, shape (blocks,)
         Only of runs that turn back.
     """
@@ -87,8 +88,10 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
     if seen.power.size:
         excess = np.nan_to_num(np.log(seen.power / model.power))
         beyond = np.square(model.power_tolerance) + np.where(excess < 0, DIP_TOLERANCE * model.load_share, 0.0) ** 2
-        bands = excess / np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + beyond)
-        wide = _wide(excess * model.load_share)
+        spread = np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + beyond)
+        gain = _load_gain(excess, spread, model)
+        bands = (excess - gain * model.load_share) / spread
+        wide = np.append(_wide((excess - gain) * model.load_share), gain / model.load_doubt if gain else 0.0)
     else:
         bands, wide = np.array([]), np.array([])
     lines = _steady_lines(seen, model) if seen.observed.steady else _moving_lines(seen, model)
@@ -104,6 +107,17 @@ def called_chance(model: Expectation) -> Floats:
     What a likelihood charges for a wide guess, which misses little and foretells little.
     """
     return np.asarray(np.log1p(model.level_variance / LEVEL_FLOOR**2))
+
+
+def _load_gain(excess: Floats, spread: Floats, model: Expectation) -> float:
+    """Return by how much the logarithm of all that random loads make is off, as far as that may be [1].
+
+    Least squares over the bands, the gain itself a residual in units of ``load_doubt``.
+    """
+    if not model.load_doubt:
+        return 0.0
+    weight = model.load_share / spread
+    return float(weight @ (excess / spread) / (weight @ weight + model.load_doubt**-2))
 
 
 def _wide(excess: Floats) -> Floats:

@@ -21,6 +21,7 @@ angle_jumps     a measured angle that jumps            flights_beyond_lines   fl
 as_well_known   a simulated run with its angle known no better than the recording's
 mean_steps      a mean that steps and stays            telegraph_noise   a zero that jumps between two levels
 strong_alias    a tone that hides faults of samples    under_hum    a limit behind which a hum was picked up
+under_noise     a limit behind which it is noisy
 sweep_course    a sweep's ends, and a run without it   flight_statistics   what flights tell of the gap
 kept            worked out once for all models         robust_spread   how far values scatter
 orders_standing_out   whether lines stand at some orders
