@@ -317,7 +317,7 @@ def test_a_zero_that_drifts_leaves_the_slow_torque_of_no_run_wrong(case: Case, w
     assert named == [True, False]
 
 
-@pytest.mark.parametrize(("gain", "resembled", "named"), [(30.0, True, False), (3.0, True, True), (30.0, False, True)])
+@pytest.mark.parametrize(("gain", "resembled", "named"), [(30.0, True, False), (2.0, True, True), (30.0, False, True)])
 def test_what_looks_like_a_low_pass_beside_impacts_is_their_ring(
     gain: float, resembled: bool, named: bool, case: Case, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -24,7 +24,7 @@ _AMPLY = 0.6  # per feature, without prices: as rigs are fitted whose model lack
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
-_OF_RINGING = 0.2  # what looks like modes or a low-pass beside impacts: how they ring is another's law, and the shafts'
+_OF_RINGING = 0.4  # what looks like modes or a low-pass beside impacts: how they ring is another's law, and the shafts'
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 # a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less;
@@ -136,12 +136,12 @@ def _enough(case: Case, trial: Trial, again: float) -> float:
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:
     """Return what the details of effects that were found earlier may gain when another effect takes them up."""
+    struck = [each for each in earlier if each.candidate.mechanism == "bearing_defect" and trial.candidate.resembled]
+    rings = [_OF_RINGING * each.gain for each in struck]
     if trial.gap is not None:
-        return [_OF_EARLIER_TOLD_AGAIN * each.gain for each in earlier]
-    if trial.candidate.resembled and any(each.candidate.mechanism == "bearing_defect" for each in earlier):
-        return [_OF_RINGING * each.gain for each in earlier]
-    if case.model.corrections:
-        return [_OF_EARLIER * each.gain for each in earlier]
+        return [*rings, *(_OF_EARLIER_TOLD_AGAIN * each.gain for each in earlier)]
+    if case.model.corrections or rings:
+        return [*rings, *(_OF_EARLIER * each.gain for each in earlier)]
     turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]
     return [_DETAIL * each.gain for each in turning] if turning and not mismatches(case) else []
 
