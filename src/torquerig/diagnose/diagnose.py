@@ -17,7 +17,14 @@ from torquerig.diagnose.judging.last_questions import last_question
 from torquerig.diagnose.judging.leftover import detail_of, mismatches
 from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
-from torquerig.diagnose.judging.withdrawn import COMES_AND_GOES, LEAVES_A_REST, STILL_WRONG, TOO_MANY, why_withdrawn
+from torquerig.diagnose.judging.withdrawn import (
+    COMES_AND_GOES,
+    LEAVES_A_REST,
+    ONE_OF_MANY,
+    STILL_WRONG,
+    TOO_MANY,
+    why_withdrawn,
+)
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.own_gap import MECHANISM
@@ -118,7 +125,8 @@ def diagnose(
     why = ""
     for sought in all_found.in_turn(before, used):
         if sought.numbers_held and (
-            why in (COMES_AND_GOES, TOO_MANY, STILL_WRONG) or (why == LEAVES_A_REST and not sought.all_lines)
+            why in (COMES_AND_GOES, TOO_MANY, STILL_WRONG, ONE_OF_MANY)
+            or (why == LEAVES_A_REST and not sought.all_lines)
         ):
             continue  # numbers that stand still explain no more of it; with a line, others may have moved
         after, unseen, completed, fit = foretold(sought.case)
@@ -132,6 +140,7 @@ def diagnose(
         refused = why_withdrawn(
             fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts,
             samples_too=bool(start.untrue or faults.untrue), again=why == LEAVES_A_REST,
+            all_lines=sought.turning_lines,
             flights_told=flown and after.has(MECHANISM) and not any(_of_flights(each) for each in left),
         )  # fmt: skip
         if not (sought.accepted and refused):

@@ -24,6 +24,7 @@ from torquerig.diagnose.sample_findings import SampleFindings
 from torquerig.diagnose.sentences import explanation
 
 _MOST_RIVALS = 3
+_TURNING_LINES = frozenset({"gear_mesh", "cogging", "commutation_ripple", "blade_pass"})
 _SEEN_IN_SAMPLES = 0.98  # confidence
 
 
@@ -64,6 +65,11 @@ class Searched:
     def all_lines(self) -> bool:
         """Whether all that was accepted sets out to explain a line."""
         return all(each.trial.candidate.place is not None for each in self.accepted)
+
+    @property
+    def turning_lines(self) -> bool:
+        """Whether all that was accepted makes lines at orders, and nothing else."""
+        return bool(self.accepted) and all(each.trial.candidate.mechanism in _TURNING_LINES for each in self.accepted)
 
     def in_turn(self, before: Case, held: Sequence[Features]) -> Iterator[Searched]:
         """Yield what is to be believed first, and what instead where that does not hold on what no fit has seen.

@@ -13,6 +13,7 @@ _CLEAR, _NEARLY_ALL = 0.3, 0.8  # of that misfit beyond chance: clearly there, a
 _ITS_PLACES = 0.9  # of what is missed where it acts: what else the rig lacks is not its to explain
 _LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
 _FAR_OFF = 5.0  # beyond chance, per feature: where so much stays, no place stands out only as each is forgiven much
+_MOST_OF_IT = 2 / 3  # of all that was missing: a line that takes less, of several that stay, may be one of theirs
 _PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 _PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
 LEAVES_A_REST = (
@@ -30,14 +31,19 @@ STILL_WRONG = (
     "fitted, and withdrawn: what no fit has seen is predicted without it as well as by a true model, and the model is "
     "still wrong with it"
 )
-_SEVERAL = 2  # runs
+ONE_OF_MANY = (
+    "fitted, and withdrawn: other lines at whole orders of the shaft stay, with most of what is wrong, and it may be "
+    "one of theirs"
+)
+_SEVERAL = 2  # runs, or lines
+_WHOLE = 0.02  # [1/rev] so near an order is whole
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
 
 
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
-    flights_told: bool = False,
+    flights_told: bool = False, all_lines: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -62,6 +68,8 @@ def why_withdrawn(
     flights_told : bool
         Whether flanks flew in several runs that no longer do beside it: a few moments, which weigh little among all
         that is foretold.
+    all_lines : bool
+        Whether all that was found makes lines at orders, and nothing else.
     """
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
@@ -72,6 +80,7 @@ def why_withdrawn(
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
+        (all_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
         (left and rest > _LARGE_REST * missing and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
         (not (left or samples_too) and rest > max(_LARGE_REST * missing, _FAR_OFF), LEAVES_A_REST),
@@ -83,3 +92,9 @@ def _clearly_there(fit: HeldOut) -> bool:
     """Whether its places are explained where no fit has seen them, by more than chance, though they are but few."""
     _, least, _ = fit.improvement
     return fit.explained > _ITS_PLACES and least > 0
+
+
+def _whole_orders(left: Sequence[Mismatch]) -> int:
+    """How many lines at whole orders of the motor's shaft stay wrong."""
+    at = [each.at for each in left if each.domain == "order" and each.axis == "motor_shaft"]
+    return sum(abs(order - round(order)) < _WHOLE for order in at)
