@@ -140,7 +140,7 @@ def diagnose(
         refused = why_withdrawn(
             fit, left, effects=effects, resembled=resembled, passing=came_and_went, drifts_in_all=drifts,
             samples_too=bool(start.untrue or faults.untrue), again=why == LEAVES_A_REST,
-            all_lines=sought.turning_lines,
+            turning_lines=sought.turning_lines,
             flights_told=flown and after.has(MECHANISM) and not any(_of_flights(each) for each in left),
         )  # fmt: skip
         if not (sought.accepted and refused):

@@ -108,12 +108,12 @@ def test_what_leaves_a_model_far_off_is_not_named_though_no_place_stands_out(
 
 
 @pytest.mark.parametrize(
-    ("after", "orders", "all_lines", "stays"),
+    ("after", "orders", "turning_lines", "stays"),
     [(1.19, (2.0, 19.0), True, False), (1.19, (2.0,), True, True), (1.19, (2.3, 19.4), True, True),
      (1.10, (2.0, 19.0), True, True), (1.19, (2.0, 19.0), False, True)],
 )  # fmt: skip
 def test_one_of_several_whole_orders_is_no_effect_of_its_own(
-    after: float, orders: tuple[float, ...], all_lines: bool, stays: bool
+    after: float, orders: tuple[float, ...], turning_lines: bool, stays: bool
 ) -> None:
     """An encoder off its centre shakes the loop at every order; one of them stood on a whole number of teeth."""
     left = tuple(
@@ -121,4 +121,4 @@ def test_one_of_several_whole_orders_is_no_effect_of_its_own(
                  share_of_misfit=0.3, p_value=1e-9)
         for at in orders
     )  # fmt: skip
-    assert (why_withdrawn(fit(1.25, after, 0.9), left, all_lines=all_lines) == "") is stays
+    assert (why_withdrawn(fit(1.25, after, 0.9), left, turning_lines=turning_lines) == "") is stays

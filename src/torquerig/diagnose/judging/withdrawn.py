@@ -43,7 +43,7 @@ _MANY = 3  # effects at once: few rigs have two, and one that nothing explains f
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
-    flights_told: bool = False, all_lines: bool = False,
+    flights_told: bool = False, turning_lines: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -68,7 +68,7 @@ def why_withdrawn(
     flights_told : bool
         Whether flanks flew in several runs that no longer do beside it: a few moments, which weigh little among all
         that is foretold.
-    all_lines : bool
+    turning_lines : bool
         Whether all that was found makes lines at orders, and nothing else.
     """
     missing, rest = fit.before - 1, fit.after - 1
@@ -80,7 +80,7 @@ def why_withdrawn(
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
-        (all_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
+        (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
         (left and rest > _LARGE_REST * missing and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
         (not (left or samples_too) and rest > max(_LARGE_REST * missing, _FAR_OFF), LEAVES_A_REST),

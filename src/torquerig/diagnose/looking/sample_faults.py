@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -49,6 +49,12 @@ class FlatTops:
     limit: float
     share: float
     runs: tuple[str, ...]
+
+    @classmethod
+    def of_runs(cls, found: Mapping[str, tuple[float, float]]) -> FlatTops:
+        """Return what the runs tell together, each by its level [V] and share; one or more."""
+        limit = float(np.median([level for level, _ in found.values()]))
+        return cls(limit, max(share for _, share in found.values()), tuple(found))
 
 
 @dataclass(frozen=True)
@@ -109,8 +115,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
                 found[recording.name] = (level, piled / volts.size)
     if not found or max(level for level, _ in found.values()) > min(0.999 * full_range, full_range - 0.5 * code):
         return None
-    limit = float(np.median([level for level, _ in found.values()]))
-    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
+    return FlatTops.of_runs(found)
 
 
 def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:

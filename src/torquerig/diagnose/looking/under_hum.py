@@ -45,10 +45,7 @@ def flat_under_hum(recordings: Sequence[Recording], *, full_range: float = float
                 pile = _pile(sign * volts, hum)
                 if pile is not None and pile[0] < full_range - _LAST:
                     found[recording.name] = pile
-    if not found:
-        return None
-    limit = float(np.median([level for level, _ in found.values()]))
-    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
+    return FlatTops.of_runs(found) if found else None
 
 
 def _tones(volts: Floats, rate: float) -> Iterator[tuple[float, int]]:

@@ -17,9 +17,7 @@ Floats = NDArray[np.float64]
 _LOOKED_AT = 12.0  # spreads of the noise below the highest value, among which the pile is sought
 _MOST_NOISE = 0.02  # of the signal's span: else noise, or a tone that is taken for it, is most of the signal
 _HALF, _BIN = 3.0, 0.5  # its half width, and the width of the bins, in such spreads
-_OVER_BESIDE = (
-    4.0  # samples of a pile over those just below, on as wide a stretch: a sine's crest has 2.4 times as many
-)
+_OVER_BESIDE = 4.0  # samples of a pile over those just below, on twice its width: a sine's crest has 1.4 times as many
 _BEYOND = 0.01  # of a pile, that may stand above it
 _AT_ONCE, _OFTEN = 8, 4  # samples in a row on the pile, and how often it comes there: a level that is held comes once
 
@@ -38,10 +36,7 @@ def flat_under_noise(recordings: Sequence[Recording], *, full_range: float = flo
         piles = [pile for pile in piles if pile[0] < full_range - _HALF * noise]
         if piles:
             found[recording.name] = max(piles, key=lambda pile: pile[1])
-    if not found:
-        return None
-    limit = float(np.median([level for level, _ in found.values()]))
-    return FlatTops(limit, max(share for _, share in found.values()), tuple(found))
+    return FlatTops.of_runs(found) if found else None
 
 
 def _pile(volts: Floats, noise: float) -> tuple[float, float] | None:
