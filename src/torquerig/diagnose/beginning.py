@@ -23,7 +23,7 @@ from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.null_table import null_table, without_table
 from torquerig.diagnose.opening import followed, opened
 from torquerig.diagnose.own_gap import OwnGap, closed
-from torquerig.diagnose.rig_under_test import check_recordings, off_set_points
+from torquerig.diagnose.rig_under_test import check_recordings, check_rig, off_set_points
 from torquerig.diagnose.sample_findings import SampleFindings, sample_findings
 from torquerig.diagnose.sentences import MECHANISMS
 from torquerig.diagnose.sheet_ratio import at_ratio_of, off_ratios
@@ -69,6 +69,11 @@ class Beginning:
     held: tuple[Features, ...]
     remarks: tuple[str, ...] = ()
 
+    def of_fitted_runs(self) -> tuple[Features, ...]:
+        """Those of ``held`` whose runs fits have seen elsewhere."""
+        fitted = {run.name for run in self.before.runs}
+        return tuple(each for each in self.held if each.observed.name in fitted)
+
 
 def begun(
     scenario: Scenario, others: Sequence[Scenario], recordings: Sequence[Recording], progress: Progress
@@ -92,6 +97,7 @@ def begun(
 def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progress) -> Beginning:
     thresholds, unknown = null_table(scenario), without_table(scenario)
     scenario = with_free_names(scenario, MECHANISMS)
+    check_rig(scenario.rig)
     check_recordings(recordings)
     sheets, recordings = recordings, at_ratio_of(recordings, scenario.rig)
     whole = with_free_load(scenario.rig.at(recordings[0].run))

@@ -8,9 +8,31 @@ from math import log10, pi
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.errors import InputError
+from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
+from torquerig.rig.rig import Rig
 from torquerig.signals.recording import Recording
 
 SPEED_KEPT = 0.03  # a set-point is kept within a per cent; beyond this the sheet and the encoder tell of two speeds
+
+
+def check_rig(rig: Rig) -> None:
+    """Raise where nothing drives the scenario's rig, or what is measured has no spring."""
+    imposed = next(iter(rig.parts_of(ImposedMotion)), None)
+    if imposed is not None:
+        raise InputError(
+            f"the scenario imposes the motion {imposed.name!r} and measures {rig.measured!r}; what a motion takes is "
+            f"compared where it is imposed: write measured: {imposed.name}, or let a speed_controller drive the motor"
+        )
+    if not any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive)):
+        raise InputError(
+            "nothing in the scenario drives a motor; add a speed_controller, or an imposed_motion under "
+            "measured: where the motion itself was recorded"
+        )
+    if not rig.part(rig.measured).opens_node:
+        raise InputError(
+            f"the scenario measures {rig.measured!r}, which no torque passes; name a torque_sensor, a coupling or a "
+            "gear under measured:"
+        )
 
 
 def check_recordings(recordings: Sequence[Recording]) -> None:

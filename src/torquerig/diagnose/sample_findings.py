@@ -55,6 +55,18 @@ class SampleFindings:
         ]
         return replace(self, recordings=tuple(moved), to_the_other=tuple(-volts for volts in self.to_the_other))
 
+    def added_to(self, rig: Rig) -> Rig:
+        """Return the rig with these faults, but for coarse codes: models are fitted with them in it."""
+        for candidate in self.candidates:
+            rig = rig if candidate.mechanism == "quantization" else candidate.added_to(rig)
+        return rig
+
+    def removed_from(self, rig: Rig) -> Rig:
+        """Return the rig without them."""
+        for candidate in self.candidates:
+            rig = candidate.removed_from(rig)
+        return rig
+
 
 def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings:
     """Return coarse codes, flat tops and dropouts that ``rig`` does not have; ``unnamed`` are those without a class."""

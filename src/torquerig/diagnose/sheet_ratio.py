@@ -11,9 +11,9 @@ from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.orders_standing_out import chances_of_orders, taken_together, turns_of
 from torquerig.errors import InputError, RecordingError, TorquerigError
-from torquerig.rig.parts import Gear
+from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.rig.rig import Rig
-from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.kinematics import kinematics_of, turns_to
 from torquerig.signals.recording import Recording
 
 _RATIO_KEPT = 0.02
@@ -22,12 +22,11 @@ _RESOLVED = 3.0  # bins between two lines
 
 
 def at_ratio_of(recordings: Sequence[Recording], rig: Rig) -> list[Recording]:
-    """Return the recordings as runs of the rig's gear ratio, whatever their sheets say of it."""
+    """Return the recordings as runs of the rig's gear ratio up to the sensor, whatever their sheets say of it."""
+    if not _gears(rig):
+        return [*recordings]
     ratio = kinematics_of(rig).ratio
-    return [
-        replace(recording, run=replace(recording.run, gear_ratio=ratio)) if _contradicts(recording, rig) else recording
-        for recording in recordings
-    ]
+    return [replace(recording, run=replace(recording.run, gear_ratio=ratio)) for recording in recordings]
 
 
 def off_ratios(recordings: Sequence[Recording], runs: Sequence[Observed], rig: Rig) -> Iterator[tuple[str, Mismatch]]:
@@ -83,8 +82,16 @@ def _not_of_this_rig(said: str, recordings: Sequence[Recording], ratio: float, *
 
 
 def _contradicts(recording: Recording, rig: Rig) -> bool:
+    """Whether the sheet states a ratio that no gear of the rig ends in, those behind the sensor included."""
     stated = recording.run.gear_ratio
-    return bool(stated and rig.parts_of(Gear)) and abs((stated or 0.0) / kinematics_of(rig).ratio - 1) > _RATIO_KEPT
+    if not stated:
+        return False
+    ratios = [turns_to(rig, last.name) for last in _gears(rig)]
+    return bool(ratios) and all(abs(stated / ratio - 1) > _RATIO_KEPT for ratio in ratios)
+
+
+def _gears(rig: Rig) -> list[GearStage]:
+    return [part for part in rig.parts if isinstance(part, GearStage)]
 
 
 def _behind_the_gear(rig: Rig, runs: Sequence[Observed]) -> list[float]:

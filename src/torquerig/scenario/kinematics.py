@@ -17,20 +17,30 @@ def kinematics_of(rig: Rig) -> Kinematics:
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
         slots=None if motor is None else motor.slots,
-        ratio=abs(prod(gear.ratio for gear in gears)),
+        ratio=turns_to(rig, rig.measured),
         teeth=tuple(stage for gear in gears for stage in gear.teeth),
     )
 
 
 def gears_to_sensor(rig: Rig) -> tuple[GearStage, ...]:
     """Return the gears from the start of the shaft to the measured part; those of other branches do not count."""
+    return gears_to(rig, rig.measured)
+
+
+def gears_to(rig: Rig, last: str) -> tuple[GearStage, ...]:
+    """Return the gears from the start of the shaft to the part called ``last``, which may be one of them."""
     gears: list[GearStage] = []
-    name: str | None = rig.measured
+    name: str | None = last
     while name is not None:
         part = rig.part(name)
         gears += [part] if isinstance(part, GearStage) else []
         name = part.after
     return tuple(reversed(gears))
+
+
+def turns_to(rig: Rig, last: str) -> float:
+    """Return the turns of the motor per turn of the output of ``last`` [1], without sign."""
+    return abs(prod(gear.ratio for gear in gears_to(rig, last)))
 
 
 def torque_gain(rig: Rig) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -10,8 +11,9 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import LIMIT
-from torquerig.diagnose.fitting.knobs import Knob, turned
+from torquerig.diagnose.fitting.knobs import HARDLY_ANY, Knob, turned
 from torquerig.diagnose.judging.numbers_at_limits import number_at_limit
+from torquerig.mechanisms import ParticleLoad
 from torquerig.scenario.reading import Scenario
 
 INERTIA = Knob("wear_part", "inertia", 0.1)
@@ -48,3 +50,16 @@ def test_any_other_number_is_of_all_runs(wear_rig: Scenario) -> None:
     assert found is not None
     assert "wear_part.inertia" in found[0]
     assert found[1].recordings == ("at0", "at21")
+
+
+def test_how_slowly_a_load_varies_whose_hits_nobody_knows_may_be_anything(wear_rig: Scenario) -> None:
+    """Free hits take the place of a stated slow variation, which then goes to nothing."""
+    rig = wear_rig.rig
+    load = rig.parts_of(ParticleLoad)[0]
+    slow, at = Knob(load.name, "slow_rms", 0.4), np.array([-LIMIT])
+    for hits, told in ((load.hit_rms, True), (HARDLY_ANY, False)):
+        stated = rig.changed(replace(load, hit_rms=hits))
+        model = SimpleNamespace(knobs=(slow,), positions=at, rig=turned(stated, (slow,), at))
+        case = SimpleNamespace(**{**vars(case_at(wear_rig, 0.0, 0.0)), "model": model, "nominal": stated,
+                                  "nominal_with_accepted": lambda stated=stated: stated})  # fmt: skip
+        assert (number_at_limit(cast("Case", case)) is not None) == told

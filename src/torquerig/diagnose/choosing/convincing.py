@@ -186,9 +186,11 @@ def worthiest(case: Case, found: Sequence[Trial]) -> Trial:
 def share_of(case: Case, trial: Trial) -> float:
     """Return the part of the misfit at its places that the trial explains [1]; what else moved with it is not its.
 
-    Where another effect bends the model's numbers, much moves with a line; it is judged beside these as they stood.
+    Where another effect bends the model's numbers, much moves with a line; it is judged beside these as they stood. A
+    model that lacks an effect of the slow torque calls that chance: what it missed is counted as the effect's own does.
     """
-    before, after = case.model.misfits, trial.model.misfits
+    after = trial.model.misfits
+    before = tuple(old.as_sure_as(new) for old, new in zip(case.model.misfits, after, strict=True))
     if trial.candidate.slow:
         before, after = tuple(each.slow() for each in before), tuple(each.slow() for each in after)
     return max(explained_share(before, after, beside=trial.beside), trial.alone)

@@ -13,6 +13,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.diagnosis import Stated
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.looking.features import Features
+from torquerig.scenario.kinematics import turns_to
 
 _95 = 1.96
 _ORDER_WIDTH = 0.01  # [1/rev] an order is known to a small part of what a recording resolves
@@ -155,7 +156,7 @@ def _cogging(part: Any, model: Calibrated, case: Case) -> dict[str, Stated]:
 
 def _at_sensor(part: Any, case: Case) -> Stated | None:
     """Amplitude of the first tooth harmonic at the sensor [N m], in the steady run that reads most of it, if any."""
-    turns = abs(case.nominal.run.gear_ratio or 1.0)
+    turns = turns_to(case.nominal, part.gear)
     read = [_line_read(features, part.order_output / turns) for features in case.seen if features.observed.steady]
     shown = [each for each in read if each is not None]
     return max(shown, key=lambda each: each.value, default=None)

@@ -21,6 +21,8 @@ _NOISE_COLOUR = 0.11  # no amplifier's noise is quite white
 HIT_RISE = 1e-4  # [s] no pulse rises at once; so short a rise cannot be seen, and a longer one is to be found
 _HIT_RISE_SPREAD = 1.2
 _LOAD_SPECTRUM = {"hit_rms": 0.3, "hit_decay": 0.2, "slow_rms": 0.4, "slow_cutoff": 0.3}
+HARDLY_ANY = 0.002  # of the mean: a load stated to have no hits, or no slow variation, may have both at any pace
+_UNKNOWN = {"hit_rms": 1.5, "hit_decay": 1.0, "slow_rms": 1.5, "slow_cutoff": 0.7}
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,9 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
     for load in rig.parts_of(ParticleLoad):
         if load.hit_rise > 0:
             knobs.append(Knob(load.name, "hit_rise", _HIT_RISE_SPREAD))
-        knobs += [Knob(load.name, field, spread) for field, spread in _LOAD_SPECTRUM.items()]
+        hits, slow = (_UNKNOWN if rms <= HARDLY_ANY else _LOAD_SPECTRUM for rms in (load.hit_rms, load.slow_rms))
+        spreads = {field: (hits if field.startswith("hit") else slow)[field] for field in _LOAD_SPECTRUM}
+        knobs += [Knob(load.name, field, spread) for field, spread in spreads.items()]
         stated = load.mean_by_occupancy_percent
         knobs += [
             Knob(load.name, "mean_by_occupancy_percent", LOAD_LEVEL_SPREAD, key=percent)
@@ -111,8 +115,14 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
 
 
 def with_free_load(rig: Rig) -> Rig:
-    """Return the rig whose particle loads have a rise that can be turned, too short to matter where none is stated."""
+    """Return the rig whose particle loads have numbers that can be turned, too small to matter where none are stated.
+
+    Those are the time over which a hit rises, and how much hits and slow variation are: no load is quite even.
+    """
     for load in rig.parts_of(ParticleLoad):
-        if load.hit_rise == 0:
-            rig = rig.changed(replace(load, hit_rise=HIT_RISE))
+        free = replace(
+            load, hit_rise=load.hit_rise or HIT_RISE, hit_rms=load.hit_rms or HARDLY_ANY,
+            slow_rms=load.slow_rms or HARDLY_ANY,
+        )  # fmt: skip
+        rig = rig if free == load else rig.changed(free)
     return rig

@@ -53,6 +53,7 @@ class Misfit:
     level: Floats
     turning: Floats = field(default_factory=lambda: np.zeros(0))
     price: Floats = field(default_factory=lambda: np.zeros(0))
+    level_spread: Floats = field(default_factory=lambda: np.zeros(0))
 
     def all(self) -> Floats:
         """Return every residual in one row, shape (features,)."""
@@ -61,6 +62,12 @@ class Misfit:
     def slow(self) -> Misfit:
         """Return the residuals of the slow torque alone."""
         return replace(self, bands=np.zeros(0), lines=np.zeros(0))
+
+    def as_sure_as(self, other: Misfit) -> Misfit:
+        """Return the residuals with levels in the spreads of ``other`` where these are smaller."""
+        if self.level_spread.size == 0 or self.level_spread.shape != other.level_spread.shape:
+            return self
+        return replace(self, level=self.level * np.maximum(1.0, self.level_spread / other.level_spread))
 
     def paid(self) -> Floats:
         """Return every residual and what the model pays beside, as a fit minimises them."""
@@ -98,7 +105,7 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
     least = LEVEL_FLOOR**2 + (LEVEL_TOLERANCE * model.level) ** 2
     spread = np.sqrt(model.level_variance + least)
     price = np.concatenate([np.sqrt(called_chance(model)), wide])
-    return Misfit(bands, lines, (seen.level - model.level) / spread, price=price)
+    return Misfit(bands, lines, (seen.level - model.level) / spread, price=price, level_spread=spread)
 
 
 def called_chance(model: Expectation) -> Floats:

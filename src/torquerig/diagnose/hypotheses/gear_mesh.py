@@ -13,7 +13,8 @@ from torquerig.diagnose.hypotheses.motor_orders import STRONG, cogging_orders
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Gear, Motor
-from torquerig.scenario.kinematics import gears_to_sensor
+from torquerig.rig.rig import Rig
+from torquerig.scenario.kinematics import gears_to_sensor, turns_to
 
 _FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
 # few small gears have more teeth: odds of one in twenty, and of one in four hundred, twice their logarithms
@@ -32,22 +33,36 @@ def propose(case: Case) -> Iterator[Candidate]:
     """
     lines = [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]
     tried: set[tuple[str, int]] = set()
-    for gear in gears_to_sensor(case.nominal):
-        for peak in lines:
-            for harmonic in (1, 2, 3):
-                teeth = peak.place.at * abs(gear.ratio) / harmonic
-                whole = round(teeth)
-                near = abs(teeth - whole) < SAME_ORDER * abs(gear.ratio)
-                if near and _FEWEST_TEETH <= whole <= _MOST_TEETH and (gear.name, whole) not in tried:
-                    tried.add((gear.name, whole))
-                    yield _mesh(case, gear, whole)
-                    if peak.excess > STRONG and not all(run.angle_measured for run in case.runs if run.steady):
-                        yield _mesh(case, gear, whole, smeared=True)
+    for peak in lines:
+        for gear, teeth in _meshes(gears_to_sensor(case.nominal), case.nominal, peak.place.at):
+            if (gear.name, teeth) in tried:
+                continue
+            tried.add((gear.name, teeth))
+            yield _mesh(case, gear, teeth)
+            if peak.excess > STRONG and not all(run.angle_measured for run in case.runs if run.steady):
+                yield _mesh(case, gear, teeth, smeared=True)
+
+
+def _meshes(gears: Sequence[Gear | BeltStage], rig: Rig, at: float) -> list[tuple[Gear | BeltStage, int]]:
+    """Return which gears, with how many teeth per turn of their output, may have a harmonic at a motor order.
+
+    Where one of them states its teeth, and so many, it is that one's.
+    """
+    found = []
+    for gear in gears:
+        turns = turns_to(rig, gear.name)
+        for harmonic in (1, 2, 3):
+            whole = round(at * turns / harmonic)
+            near = abs(at * turns / harmonic - whole) < SAME_ORDER * turns
+            if near and _FEWEST_TEETH <= whole <= _MOST_TEETH:
+                found.append((gear, whole))
+    stated = [(gear, teeth) for gear, teeth in found if gear.teeth and gear.teeth[-1].mesh_order_out == teeth]
+    return stated or found
 
 
 def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = False) -> Candidate:
     """Return the mesh with the harmonics that show; with all of them where ``smeared`` ones may stand in bands."""
-    turns = abs(gear.ratio)
+    turns = turns_to(case.nominal, gear.name)
     tooth = [h * teeth for h in range(1, _HARMONICS + 1)]  # the first may be too small for lines beside it
     planets = next((n for n in (3, 4, 5) if any(_beside(case, at, n, turns) for at in tooth)), None)
     # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well

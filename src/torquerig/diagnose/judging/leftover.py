@@ -50,6 +50,11 @@ def mismatches(case: Case, beyond: Sequence[Correction] = ()) -> tuple[Mismatch,
     return tuple(sorted(found, key=lambda mismatch: -mismatch.share_of_misfit))
 
 
+def of_flights(mismatch: Mismatch) -> bool:
+    """Whether it tells that flanks fly."""
+    return mismatch.domain == "distribution" and mismatch.axis == "V"
+
+
 def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | None:
     """Return what share of the misfit before is ``left``, where that is but the detail of a strong effect; else None.
 

@@ -27,11 +27,12 @@ class QuasiStatic:
 def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiStatic:
     """Return the torques while the motor turns at ``speed`` [rad/s] and gains ``acceleration`` [rad/s^2].
 
-    Power balance along the shafts: each torque reaches the motor times the turns of its node and over the efficiencies
-    between. Springs are taken as rigid, which holds far below the first mode.
+    Power balance along the shafts: each torque reaches motor and sensor times the turns of its node, over theirs and
+    over the efficiencies between; the sensor reads it negative where it turns against the motor. Springs are taken as
+    rigid, which holds far below the first mode.
     """
     sensor, motor = np.zeros(speed.shape), np.zeros(speed.shape)
-    behind, efficiency = behind_sensor(twin), _efficiency(twin)
+    behind, efficiency = shares_at_sensor(twin), _efficiency(twin)
     for term in twin.terms:
         if not isinstance(term, OPPOSING):
             continue
@@ -41,7 +42,7 @@ def quasi_static(twin: Twin, *, speed: Floats, acceleration: Floats) -> QuasiSta
         torque = _opposing(term, speed * twin.turns[node], acceleration * twin.turns[node])
         motor += torque * twin.turns[node] / efficiency.get(node, 1.0)
         if node in behind:
-            sensor += torque
+            sensor += behind[node] * torque
     return QuasiStatic(sensor, motor)
 
 
@@ -76,6 +77,20 @@ def dry_torque(term: object, speed: Floats) -> Floats:
         peak = (static - coulomb) * np.exp(-np.minimum((speed / term.stribeck) ** 2, 50.0))
         return np.asarray(way * (coulomb + peak))
     return np.zeros(speed.shape)
+
+
+def shares_at_sensor(twin: Twin) -> dict[str, float]:
+    """Return what the sensor reads of a torque that opposes the motion of each node behind it.
+
+    As its node turns for a turn of the sensor, over the efficiencies between; negative where the sensor turns against
+    the motor.
+    """
+    read, efficiency = twin.springs[twin.rig.measured].b, _efficiency(twin)
+    way = 1.0 if twin.forward else -1.0
+    return {
+        node: way * twin.turns[node] / twin.turns[read] * efficiency[read] / efficiency[node]
+        for node in behind_sensor(twin) & twin.turns.keys()
+    }
 
 
 def behind_sensor(twin: Twin) -> set[str]:

@@ -217,7 +217,16 @@ class Twin:
     @cached_property
     def turns(self) -> dict[str, float]:
         """Turns of each node per turn of the motor, without sign."""
-        return {node: abs(ratio) for node, ratio in self.rig.speed_ratios(self.drives[0].on).items()}
+        return {node: abs(ratio) for node, ratio in self._ratios.items()}
+
+    @cached_property
+    def forward(self) -> bool:
+        """Whether the sensor turns the way of the motor; else it reads a torque that drives as negative."""
+        return self._ratios[self.springs[self.rig.measured].b] > 0
+
+    @cached_property
+    def _ratios(self) -> dict[str, float]:
+        return self.rig.speed_ratios(self.drives[0].on)
 
     def load_power(self, frequencies: Floats) -> Floats:
         """Return the one-sided spectral density that random loads leave in the reading [(N m)^2/Hz]."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.linear.kernel import elastic_plastic
-from torquerig.diagnose.linear.quasi_static import behind_sensor, dry_torque, yielding_torque
+from torquerig.diagnose.linear.quasi_static import dry_torque, shares_at_sensor, yielding_torque
 from torquerig.diagnose.linear.twin import Twin
 
 Floats = NDArray[np.float64]
@@ -35,19 +35,19 @@ def wound_torque(twin: Twin, *, speed: Floats, acceleration: Floats, step: float
     step, which no model knows.
     """
     torque, soft = np.zeros(speed.size), np.zeros(speed.size)
-    behind = behind_sensor(twin)
-    for node in sorted(behind & twin.turns.keys()):
+    for node, share in sorted(shares_at_sensor(twin).items()):
         terms = [t for t in twin.terms if node == getattr(t, "on", getattr(t, "node", None))]
         turned, gained = speed * twin.turns[node], acceleration * twin.turns[node]
         own = sum((yielding_torque(term, turned, gained) for term in terms), np.zeros(speed.size))
-        torque, soft = torque + own, soft + own
+        torque, soft = torque + share * own, soft + share * own
         forward = sum((dry_torque(term, np.abs(turned)) for term in terms), np.zeros(speed.size))
         backward = sum((-dry_torque(term, -np.abs(turned)) for term in terms), np.zeros(speed.size))
         if not (forward.any() or backward.any()):
             continue
         stiffness, twist = 1 / compliance(twin, node), turned * step
-        torque = torque + elastic_plastic(twist, stiffness, forward, backward, start)
-        soft = soft + elastic_plastic(twist, _PRESLIDING * stiffness, forward, backward, start)
+        at_first = start / share
+        torque = torque + share * elastic_plastic(twist, stiffness, forward, backward, at_first)
+        soft = soft + share * elastic_plastic(twist, _PRESLIDING * stiffness, forward, backward, at_first)
     return Wound(0.5 * (torque + soft), 0.5 * np.abs(torque - soft))
 
 
