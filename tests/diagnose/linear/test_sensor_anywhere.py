@@ -29,7 +29,7 @@ rig:
           efficiency: 0.9, output_inertia: 6 kg*cm^2}}
   behind: {{kind: torque_sensor, stiffness: 12000 N*m/rad, damping: 0.5 N*m*s/rad, inertia: 3 kg*cm^2,
            bandwidth: 500 Hz, noise_rms: 0.001 V}}
-  drum: {{kind: body, inertia: 0.01 kg*m^2, viscous: 0.05 N*m*s/rad}}
+  drum: {{kind: body, inertia: 0.01 kg*m^2, viscous: 0.02 N*m*s/rad}}
   fan: {{kind: quadratic_drag, at: drum, coefficient: 1.0e-4 N*m*s^2/rad^2}}
   speed_controller: {{kind: speed_controller, motor: motor, kp: 0.2 N*m*s/rad, ki: 2 N*m/rad}}
 """
