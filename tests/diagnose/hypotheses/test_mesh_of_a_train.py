@@ -13,6 +13,7 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.hypotheses import gear_mesh
 from torquerig.document import read_document
+from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import read_scenario
 
 PLANETARY, BELT = 4.0, 2.5
@@ -20,7 +21,10 @@ PLANETARY, BELT = 4.0, 2.5
 
 def proposed(with_lines_left: Callable[..., Case], at: float) -> list[Any]:
     document = read_document(shipped_scenarios() / "two_stage_branch.yaml")
-    rig = read_scenario(document, load_catalog(shipped_folder()), seed=1).rig
+    return proposed_for(read_scenario(document, load_catalog(shipped_folder()), seed=1).rig, with_lines_left, at)
+
+
+def proposed_for(rig: Rig, with_lines_left: Callable[..., Case], at: float) -> list[Any]:
     case = with_lines_left(at)
     model = SimpleNamespace(**{**vars(case.model), "rig": rig})
     train = cast("Case", SimpleNamespace(**{**vars(case), "nominal": rig, "model": model}))

@@ -12,11 +12,12 @@ from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.hypotheses.motor_orders import STRONG, cogging_orders
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
-from torquerig.rig.parts import BeltStage, Gear, Motor
+from torquerig.rig.parts import Motor
+from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.rig.rig import Rig
-from torquerig.scenario.kinematics import gears_to_sensor, turns_to
+from torquerig.scenario.kinematics import turns_to
 
-_FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output
+_FEWEST_TEETH, _MOST_TEETH = 10, 300  # per turn of a gear's output, or of its input where that is the slower one
 # few small gears have more teeth: odds of one in twenty, and of one in four hundred, twice their logarithms
 _UNCOMMON = {150: 6.0, 200: 12.0}
 _STRONGEST = 5  # lines that are tried as a mesh
@@ -34,7 +35,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     lines = [peak for peak in case.left if peak.place.domain == "order"][:_STRONGEST]
     tried: set[tuple[str, int]] = set()
     for peak in lines:
-        for gear, teeth in _meshes(gears_to_sensor(case.nominal), case.nominal, peak.place.at):
+        for gear, teeth in _meshes(case.nominal, peak.place.at):
             if (gear.name, teeth) in tried:
                 continue
             tried.add((gear.name, teeth))
@@ -43,26 +44,35 @@ def propose(case: Case) -> Iterator[Candidate]:
                 yield _mesh(case, gear, teeth, smeared=True)
 
 
-def _meshes(gears: Sequence[Gear | BeltStage], rig: Rig, at: float) -> list[tuple[Gear | BeltStage, int]]:
-    """Return which gears, with how many teeth per turn of their output, may have a harmonic at a motor order.
+def _meshes(rig: Rig, at: float) -> list[tuple[GearStage, int]]:
+    """Return which gears, with how many teeth, may have a harmonic at a motor order ``at``.
 
     Where one of them states its teeth, and so many, it is that one's.
     """
     found = []
-    for gear in gears:
-        turns = turns_to(rig, gear.name)
+    for gear in (part for part in rig.parts if isinstance(part, GearStage)):
+        turns = _turns_of_teeth(rig, gear)
         for harmonic in (1, 2, 3):
             whole = round(at * turns / harmonic)
             near = abs(at * turns / harmonic - whole) < SAME_ORDER * turns
             if near and _FEWEST_TEETH <= whole <= _MOST_TEETH:
                 found.append((gear, whole))
-    stated = [(gear, teeth) for gear, teeth in found if gear.teeth and gear.teeth[-1].mesh_order_out == teeth]
-    return stated or found
+    return [(gear, teeth) for gear, teeth in found if _states(gear, teeth)] or found
 
 
-def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = False) -> Candidate:
+def _states(gear: GearStage, teeth: int) -> bool:
+    order_out = teeth * min(abs(gear.ratio), 1.0)
+    return bool(gear.teeth) and abs(gear.teeth[-1].mesh_order_out - order_out) < SAME_ORDER
+
+
+def _turns_of_teeth(rig: Rig, gear: GearStage) -> float:
+    """Return the turns of the motor per turn of the gear's side that has whole teeth: the slower one."""
+    return turns_to(rig, gear.name) / min(abs(gear.ratio), 1.0)
+
+
+def _mesh(case: Case, gear: GearStage, teeth: int, *, smeared: bool = False) -> Candidate:
     """Return the mesh with the harmonics that show; with all of them where ``smeared`` ones may stand in bands."""
-    turns = turns_to(case.nominal, gear.name)
+    turns = _turns_of_teeth(case.nominal, gear)
     tooth = [h * teeth for h in range(1, _HARMONICS + 1)]  # the first may be too small for lines beside it
     planets = next((n for n in (3, 4, 5) if any(_beside(case, at, n, turns) for at in tooth)), None)
     # a mesh whose first harmonic nobody sees pays for it all the same, or half the teeth would do as well
@@ -71,7 +81,7 @@ def _mesh(case: Case, gear: Gear | BeltStage, teeth: int, *, smeared: bool = Fal
     part = mechanisms.GearMesh(
         name="gear_mesh",
         gear=gear.name,
-        order_output=float(teeth),
+        order_output=teeth * min(abs(gear.ratio), 1.0),
         transmission_error=tuple(_SMALL for _ in range(max(seen))),
         planets=planets or 3,
         planet_modulation=0.1 if planets else 0.0,

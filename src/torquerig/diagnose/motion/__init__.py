@@ -13,6 +13,7 @@ completing   the best hypothesis, and again                            objection
 convincing   whether a gain speaks for its mechanism                   places     what still stands out, where
 level        where over the speed the mean is wrong                    course     what comes again at a place
 steps        a moment at which the mean changes                        told       a finding in the contract's words
+believed     not what hardly foretells better, where the model stays wrong
 set_aside    why the others were not named
 diagnose_motion   all of it in order
 """

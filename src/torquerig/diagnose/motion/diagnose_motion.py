@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
 from torquerig.diagnose.fitting.knobs import nuisance_knobs
+from torquerig.diagnose.motion.believed import believed
 from torquerig.diagnose.motion.completing import completed
 from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, residuals_of
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
@@ -110,9 +111,10 @@ def diagnose_motion(
     progress("fitting the nominal model's own numbers")
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
     knobs = (*knobs, *knobs_of_the_sign(rig, knobs))
-    before, steps, refused = completed(rig, runs, knobs, progress=progress)
-    after = steps[-1].kept.model if steps else before
+    before, found, refused = completed(rig, runs, knobs, progress=progress)
     progress("predicting what no fit has seen")
+    steps, refused = believed(before, found, refused, runs)
+    after = steps[-1].kept.model if steps else before
     left = mismatches(after, runs)
     missed = mismatches(before, runs) if steps else left
     lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
