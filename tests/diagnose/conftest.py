@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import pi
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.shaft_angle import ShaftAngle
-from torquerig.document import read_document
+from torquerig.document import parse_document, read_document
 from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario, read_scenario
@@ -26,6 +27,23 @@ RATE = 5000.0  # [Hz] a fifth of the real rig's, so that a run costs a fifth
 DURATION = 6.0  # [s]
 OFF = 1.004  # a real speed is off its set-point
 FREE = ("wear_part.inertia", "coupling.stiffness", "wear_part.viscous", "motor.inertia", "torque_sensor.noise_rms")
+
+BENCH = """
+scenario: bench
+operating_point: {{motor_speed: 40 rad/s, load: {{occupancy: 5 %, particle_size: 0.5 mm}}}}
+measured: {measured}
+rig:
+  motor: {{kind: motor, inertia: 4.0e-4 kg*m^2, viscous: 2.0e-4 N*m*s/rad, torque_limit: 30 N*m}}
+  before: {{kind: torque_sensor, stiffness: 12000 N*m/rad, damping: 0.5 N*m*s/rad, inertia: 3 kg*cm^2,
+           bandwidth: 500 Hz, noise_rms: 0.001 V}}
+  gears: {{kind: fixed_axis_gear, teeth: {{pinion: 20, wheel: {wheel}}}, stiffness: 9000 N*m/rad, damping: 3 N*m*s/rad,
+          efficiency: 0.9, output_inertia: 6 kg*cm^2}}
+  behind: {{kind: torque_sensor, stiffness: 12000 N*m/rad, damping: 0.5 N*m*s/rad, inertia: 3 kg*cm^2,
+           bandwidth: 500 Hz, noise_rms: 0.001 V}}
+  drum: {{kind: body, inertia: 0.01 kg*m^2, viscous: 0.02 N*m*s/rad}}
+  fan: {{kind: quadratic_drag, at: drum, coefficient: 1.0e-4 N*m*s^2/rad^2}}
+  speed_controller: {{kind: speed_controller, motor: motor, kp: 0.2 N*m*s/rad, ki: 2 N*m/rad}}
+"""
 
 Record = Callable[..., Recording]
 
@@ -89,5 +107,16 @@ def by_hand() -> Callable[..., Observed]:
         run = Run(speed=speed, gear_ratio=5.0, profile=profile)  # type: ignore[arg-type]
         recording = Recording(sample_rate=rate, channels={"torque_V": volts}, run=run, name=name)
         return observed(recording, ShaftAngle(turned, measured, "made by hand"), ratio=5.0, factor=1.0)
+
+    return made
+
+
+@pytest.fixture(scope="session")
+def bench() -> Callable[..., Rig]:
+    """A pair of 20 and ``wheel`` teeth with a torque sensor ``before`` and one ``behind`` it, one of them measured."""
+
+    def made(measured: str, *, wheel: int) -> Rig:
+        document = parse_document(BENCH.format(measured=measured, wheel=wheel), Path("bench.yaml"))
+        return read_scenario(document, load_catalog(shipped_folder()), seed=1).rig
 
     return made

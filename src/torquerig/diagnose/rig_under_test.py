@@ -17,13 +17,14 @@ SPEED_KEPT = 0.03  # a set-point is kept within a per cent; beyond this the shee
 
 def check_rig(rig: Rig) -> None:
     """Raise where nothing drives the scenario's rig, or what is measured has no spring."""
+    driven = any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive))
     imposed = next(iter(rig.parts_of(ImposedMotion)), None)
-    if imposed is not None:
+    if imposed is not None and not driven:
         raise InputError(
             f"the scenario imposes the motion {imposed.name!r} and measures {rig.measured!r}; what a motion takes is "
             f"compared where it is imposed: write measured: {imposed.name}, or let a speed_controller drive the motor"
         )
-    if not any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive)):
+    if not driven:
         raise InputError(
             "nothing in the scenario drives a motor; add a speed_controller, or an imposed_motion under "
             "measured: where the motion itself was recorded"

@@ -11,7 +11,7 @@ from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.orders_standing_out import chances_of_orders, taken_together, turns_of
 from torquerig.errors import InputError, RecordingError, TorquerigError
-from torquerig.rig.parts.gear_stage import GearStage
+from torquerig.rig.parts.gear_stage import gear_stages
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of, turns_to
 from torquerig.signals.recording import Recording
@@ -23,7 +23,7 @@ _RESOLVED = 3.0  # bins between two lines
 
 def at_ratio_of(recordings: Sequence[Recording], rig: Rig) -> list[Recording]:
     """Return the recordings as runs of the rig's gear ratio up to the sensor, whatever their sheets say of it."""
-    if not _gears(rig):
+    if not gear_stages(rig):
         return [*recordings]
     ratio = kinematics_of(rig).ratio
     return [replace(recording, run=replace(recording.run, gear_ratio=ratio)) for recording in recordings]
@@ -82,16 +82,13 @@ def _not_of_this_rig(said: str, recordings: Sequence[Recording], ratio: float, *
 
 
 def _contradicts(recording: Recording, rig: Rig) -> bool:
-    """Whether the sheet states a ratio that no gear of the rig ends in, those behind the sensor included."""
+    """Whether the sheet states neither the ratio up to the sensor nor that up to any of the rig's gears."""
     stated = recording.run.gear_ratio
-    if not stated:
+    gears = gear_stages(rig)
+    if not (stated and gears):
         return False
-    ratios = [turns_to(rig, last.name) for last in _gears(rig)]
-    return bool(ratios) and all(abs(stated / ratio - 1) > _RATIO_KEPT for ratio in ratios)
-
-
-def _gears(rig: Rig) -> list[GearStage]:
-    return [part for part in rig.parts if isinstance(part, GearStage)]
+    ratios = [turns_to(rig, last) for last in (rig.measured, *(gear.name for gear in gears))]
+    return all(abs(stated / ratio - 1) > _RATIO_KEPT for ratio in ratios)
 
 
 def _behind_the_gear(rig: Rig, runs: Sequence[Observed]) -> list[float]:

@@ -171,3 +171,13 @@ def test_the_load_of_an_idle_rig_is_in_doubt_and_no_other(
     idle = replace(recording, run=replace(recording.run, occupancy_percent=percent))
     shown = replace(seen, observed=replace(seen.observed, recording=idle))
     assert expected(wear_rig.rig, shown).load_doubt == pytest.approx(doubt, rel=1e-6)
+
+
+def test_what_was_called_chance_counts_in_the_spreads_of_a_surer_model() -> None:
+    """Levels off by 1 N m are 1 each in spreads of 1 N m, and 4 in those of a model with a quarter of them; never less."""
+    none, off = np.zeros(0), np.ones(4)
+    unsure, sure = (Misfit(none, none, off / by, level_spread=np.full(4, by)) for by in (1.0, 0.25))
+    assert unsure.as_sure_as(sure).level == pytest.approx(sure.level)
+    assert sure.as_sure_as(unsure).level == pytest.approx(sure.level)
+    turning_back = Misfit(none, none, none, turning=off)
+    assert turning_back.as_sure_as(sure) is turning_back

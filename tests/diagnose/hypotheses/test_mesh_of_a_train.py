@@ -44,3 +44,14 @@ def test_other_teeth_may_be_of_any_gear(with_lines_left: Callable[..., Case]) ->
     found = {(part.gear, part.order_output) for part in proposed(with_lines_left, 8.0)}
     assert {("planetary", 32.0), ("belt", 80.0)} <= found
     assert ("belt", 20.0) not in found, "which is 8 times the belt's own ratio, and no order of its output"
+
+
+@pytest.mark.parametrize("measured", ["before", "behind"])
+def test_a_gear_that_drives_up_has_whole_teeth_on_its_slower_side(
+    measured: str, with_lines_left: Callable[..., Case], bench: Callable[..., Rig]
+) -> None:
+    """20 teeth drive 12, whose order is the output's own; a line at order 33 would be 33 teeth, 19.8 a turn of it."""
+    found = proposed_for(bench(measured, wheel=12), with_lines_left, 20.0)
+    assert {(part.gear, part.order_output) for part in found} == {("gears", 12.0)}
+    found = proposed_for(bench(measured, wheel=12), with_lines_left, 33.0)
+    assert ("gears", pytest.approx(19.8)) in [(part.gear, part.order_output) for part in found]

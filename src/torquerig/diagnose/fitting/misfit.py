@@ -46,6 +46,8 @@ class Misfit:
         off as a whole.
     turning : ndarray, shape (blocks,)
         Only of runs that turn back.
+    level_spread : ndarray, shape (parts,)
+        What the model calls chance in each level, and the tolerance [N m]; empty of runs that turn back.
     """
 
     bands: Floats
@@ -64,7 +66,10 @@ class Misfit:
         return replace(self, bands=np.zeros(0), lines=np.zeros(0))
 
     def as_sure_as(self, other: Misfit) -> Misfit:
-        """Return the residuals with levels in the spreads of ``other`` where these are smaller."""
+        """Return the residuals with levels in the spreads of ``other`` where these are smaller.
+
+        What a model misses widens what it calls chance, until little of it shows; in the spreads of a better one it does.
+        """
         if self.level_spread.size == 0 or self.level_spread.shape != other.level_spread.shape:
             return self
         return replace(self, level=self.level * np.maximum(1.0, self.level_spread / other.level_spread))

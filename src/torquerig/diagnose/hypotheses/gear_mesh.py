@@ -13,7 +13,7 @@ from torquerig.diagnose.hypotheses.motor_orders import STRONG, cogging_orders
 from torquerig.diagnose.looking.places import SAME_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
-from torquerig.rig.parts.gear_stage import GearStage
+from torquerig.rig.parts.gear_stage import GearStage, gear_stages
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import turns_to
 
@@ -50,7 +50,7 @@ def _meshes(rig: Rig, at: float) -> list[tuple[GearStage, int]]:
     Where one of them states its teeth, and so many, it is that one's.
     """
     found = []
-    for gear in (part for part in rig.parts if isinstance(part, GearStage)):
+    for gear in gear_stages(rig):
         turns = _turns_of_teeth(rig, gear)
         for harmonic in (1, 2, 3):
             whole = round(at * turns / harmonic)
@@ -61,13 +61,17 @@ def _meshes(rig: Rig, at: float) -> list[tuple[GearStage, int]]:
 
 
 def _states(gear: GearStage, teeth: int) -> bool:
-    order_out = teeth * min(abs(gear.ratio), 1.0)
-    return bool(gear.teeth) and abs(gear.teeth[-1].mesh_order_out - order_out) < SAME_ORDER
+    return bool(gear.teeth) and abs(gear.teeth[-1].mesh_order_out - teeth * _slower(gear)) < SAME_ORDER
+
+
+def _slower(gear: GearStage) -> float:
+    """Return the turns of the side on which teeth are counted per turn of the output: 1 but where it drives up."""
+    return min(abs(gear.ratio), 1.0)
 
 
 def _turns_of_teeth(rig: Rig, gear: GearStage) -> float:
-    """Return the turns of the motor per turn of the gear's side that has whole teeth: the slower one."""
-    return turns_to(rig, gear.name) / min(abs(gear.ratio), 1.0)
+    """Return the turns of the motor per turn of the side on which teeth are counted."""
+    return turns_to(rig, gear.name) / _slower(gear)
 
 
 def _mesh(case: Case, gear: GearStage, teeth: int, *, smeared: bool = False) -> Candidate:
@@ -81,7 +85,7 @@ def _mesh(case: Case, gear: GearStage, teeth: int, *, smeared: bool = False) -> 
     part = mechanisms.GearMesh(
         name="gear_mesh",
         gear=gear.name,
-        order_output=teeth * min(abs(gear.ratio), 1.0),
+        order_output=teeth * _slower(gear),
         transmission_error=tuple(_SMALL for _ in range(max(seen))),
         planets=planets or 3,
         planet_modulation=0.1 if planets else 0.0,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.parts import Body, Motor, TorqueSensor
-from torquerig.scenario.kinematics import gears_to_sensor
+from torquerig.rig.parts.gear_stage import gear_stages
 
 _NO_PART = "the rig has no loaded part"
 
@@ -22,7 +22,7 @@ def _orders_left(case: Case) -> bool:
 
 
 def _gear_mesh(case: Case) -> str:
-    if not gears_to_sensor(case.nominal):
+    if not gear_stages(case.nominal):
         return "the rig has no gear"
     return "no left line at a whole order of a gear's output" if _orders_left(case) else "no line of an order is left"
 

@@ -10,6 +10,11 @@ from torquerig.rig.rig import Rig
 GearStage = Gear | BeltStage
 
 
+def gear_stages(rig: Rig) -> tuple[GearStage, ...]:
+    """Return all gears and belts of the rig, those behind the sensor and on branches included."""
+    return tuple(part for part in rig.parts if isinstance(part, GearStage))
+
+
 def gear_stage(rig: Rig, name: str, *, owner: str) -> GearStage:
     """Return the gear or belt ``name``; InputError, said of the effect ``owner``, where it is none."""
     part = rig.part(name)
