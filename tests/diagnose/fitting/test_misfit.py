@@ -174,7 +174,7 @@ def test_the_load_of_an_idle_rig_is_in_doubt_and_no_other(
 
 
 def test_what_was_called_chance_counts_in_the_spreads_of_a_surer_model() -> None:
-    """Levels off by 1 N m are 1 each in spreads of 1 N m, and 4 in those of a model with a quarter of them; never less."""
+    """Levels off by 1 N m count 1 in spreads of 1 N m, 4 in those of a model with a quarter of them; never less."""
     none, off = np.zeros(0), np.ones(4)
     unsure, sure = (Misfit(none, none, off / by, level_spread=np.full(4, by)) for by in (1.0, 0.25))
     assert unsure.as_sure_as(sure).level == pytest.approx(sure.level)

@@ -68,7 +68,7 @@ class Misfit:
     def as_sure_as(self, other: Misfit) -> Misfit:
         """Return the residuals with levels in the spreads of ``other`` where these are smaller.
 
-        What a model misses widens what it calls chance, until little of it shows; in the spreads of a better one it does.
+        What a model misses widens what it calls chance, until little of it shows; in those of a better one it does.
         """
         if self.level_spread.size == 0 or self.level_spread.shape != other.level_spread.shape:
             return self
