@@ -10,9 +10,10 @@ from torquerig.diagnose.diagnosis import HeldOut, Mismatch
 from torquerig.diagnose.findings import Searched
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.changing import changing
+from torquerig.diagnose.judging.combined_lines import may_be_combined
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
-from torquerig.diagnose.judging.leftover import detail_of, mismatches, of_flights
+from torquerig.diagnose.judging.leftover import detail_of, mismatches, of_flights, stands_at
 from torquerig.diagnose.judging.passing import passing
 from torquerig.diagnose.judging.withdrawn import (
     COMES_AND_GOES,
@@ -141,6 +142,8 @@ def _foretold(known: _Known, sought: Searched, *, why: str) -> Believed:
 def _refused(start: Beginning, told: Believed) -> str:
     """Return why it is not to be believed; nothing where it is."""
     accepted = told.sought.accepted
+    ratio = abs(start.before.nominal.run.gear_ratio or 1.0)
+    places = [each.trial.candidate.place for each in accepted if each.trial.candidate.place is not None]
     flown = any(of_flights(mismatch) and len(mismatch.recordings) > 1 for mismatch in told.missed)
     return why_withdrawn(
         told.fit, told.left, effects=len(accepted), passing=told.came_and_went,
@@ -148,5 +151,7 @@ def _refused(start: Beginning, told: Believed) -> str:
         drifts_in_all=bool(told.changes) and told.after.has("sensor_drift"),
         samples_too=bool(start.untrue or start.faults.untrue), again=told.why == LEAVES_A_REST,
         turning_lines=told.sought.turning_lines,
+        combined=may_be_combined(told.after, places),
+        own_line=any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
         flights_told=flown and told.after.has(MECHANISM) and not any(of_flights(each) for each in told.left),
     )  # fmt: skip

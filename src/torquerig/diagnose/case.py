@@ -50,6 +50,8 @@ class Candidate:
         Of one that names no cause, in words; empty for mechanisms of the library.
     price : float
         What it must gain beside, because few rigs have its like.
+    spared : float
+        As much of ``price`` as it need not gain where lines at known orders tell it (``choosing.told_by_lines``).
     loosens : tuple of str
         Fields of the model whose numbers have stood in for it, and must give way where it is looked at first.
     bends : tuple of str
@@ -72,6 +74,7 @@ class Candidate:
     place: Place | None = None
     description: str = ""
     price: float = 0.0
+    spared: float = 0.0
     loosens: tuple[str, ...] = ()
     bends: tuple[str, ...] = ()
     promised: float = math.inf

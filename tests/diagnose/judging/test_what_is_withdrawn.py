@@ -122,3 +122,22 @@ def test_one_of_several_whole_orders_is_no_effect_of_its_own(
         for at in orders
     )  # fmt: skip
     assert (why_withdrawn(fit(1.25, after, 0.9), left, turning_lines=turning_lines) == "") is stays
+
+
+@pytest.mark.parametrize(
+    ("turning", "own", "combined", "left", "why"),
+    [
+        (True, True, False, SOMEWHERE, "very line"),
+        (False, True, False, SOMEWHERE, ""),  # another effect was found beside it
+        (True, False, True, SOMEWHERE, "sum or the difference"),
+        (True, False, True, (), ""),  # nothing bends that anybody sees
+        (False, False, True, SOMEWHERE, ""),
+    ],
+)
+def test_a_line_goes_that_its_cause_does_not_explain(
+    turning: bool, own: bool, combined: bool, left: Any, why: str
+) -> None:
+    held = fit(5.0, 1.1, 0.95)
+    told = why_withdrawn(held, left, turning_lines=turning, own_line=own, combined=combined)
+    assert why in told
+    assert bool(told) is bool(why)

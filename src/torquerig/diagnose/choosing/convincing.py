@@ -10,6 +10,7 @@ import numpy as np
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
+from torquerig.diagnose.choosing.told_by_lines import told_by_lines
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import misfit_sum, missed_alone, robust_squares
@@ -63,11 +64,14 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     details = [*_gains_of_details(case, trial, earlier), _OF_ALL * excess(case)]
     missed = min(max(trial.model.cost / feature_count(trial.model), 1.0), _MOST_MISSED)
     least = _least_gain(case, trial) * missed
-    if trial.gain <= max(_LESS * least, *details):
+    by_lines = told_by_lines(case, trial, held)
+    if trial.gain <= max(0.0 if by_lines else _LESS * least, *details):
         return False
     again = _gained_again(case, trial, held)
     if again is not None and again < 0:
         return False
+    if by_lines:
+        return True
     alone = not (trial.candidate.description or any(_may_leave(each, trial) for each in earlier))
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
     if trusted and not _falls_clearly(case, trial):

@@ -14,6 +14,7 @@ from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, s
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
 from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.screening import finalists, given_way_to, screened
+from torquerig.diagnose.choosing.told_by_lines import spared
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
 from torquerig.diagnose.fitting.knobs import turned
@@ -73,7 +74,7 @@ def trials(
             fitted += _gap(case)
         except SimulationError:
             gap_failed = True
-    fitted = [trial for trial in fitted if can_be(trial.candidate, trial.model)]
+    fitted = [spared(case, trial) for trial in fitted if can_be(trial.candidate, trial.model)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(tried), gap_failed)
 

@@ -12,8 +12,8 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.judging.by_simulation import left_and_fall, left_by_simulation
-from torquerig.diagnose.judging.leftover import mismatches
-from torquerig.diagnose.looking.places import SAME_ORDER, Place
+from torquerig.diagnose.judging.leftover import mismatches, stands_at
+from torquerig.diagnose.looking.places import Place
 
 _SMALL = 0.03  # of what an effect took that was found earlier
 _AGAIN = 1 / 3  # of what a trial gains: it gains so much beside simulations of the rig without it, too
@@ -41,16 +41,15 @@ def stands_in_simulations(case: Case, trial: Trial) -> bool:
     """
     place, ratio = trial.candidate.place, abs(case.nominal.run.gear_ratio or 1.0)
     left = mismatches(case)
-    its = left if place is None else [each for each in left if _at(each, place, ratio) or _around(each, place, case)]
+    its = (
+        left
+        if place is None
+        else [each for each in left if stands_at(each, place, ratio) or _around(each, place, case)]
+    )
     if place is not None or trial.model.corrections:
         return bool(left_by_simulation(case, its))
     stay, fall = left_and_fall(case, its, trial.model.rig)
     return bool(stay) or fall > max(_AGAIN * trial.gain, LEAST_GAIN)
-
-
-def _at(mismatch: Mismatch, place: Place, ratio: float) -> bool:
-    turns = ratio if mismatch.axis == "output_shaft" else 1.0
-    return mismatch.domain == place.domain and abs(mismatch.at / turns - place.at) < SAME_ORDER
 
 
 def _around(mismatch: Mismatch, place: Place, case: Case) -> bool:

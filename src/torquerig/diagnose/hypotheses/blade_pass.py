@@ -10,7 +10,7 @@ from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case, bent_lines, le
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.diagnose.linear.twin import Twin
-from torquerig.diagnose.looking.places import SAME_ORDER, Place
+from torquerig.diagnose.looking.places import WHOLE_ORDER, Place
 from torquerig.diagnose.looking.pulses_both_ways import pulses_both_ways
 
 _STRONGEST = 5
@@ -66,4 +66,4 @@ def _instead_of_own_lines(case: Case, turns: float) -> Iterator[int]:
 def _whole(blades: float, turns: float) -> int:
     """Return the whole number of blades that an order stands at, else 0."""
     whole = round(blades)
-    return whole if 1 <= whole <= _MOST_BLADES and abs(blades - whole) * turns <= SAME_ORDER else 0
+    return whole if 1 <= whole <= _MOST_BLADES and abs(blades - whole) * turns <= WHOLE_ORDER else 0

@@ -10,7 +10,7 @@ from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.hypotheses.motor_orders import BY_SKIRTS
 from torquerig.diagnose.looking.peaks import Peak
-from torquerig.diagnose.looking.places import SAME_ORDER, order
+from torquerig.diagnose.looking.places import SAME_ORDER, WHOLE_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 
@@ -38,7 +38,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     if motors:
         yield from _by_its_skirts(case, motors[0])
     for peak in _of_the_motor(case, motors[0]) if motors else []:
-        if abs(peak.place.at - round(peak.place.at)) < SAME_ORDER:
+        if abs(peak.place.at - round(peak.place.at)) < WHOLE_ORDER:
             part = mechanisms.CommutationRipple(
                 name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
             )

@@ -10,7 +10,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.hypotheses.motor_orders import STRONG, cogging_orders
-from torquerig.diagnose.looking.places import SAME_ORDER, order
+from torquerig.diagnose.looking.places import SAME_ORDER, WHOLE_ORDER, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 from torquerig.rig.parts.gear_stage import GearStage, gear_stages
@@ -54,7 +54,7 @@ def _meshes(rig: Rig, at: float) -> list[tuple[GearStage, int]]:
         turns = _turns_of_teeth(rig, gear)
         for harmonic in (1, 2, 3):
             whole = round(at * turns / harmonic)
-            near = abs(at * turns / harmonic - whole) < SAME_ORDER * turns
+            near = abs(at * turns / harmonic - whole) < WHOLE_ORDER * turns
             if near and _FEWEST_TEETH <= whole <= _MOST_TEETH:
                 found.append((gear, whole))
     return [(gear, teeth) for gear, teeth in found if _states(gear, teeth)] or found

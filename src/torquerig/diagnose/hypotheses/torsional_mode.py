@@ -27,7 +27,7 @@ _RINGS, _NEVER_DIES = 0.2, 0.001
 _WHERE_SWEPT = 100.0  # what one must gain beside where a line swept: what is left of that looks like a light branch
 # a spectrum tells the width of a line no finer than its bands and the wander of the load let it
 TOLD_LOOSELY = {"damping_ratio": 1.0}
-_PROMISED = 10.0  # by the derivatives, of what fits then may find: a quarter of what an effect must gain
+_PROMISED = 2.0  # by the derivatives, beyond what its numbers must gain: what lines tell of a light one is little
 _SOUGHT = 20.0  # what one must gain beside for being sought at so many places: the best of them by chance gains 2 ln n
 
 
@@ -78,7 +78,7 @@ def _branch(body: Body, frequency: float, inertia: float, swept: Iterable[tuple[
     price = _SOUGHT + (_WHERE_SWEPT if any(low <= frequency <= high for low, high in swept) else 0.0)
     return Candidate(
         mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends, promised=_PROMISED, resembled=True,
-        price=price,
+        price=price, spared=_SOUGHT,
     )  # fmt: skip
 
 

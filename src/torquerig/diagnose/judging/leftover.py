@@ -24,6 +24,7 @@ from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN
 from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
+from torquerig.diagnose.looking.places import SAME_ORDER, Place
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
@@ -53,6 +54,12 @@ def mismatches(case: Case, beyond: Sequence[Correction] = ()) -> tuple[Mismatch,
 def of_flights(mismatch: Mismatch) -> bool:
     """Whether it tells that flanks fly."""
     return mismatch.domain == "distribution" and mismatch.axis == "V"
+
+
+def stands_at(mismatch: Mismatch, place: Place, ratio: float) -> bool:
+    """Whether it is of the line at ``place`` in a rig whose motor turns ``ratio`` times as fast as its output."""
+    turns = ratio if mismatch.axis == "output_shaft" else 1.0
+    return mismatch.domain == place.domain and abs(mismatch.at / turns - place.at) < SAME_ORDER
 
 
 def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | None:

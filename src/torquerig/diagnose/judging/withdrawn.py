@@ -35,6 +35,11 @@ ONE_OF_MANY = (
     "fitted, and withdrawn: other lines at whole orders of the shaft stay, with most of what is wrong, and it may be "
     "one of theirs"
 )
+_ITS_OWN_LINE = "fitted, and withdrawn: the very line that it makes stays wrong in a run, by more than chance"
+_COMBINED = (
+    "fitted, and withdrawn: its order is the sum or the difference of two of the rig's own that are larger, and the "
+    "model stays wrong elsewhere: something that bends makes such lines"
+)
 _SEVERAL = 2  # runs, or lines
 _WHOLE = 0.02  # [1/rev] so near an order is whole
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
@@ -43,7 +48,7 @@ _MANY = 3  # effects at once: few rigs have two, and one that nothing explains f
 def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
-    flights_told: bool = False, turning_lines: bool = False,
+    flights_told: bool = False, turning_lines: bool = False, own_line: bool = False, combined: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -70,6 +75,10 @@ def why_withdrawn(
         that is foretold.
     turning_lines : bool
         Whether all that was found makes lines at orders, and nothing else.
+    own_line : bool
+        Whether one of those lines is among what is left: it goes with something that its cause knows nothing of.
+    combined : bool
+        Whether each of those lines may be made of two of the rig's own.
     """
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
@@ -78,6 +87,8 @@ def why_withdrawn(
         (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
         (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
+        (turning_lines and own_line, _ITS_OWN_LINE),
+        (left and turning_lines and combined, _COMBINED),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),

@@ -19,7 +19,7 @@ from torquerig.diagnose.looking.order_or_fixed import (
     rather_fixed,
 )
 from torquerig.diagnose.looking.peaks import LEADING, SHIFTED, TOP_ORDER, Peak, peaks
-from torquerig.diagnose.looking.places import SAME_ORDER, Place, frequency, order
+from torquerig.diagnose.looking.places import SAME_ORDER, WHOLE_ORDER, Place, frequency, order
 from torquerig.diagnose.looking.side_lines import without_side_lines
 from torquerig.diagnose.looking.smeared_orders import smeared_orders
 from torquerig.diagnose.looking.tone_frequency import told_frequency
@@ -31,7 +31,6 @@ _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and
 _ASKED = 5  # of the clearest: whether they may keep their frequency
 _HARMONICS = 6  # of a line, up to which others are taken for its own
 _AMONG_MANY = 3.0  # whole orders of the output either way: which of them is meant nobody could tell
-_WHOLE = 0.004  # [1/rev of the motor]: so near to a whole order of a shaft a line is taken to stand on it
 
 
 def known_places(runs: Sequence[Observed], rig: Rig) -> list[Place]:
@@ -135,7 +134,7 @@ def _of_all_runs(peak: Peak, runs: Sequence[Observed], lines: Sequence[Place]) -
 def _series(found: Sequence[Peak], ratio: float, *, least: float) -> list[int]:
     """Return the whole output orders of lines at least so clear, whose harmonics may be left as well."""
     turning = [peak.place.at * ratio for peak in found if peak.place.domain == "order" and peak.excess >= least]
-    return [round(at) for at in turning if abs(at - round(at)) < _WHOLE * ratio and round(at) > 1]
+    return [round(at) for at in turning if abs(at - round(at)) < WHOLE_ORDER * ratio and round(at) > 1]
 
 
 def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[int]) -> Place:
@@ -153,7 +152,7 @@ def _whole(peak: Peak, runs: Sequence[Observed], ratio: float, series: Sequence[
         if peak.speeds > 1 or any(peak.place.at > TOP_ORDER * run.rate / 2 for run in shown):
             return peak.place
         at = peak.place.at / Place("order", 1.0).frequency(shown[0].mean_speed)
-    reach = max(_WHOLE, SHIFTED * min((run.smearing for run in shown), default=0.0) * at)
+    reach = max(WHOLE_ORDER, SHIFTED * min((run.smearing for run in shown), default=0.0) * at)
     if peak.place.domain == "frequency" and reach * ratio > _AMONG_MANY:
         return peak.place
     whole = min(_wholes(at * ratio, reach * ratio), key=lambda one: _preferred(one, at * ratio, series), default=0)

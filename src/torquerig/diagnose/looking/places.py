@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 SAME_ORDER = 0.006  # [1/rev of the motor] two orders nearer than this are one
+WHOLE_ORDER = 0.004  # [1/rev of the motor] so near to a whole order of a shaft a line is taken to stand on it
 RESOLVED = 0.7  # two lines nearer than this many bins of a stretch are one line to it
 RESOLVED_WELL = 1.3  # the same in steady runs whose angle was not measured, and where lines are still looked for
 
