@@ -15,6 +15,7 @@ from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.judging.leftover import detail_of, mismatches, of_flights, stands_at
 from torquerig.diagnose.judging.passing import passing
+from torquerig.diagnose.judging.whole_fit import FAR, missed_everywhere
 from torquerig.diagnose.judging.withdrawn import (
     COMES_AND_GOES,
     LEAVES_A_REST,
@@ -151,7 +152,9 @@ def _refused(start: Beginning, told: Believed) -> str:
         drifts_in_all=bool(told.changes) and told.after.has("sensor_drift"),
         samples_too=bool(start.untrue or start.faults.untrue), again=told.why == LEAVES_A_REST,
         turning_lines=told.sought.turning_lines,
-        combined=may_be_combined(told.after, places),
-        own_line=any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
+        combined=told.sought.turning_lines and may_be_combined(told.after, places),
+        own_line=told.sought.lines_of_one_size
+        and any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
+        everywhere=missed_everywhere(told.after, told.held, by=FAR),
         flights_told=flown and told.after.has(MECHANISM) and not any(of_flights(each) for each in told.left),
     )  # fmt: skip

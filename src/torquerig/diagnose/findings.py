@@ -25,6 +25,7 @@ from torquerig.diagnose.sentences import explanation
 
 _MOST_RIVALS = 3
 _TURNING_LINES = frozenset({"gear_mesh", "cogging", "commutation_ripple", "blade_pass"})
+_OF_ONE_SIZE = _TURNING_LINES | {"pwm_aliasing"}  # lines that nothing but the speed and the load change
 _SEEN_IN_SAMPLES = 0.98  # confidence
 
 
@@ -70,6 +71,11 @@ class Searched:
     def turning_lines(self) -> bool:
         """Whether all that was accepted makes lines at orders, and nothing else."""
         return bool(self.accepted) and all(each.trial.candidate.mechanism in _TURNING_LINES for each in self.accepted)
+
+    @property
+    def lines_of_one_size(self) -> bool:
+        """Whether all that was accepted makes lines whose size its cause tells of every run."""
+        return bool(self.accepted) and all(each.trial.candidate.mechanism in _OF_ONE_SIZE for each in self.accepted)
 
     def in_turn(self, before: Case, held: Sequence[Features]) -> Iterator[Searched]:
         """Yield what is to be believed first, and what instead where that does not hold on what no fit has seen.

@@ -40,6 +40,16 @@ def test_a_rhythm_is_told_whole_or_not(every: float, smooth: np.ndarray) -> None
         assert np.abs(again - slow)[1000:-1000].max() < 0.02
 
 
+def test_a_rhythm_is_told_under_the_noise_of_what_comes_behind(smooth: np.ndarray) -> None:
+    at = (np.floor(np.arange(smooth.size) / 10.7) * 10.7).astype(int)
+    noise = 2e-4 * np.random.default_rng(6).standard_normal(smooth.size)
+    held = of(smooth[at] + noise)
+    assert renewed_every(held) == pytest.approx(10.7, rel=1e-3)
+    lines = on_straight_lines(held).channels["torque_V"].values
+    assert np.mean(np.diff(lines) == 0) < 0.01  # where two renewals are alike nothing stands still all the same
+    assert np.abs(lines - smooth)[1000:-1000].std() < 0.8 * np.abs(held.channels["torque_V"].values - smooth).std()
+
+
 def test_what_is_not_held_keeps_none(smooth: np.ndarray) -> None:
     lost = smooth.copy()
     lost[3000:23_000] = 0.0  # half of it, at one level

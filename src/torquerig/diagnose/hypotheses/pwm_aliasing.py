@@ -20,7 +20,7 @@ _STRONGEST = 3
 _START = 2e-3  # [V]
 _OF_THE_GRID = 0.003  # relative; so near to 50 or 60 Hz, or a low harmonic, an alias falls once in a thousand
 _HARMONICS = (1, 2, 3, 5, 7)  # that a grid has
-_LOWEST_COMB = 20.0  # [Hz] a slower rhythm is something's that moves, and no switching
+_LOWEST = 20.0  # [Hz] a slower tone is something's that moves, and no switching
 _TEETH = 3  # lines that make a comb
 _APART = 1e-3  # by which a tooth may miss its multiple, relative
 _BY_CHANCE = 0.02  # of all tones fall so near to a whole order of a shaft, where runs tell no speed from another
@@ -35,7 +35,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     """
     top = mechanical_range(case)
     doubtful, fixed = list(doubtful_lines(case)), fixed_lines(case)
-    lines = [peak for peak in fixed if (peak.place.at > top or peak in doubtful) and not _of_the_grid(peak)]
+    able = (peak for peak in fixed if peak.place.at > top or (peak in doubtful and peak.place.at > _LOWEST))
+    lines = [peak for peak in able if not _of_the_grid(peak)]
     for peak in lines[:_STRONGEST]:
         yield _tones([peak], price=-2 * log(_BY_CHANCE) if peak in doubtful else 0.0)
     comb = _comb(fixed)
@@ -67,7 +68,7 @@ def _tones(lines: Sequence[Peak], *, price: float = 0.0) -> Candidate:
 def _comb(lines: Sequence[Peak]) -> list[Peak]:
     """Return the longest comb among the fixed lines, its lowest first; beats of the mains are no comb of their own."""
     combs = []
-    for base in (peak for peak in lines if peak.place.at > _LOWEST_COMB):
+    for base in (peak for peak in lines if peak.place.at > _LOWEST):
         ratios = [peak.place.at / base.place.at for peak in lines]
         teeth = [p for p, r in zip(lines, ratios, strict=True) if r > 0.99 and abs(r - round(r)) < _APART * r]
         if not any(abs(base.place.at / grid - round(base.place.at / grid)) < 0.01 for grid in GRIDS):

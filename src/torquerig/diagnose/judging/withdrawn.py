@@ -12,6 +12,7 @@ _NO_BETTER = 0.98  # of it: less than so much of a fall is none, for what is the
 _CLEAR, _NEARLY_ALL = 0.3, 0.8  # of that misfit beyond chance: clearly there, and hardly less with what was found
 _ITS_PLACES = 0.9  # of what is missed where it acts: what else the rig lacks is not its to explain
 _LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
+_QUARTER = 0.25  # of it, where the model misses far more than chance all over
 _FAR_OFF = 5.0  # beyond chance, per feature: where so much stays, no place stands out only as each is forgiven much
 _MOST_OF_IT = 2 / 3  # of all that was missing: a line that takes less, of several that stay, may be one of theirs
 _PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
@@ -49,6 +50,7 @@ def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
     flights_told: bool = False, turning_lines: bool = False, own_line: bool = False, combined: bool = False,
+    everywhere: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -76,9 +78,12 @@ def why_withdrawn(
     turning_lines : bool
         Whether all that was found makes lines at orders, and nothing else.
     own_line : bool
-        Whether one of those lines is among what is left: it goes with something that its cause knows nothing of.
+        Whether all that was found makes lines whose size its cause tells, and one of them is among what is left: it
+        goes with something that its cause knows nothing of.
     combined : bool
-        Whether each of those lines may be made of two of the rig's own.
+        Whether all that was found makes lines that may be made of two of the rig's own.
+    everywhere : bool
+        Whether the completed model misses far more than chance, though no place of it stands out.
     """
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not resembled and _clearly_there(fit)
@@ -87,13 +92,14 @@ def why_withdrawn(
         (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
         (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
-        (turning_lines and own_line, _ITS_OWN_LINE),
-        (left and turning_lines and combined, _COMBINED),
+        (own_line, _ITS_OWN_LINE),
+        (left and combined, _COMBINED),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
         (left and rest > _LARGE_REST * missing and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
+        (everywhere and not (left or samples_too) and rest > _QUARTER * missing, LEAVES_A_REST),
         (not (left or samples_too) and rest > max(_LARGE_REST * missing, _FAR_OFF), LEAVES_A_REST),
     )
     return next((reason for speaks, reason in against if speaks), "")

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.signals.recording import Recording
 
 _STANDS = 0.4  # share of the steps that are none: every second sample held makes half
+_NOISE = 6.0  # medians of the steps: what is less while most stand is the noise of what comes behind the hold
+_SELDOM = 0.005  # of the steps: what stands longer than two hundred samples is told by other means
 _IN_STEP = 0.7  # of the changes, summed with the phase of their rhythm: all of them would make 1, and no scallop 0.9
 _PADDED = 2  # times the length: a rhythm between two frequencies of the transform keeps nine tenths
 
@@ -16,9 +19,9 @@ def renewed_every(recording: Recording) -> float | None:
 
     Values that stand still on coarse codes change whenever the signal crosses one: those changes keep no rhythm.
     """
-    changes = np.diff(recording.channels[recording.torque_name()].values) != 0
+    changes = _changes(recording.channels[recording.torque_name()].values)
     number = int(changes.sum())
-    if number < 2 or changes.mean() > 1 - _STANDS:
+    if not _SELDOM * changes.size < number < (1 - _STANDS) * changes.size:
         return None
     spectrum = np.abs(np.fft.rfft(changes, _PADDED * changes.size)) / number
     spectrum[: max(1, number // 2)] = 0.0  # a rhythm has at least as many beats as there are changes, but for a few
@@ -26,11 +29,30 @@ def renewed_every(recording: Recording) -> float | None:
     return _PADDED * changes.size / beat if spectrum[beat] > _IN_STEP else None
 
 
+def _changes(values: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which steps are more than noise, where most are none or that; shape (samples - 1,)."""
+    steps = np.abs(np.diff(values))
+    return np.asarray(steps > _NOISE * np.median(steps))
+
+
 def on_straight_lines(recording: Recording) -> Recording:
     """Return the recording with straight lines from one renewal to the next, as it is where nothing is held."""
-    if renewed_every(recording) is None:
+    every = renewed_every(recording)
+    if every is None:
         return recording
     name = recording.torque_name()
     values = recording.channels[name].values
-    renewed = np.concatenate([[0], np.flatnonzero(np.diff(values)) + 1])
-    return recording.with_values(name, np.interp(np.arange(values.size), renewed, values[renewed]))
+    renewed = np.concatenate([[0], _renewals(np.flatnonzero(_changes(values)) + 1, every)])
+    held = np.add.reduceat(values, renewed) / np.diff(np.append(renewed, values.size))
+    return recording.with_values(name, np.interp(np.arange(values.size), renewed, held))
+
+
+def _renewals(changed: NDArray[np.int_], every: float) -> NDArray[np.int_]:
+    """Return the samples that are renewed: those that change and, evenly between them, those whose turn it is."""
+    beats = np.maximum(np.round(np.diff(changed) / every), 1).astype(int)
+    between = [
+        np.linspace(start, stop, number + 1)[1:-1]
+        for start, stop, number in zip(changed[:-1], changed[1:], beats, strict=True)
+        if number > 1
+    ]
+    return np.union1d(changed, np.round(np.concatenate([changed[:0], *between])).astype(int))
