@@ -12,6 +12,7 @@ from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.judging.combined_lines import may_be_combined
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
+from torquerig.diagnose.judging.growing_lines import growing_lines
 from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
 from torquerig.diagnose.judging.leftover import detail_of, mismatches, of_flights, stands_at
 from torquerig.diagnose.judging.passing import passing
@@ -99,7 +100,9 @@ def believed(start: Beginning, found: Searched, *, seed: int) -> Believed:
         Of the bootstrap of what the held-out misfit falls by.
     """
     before, fitted = start.before, start.of_fitted_runs()
-    changes = changing([run for run in before.runs if run.name not in start.faults.clipped])
+    whole = [run for run in before.runs if run.name not in start.faults.clipped]
+    own = [place for place in before.seen[0].places if place not in before.seen[0].unknown]
+    changes = (*changing(whole), *growing_lines(whole, own))
     known, why = _Known(start=start, missed=mismatches(before), changes=changes, seed=seed), ""
     for sought in found.in_turn(before, fitted):
         if _asked_in_vain(sought, why):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.explained import explained_share
+from torquerig.diagnose.choosing.explained import changes_places, explained_share
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
@@ -16,7 +16,7 @@ from torquerig.diagnose.looking.features import Features
 # robust squares by which the lines of the runs must fall: of 150 blind rigs with nothing hidden, those beside the best
 # low-pass fall by 2 at most, though the bands fall by as much as 40, and beside the best of 240 modes by 5
 _FALL, _OF_SOUGHT = 8.0, 12.0
-_SHARE = 0.6  # of its places: what is missed there is little
+_SHARE = 0.6  # of its places, where any line falls clearly: what is missed there is little
 
 
 def told_by_lines(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
@@ -33,7 +33,8 @@ def told_by_lines(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
     held : sequence of Features
         Of the stretches that no fit has seen.
     """
-    if not _tell(case, trial) or explained_share(case.model.misfits, trial.model.misfits) < _SHARE:
+    fits = case.model.misfits, trial.model.misfits
+    if not _tell(case, trial) or (changes_places(*fits) and explained_share(*fits) < _SHARE):
         return False
     again = _of_lines(misfits_of(case.model.rig, held)) - _of_lines(misfits_of(trial.model.rig, held))
     return again > 0
