@@ -22,11 +22,15 @@ from torquerig.signals.recording import Recording
 COUNT = 15
 
 
-def case_of(*runs: NDArray[np.float64], steady: bool = False, corrections: tuple[int, ...] = ()) -> Case:
+def case_of(
+    *runs: NDArray[np.float64], steady: bool = False, corrections: tuple[int, ...] = (), occupancy: float = 0.0
+) -> Case:
     """Runs whose levels miss the model by so many spreads, in stretches of one second."""
     seen = [
         SimpleNamespace(
-            observed=SimpleNamespace(name=f"run{at}", steady=steady, rate=100.0),
+            observed=SimpleNamespace(
+                name=f"run{at}", steady=steady, rate=100.0, run=SimpleNamespace(occupancy_percent=occupancy)
+            ),
             parts=[Stretch(100 * row, 100 * row + 100, held=False) for row in range(levels.size)],
         )
         for at, levels in enumerate(runs)
@@ -58,6 +62,13 @@ def test_levels_that_jump_are_told_with_the_worst_moment() -> None:
 def test_chance_and_a_wrong_course_are_not_told(seed: int) -> None:
     bent = 12.0 * np.exp(-np.arange(COUNT) / 4.0)
     assert [*scattered_levels(case_of(noise(seed, 1.0) + bent, noise(seed + 50, 1.0)), 100.0)] == []
+
+
+def test_a_load_may_wander_somewhat_more_than_the_model_knows() -> None:
+    wanders = 1.75 * noise(2, 1.0) / scatter(noise(2, 1.0))
+    assert [*scattered_levels(case_of(wanders), 100.0)] != []
+    assert [*scattered_levels(case_of(wanders, occupancy=5.0), 100.0)] == []
+    assert [*scattered_levels(case_of(2.0 * wanders, occupancy=5.0), 100.0)] != []
 
 
 def test_where_nothing_can_be_told_nothing_is_asked() -> None:
