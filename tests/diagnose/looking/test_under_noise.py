@@ -51,3 +51,12 @@ def test_where_there_is_none_none_is_found(signal: np.ndarray) -> None:
 
 def test_noise_that_is_most_of_the_signal_has_no_tops() -> None:
     assert flat_under_noise([recording(np.full(TIME.size, 2.0), noise=0.1)]) is None
+
+
+@pytest.mark.filterwarnings("error")
+def test_straight_lines_between_held_samples_have_no_noise_to_look_under() -> None:
+    """What their second differences leave is the arithmetic's."""
+    knots = np.arange(0, TIME.size, 40)
+    between = np.interp(np.arange(TIME.size), knots, load()[knots])
+    given = recording(between, noise=0.0).with_values("torque_V", between)
+    assert flat_under_noise([given], full_range=10.0) is None

@@ -15,6 +15,7 @@ from torquerig.signals.recording import Recording
 Floats = NDArray[np.float64]
 
 _LOOKED_AT = 12.0  # spreads of the noise below the highest value, among which the pile is sought
+_LEAST_NOISE = 1e-6  # of the range of values: less is the arithmetic's own
 _MOST_NOISE = 0.02  # of the signal's span: else noise, or a tone that is taken for it, is most of the signal
 _HALF, _BIN = 3.0, 0.5  # its half width, and the width of the bins, in such spreads
 _OVER_BESIDE = 4.0  # samples of a pile over those just below, on twice its width: a sine's crest has 1.4 times as many
@@ -42,7 +43,7 @@ def flat_under_noise(recordings: Sequence[Recording], *, full_range: float = flo
 def _pile(volts: Floats, noise: float) -> tuple[float, float] | None:
     """Return the level [V] about which the largest values pile up, and their share of all, else None."""
     highest = float(volts.max())
-    if not 0 < noise < _MOST_NOISE * float(np.ptp(volts)) or highest <= 0:
+    if not _LEAST_NOISE < noise / max(float(np.ptp(volts)), np.finfo(float).tiny) < _MOST_NOISE or highest <= 0:
         return None
     counts, edges = np.histogram(volts, np.arange(highest - _LOOKED_AT * noise, highest + noise, _BIN * noise))
     level = float(edges[int(np.argmax(counts))]) + 0.5 * _BIN * noise
