@@ -33,6 +33,7 @@ LOADS: dict[str, tuple[Part, float]] = {
     ),
     "quadratic": (QuadraticDrag(name="it", coefficient=2e-3), 2e-3 * TURNING**2),
     "blades": (BladePass(name="it", order_output=6, amplitude=0.1), 0.025),
+    "pump": (BladePass(name="it", order_output=6, amplitude=0.1, one_way=True), 0.025),
     "bed": (GranularDrag(name="it", mean_by_occupancy_percent={0.0: 0.5}), 0.5),
 }  # fmt: skip
 

@@ -82,6 +82,7 @@ class Everything(Part):
             HarmonicTorque(name="ripple", on="a", angle="a", against="b",
                            waves=tuple(wave(order, 0.02) for order in (6, 12, 18, 84))),
             BladeTorque(name="blades", on="c", order=4.0, amplitude=0.3, phase=draw(0, 6)),
+            BladeTorque(name="pump", on="c", order=7.0, amplitude=0.1, phase=draw(0, 6), one_way=True),
             Drive(name="drive", on="a", kp=draw(0.03, 0.06), ki=draw(0.2, 0.5), torque_limit=draw(0.7, 2.0), lag=1e-3,
                   ripple=(wave(6, 0.1),), sensing=sensing),
             Load(name="load", on="c", process=Drawn()),

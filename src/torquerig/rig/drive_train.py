@@ -166,7 +166,7 @@ def _needed(one: Term, motion: _Motion, share: float) -> float:
     if isinstance(one, Load | AngleLoad):
         return motion.way * one.process.mean * (share if isinstance(one, Load) else 1.0)
     if isinstance(one, BladeTorque):
-        return motion.way * BLADE_MEAN * one.amplitude
+        return (1.0 if one.one_way else motion.way) * BLADE_MEAN * one.amplitude
     if isinstance(one, AppliedTorque) and not isinstance(one.process, Signal):
         return -one.process.mean
     return 0.0

@@ -221,7 +221,7 @@ def blades_of(terms: Sequence[BladeTorque], number: Numbers, table: WaveTable, s
         c=_floats(cos(phase) for phase in phases),
         s=_floats(sin(phase) for phase in phases),
         amplitude=_floats(t.amplitude for t in terms),
-        inverse_smoothing=_floats(1 / t.smoothing for t in terms),
+        inverse_smoothing=_floats(0.0 if t.one_way else 1 / t.smoothing for t in terms),
     )
 
 

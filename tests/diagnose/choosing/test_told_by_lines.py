@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -46,6 +48,12 @@ def test_lines_tell_what_bands_do_not(case: Case, wear_rig: Scenario) -> None:
     assert bands_fall.gain > lines_fall.gain
     assert telling.told_by_lines(case, lines_fall, ())
     assert not telling.told_by_lines(case, bands_fall, ())
+
+
+@pytest.mark.usefixtures("foretold")
+def test_beside_what_was_found_lines_tell_its_rest(case: Case, wear_rig: Scenario) -> None:
+    lines_fall = trial(case, model(wear_rig, bands=1.8, lines=0.5), resembled=True)
+    assert not telling.told_by_lines(replace(case, accepted=(lines_fall.candidate,)), lines_fall, ())
 
 
 @pytest.mark.usefixtures("foretold")

@@ -37,7 +37,8 @@ def test_as_many_as_the_gear_turns_to_one_are_sought_on_the_rig_s_own_lines(
     bent = cast("Case", SimpleNamespace(left=(), nominal=case.nominal, seen=(seen, back), runs=(), model=own))
     assert missed_lines(bent) == [order(1.0), order(2.0)]
     candidates = list(blade_pass.propose(bent))
-    assert [cast(Any, each.parts[0]).order_output for each in candidates] == [5.0, 10.0]
+    told = [(cast(Any, each.parts[0]).order_output, cast(Any, each.parts[0]).one_way) for each in candidates]
+    assert told == [(5.0, False), (5.0, True), (10.0, False), (10.0, True)], "a run turns back, and tells which way"
     assert all(each.place is None and each.loosens == SLOW_TORQUE for each in candidates)
 
 

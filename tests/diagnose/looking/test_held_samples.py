@@ -54,7 +54,9 @@ def test_what_is_not_held_keeps_none(smooth: np.ndarray) -> None:
     lost = smooth.copy()
     lost[3000:23_000] = 0.0  # half of it, at one level
     coarse, slow = 0.2 * np.round(smooth / 0.2), 0.5 * np.round(np.cumsum(smooth) / 50)
-    for volts in (smooth, coarse, slow, lost, np.zeros(5000)):
+    struck = smooth + 0.3 * (np.arange(smooth.size) % 100 < 2)  # twice a beat: up and down again
+    seldom = smooth + 0.3 * (np.arange(smooth.size) % 400 < 200)
+    for volts in (smooth, coarse, slow, lost, np.zeros(5000), struck, seldom):
         recording = of(volts)
         assert renewed_every(recording) is None
         assert on_straight_lines(recording) is recording

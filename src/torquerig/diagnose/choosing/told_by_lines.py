@@ -23,7 +23,8 @@ def told_by_lines(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
     """Whether the lines tell what noise and the laws of a load resemble in a spectrum: how the rig passes a frequency.
 
     The same sources pass it at several speeds, whatever shakes the rig beside them. It is asked where nothing stands
-    out: what does may be another effect, whose lines anything nearby takes up a little.
+    out, and of a first effect: what stands out may be another, whose lines anything nearby takes up a little, as it does
+    the rest of what was found before.
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ def spared(case: Case, trial: Trial) -> Trial:
 
 
 def _tell(case: Case, trial: Trial) -> bool:
-    if not trial.candidate.resembled or case.model.corrections or trial.model.corrections:
+    if not trial.candidate.resembled or case.accepted or trial.model.corrections:
         return False
     enough = _fall(case, trial) > (_OF_SOUGHT if trial.candidate.spared else _FALL)
     return enough and not mismatches(case)

@@ -23,7 +23,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     """Yield blades for each of the strongest lines at a whole order of the loaded part, as first or second harmonic.
 
     Some numbers of blades stand on the rig's own lines alone: of these the worst missed count as well, those whose
-    amplitudes were bent to stand in for blades, and those with which a run that turns back swings both ways.
+    amplitudes were bent to stand in for blades, and those with which a run that turns back swings both ways. Such a run
+    tells as well whether they oppose the motion or push one way.
     """
     at = loaded_part(case.nominal)
     if at is None:
@@ -34,7 +35,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     for whole in _instead_of_own_lines(case, turns):
         tried.add(whole)
         part = mechanisms.BladePass(name="blade_pass", at=at, order_output=float(whole), amplitude=_START)
-        yield _blades(part, place=left_line(case, whole * turns), loosens=(*SLOW_TORQUE, "amplitudes"))
+        yield from _blades(case, part, place=left_line(case, whole * turns), loosens=(*SLOW_TORQUE, "amplitudes"))
     for place in (*left, *missed_lines(case)[:_MISSED]):
         for harmonic in (1, 2):
             whole = _whole(place.at / turns / harmonic, turns)
@@ -43,16 +44,22 @@ def propose(case: Case) -> Iterator[Candidate]:
             tried.add(whole)
             part = mechanisms.BladePass(name="blade_pass", at=at, order_output=float(whole), amplitude=_START)
             amplitude = _START * line_factor(case, case.model.rig + part, place)
-            yield _blades(
+            yield from _blades(
+                case,
                 replace(part, amplitude=amplitude),
                 place=left_line(case, whole * turns),  # half as many blades are another hypothesis
                 loosens=() if place in left else SLOW_TORQUE,  # which lines of the rig's own cannot tell from it
             )
 
 
-def _blades(part: mechanisms.BladePass, *, place: Place | None, loosens: tuple[str, ...]) -> Candidate:
+def _blades(
+    case: Case, part: mechanisms.BladePass, *, place: Place | None, loosens: tuple[str, ...]
+) -> Iterator[Candidate]:
     knobs = (Knob(part.name, "amplitude", 1.0),)
-    return Candidate(mechanism="blade_pass", parts=(part,), knobs=knobs, place=place, loosens=loosens)
+    opposing = Candidate(mechanism="blade_pass", parts=(part,), knobs=knobs, place=place, loosens=loosens)
+    yield opposing
+    if any(features.turning is not None for features in case.seen):
+        yield replace(opposing, parts=(replace(part, one_way=True),), variant="one_way")
 
 
 def _instead_of_own_lines(case: Case, turns: float) -> Iterator[int]:

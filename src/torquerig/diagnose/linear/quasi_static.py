@@ -56,11 +56,13 @@ def _opposing(term: object, speed: Floats, acceleration: Floats) -> Floats:
 
 
 def yielding_torque(term: object, speed: Floats, acceleration: Floats) -> Floats:
-    """Return what a term asks for by its motion alone [N m]: inertia, viscous and quadratic drag."""
+    """Return what a term asks for without holding [N m]: inertia, viscous and quadratic drag, what pushes one way."""
     if isinstance(term, Inertia):
         return np.asarray(term.inertia * acceleration)
     if isinstance(term, Friction):
         return np.asarray(term.viscous * speed + term.quadratic * speed * np.abs(speed))
+    if isinstance(term, BladeTorque) and term.one_way:
+        return np.full(speed.shape, BLADE_MEAN * term.amplitude)
     return np.zeros(speed.shape)
 
 
@@ -69,7 +71,7 @@ def dry_torque(term: object, speed: Floats) -> Floats:
     way = np.where(speed < 0, -1.0, 1.0)
     if isinstance(term, Load):
         return np.asarray(term.process.mean * way)
-    if isinstance(term, BladeTorque):
+    if isinstance(term, BladeTorque) and not term.one_way:
         return np.asarray(BLADE_MEAN * term.amplitude * way)
     if isinstance(term, Friction):
         coulomb = np.where(speed > 0, term.coulomb_forward, term.coulomb_backward)

@@ -9,7 +9,9 @@ from torquerig.signals.recording import Recording
 
 _STANDS = 0.4  # share of the steps that are none: every second sample held makes half
 _NOISE = 6.0  # medians of the steps: what is less while most stand is the noise of what comes behind the hold
-_SELDOM = 0.005  # of the steps: what stands longer than two hundred samples is told by other means
+# beside noise a step is what stands out, as the blows of a line do too: they come less often than every fifty samples,
+# or more than one to a beat
+_OFTEN, _TO_A_BEAT = 0.02, 1.05
 _IN_STEP = 0.7  # of the changes, summed with the phase of their rhythm: all of them would make 1, and no scallop 0.9
 _PADDED = 2  # times the length: a rhythm between two frequencies of the transform keeps nine tenths
 
@@ -19,14 +21,17 @@ def renewed_every(recording: Recording) -> float | None:
 
     Values that stand still on coarse codes change whenever the signal crosses one: those changes keep no rhythm.
     """
-    changes = _changes(recording.channels[recording.torque_name()].values)
+    values = recording.channels[recording.torque_name()].values
+    changes = _changes(values)
     number = int(changes.sum())
-    if not _SELDOM * changes.size < number < (1 - _STANDS) * changes.size:
+    noisy = number < np.count_nonzero(np.diff(values))
+    if number < max(2, _OFTEN * changes.size if noisy else 0) or number > (1 - _STANDS) * changes.size:
         return None
     spectrum = np.abs(np.fft.rfft(changes, _PADDED * changes.size)) / number
     spectrum[: max(1, number // 2)] = 0.0  # a rhythm has at least as many beats as there are changes, but for a few
     beat = int(np.argmax(spectrum[: 3 * number]))
-    return _PADDED * changes.size / beat if spectrum[beat] > _IN_STEP else None
+    in_step = spectrum[beat] > _IN_STEP and (not noisy or number < _TO_A_BEAT * beat / _PADDED)
+    return _PADDED * changes.size / beat if in_step else None
 
 
 def _changes(values: NDArray[np.float64]) -> NDArray[np.bool_]:

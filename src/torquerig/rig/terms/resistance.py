@@ -94,7 +94,10 @@ class Load:
 
 @dataclass(frozen=True, kw_only=True)
 class BladeTorque:
-    """A load pulse per blade: ``amplitude max(0, cos(order theta + phase))^2`` [N m], opposing the motion."""
+    """A load pulse per blade: ``amplitude max(0, cos(order theta + phase))^2`` [N m], opposing the motion.
+
+    ``one_way`` pulses push against forward motion whichever way the shaft turns.
+    """
 
     name: str
     on: str
@@ -102,3 +105,4 @@ class BladeTorque:
     amplitude: float
     phase: float | None = None
     smoothing: float = 0.02
+    one_way: bool = False

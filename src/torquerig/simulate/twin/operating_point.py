@@ -120,7 +120,8 @@ def _at(lowered: Lowered, speeds: Floats) -> OperatingPoint:
         np.tanh(speeds[on] * smooth) if smooth else -1.0
         for on, smooth in zip(loads.on, loads.inverse_smoothing, strict=True)
     ])  # fmt: skip
-    blades = np.tanh(speeds[lowered.blades.on] * lowered.blades.inverse_smoothing)
+    smooth = lowered.blades.inverse_smoothing
+    blades = np.where(smooth == 0.0, 1.0, np.tanh(speeds[lowered.blades.on] * smooth))
     outside = np.zeros(speeds.size)
     frictions = sliding(lowered)
     np.subtract.at(outside, frictions.on, torques)

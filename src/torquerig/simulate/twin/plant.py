@@ -141,5 +141,5 @@ def _torque_inputs(lowered: Lowered, point: OperatingPoint) -> tuple[tuple[str, 
 
 
 def _opposes(lowered: Lowered) -> NDArray[np.bool_]:
-    """Return which of the sampled torques and blade pulses count as opposing; applied torques do not."""
-    return np.concatenate([lowered.loads.inverse_smoothing != 0.0, np.ones(lowered.blades.on.size, dtype=np.bool_)])
+    """Return which of the sampled torques and blade pulses count as opposing; those that push one way do not."""
+    return np.concatenate([each.inverse_smoothing != 0.0 for each in (lowered.loads, lowered.blades)])
