@@ -9,11 +9,19 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.beginning import begun
-from torquerig.diagnose.case import Case
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.judging.combined_lines import may_be_combined
 from torquerig.diagnose.looking.places import Place, order
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
+
+BENT = [
+    Mismatch(
+        domain="frequency", axis="Hz", at=183.0, width=20.0, recordings=("run2",), excess_dB=5.9, share_of_misfit=0.2,
+        p_value=1e-15,
+    )
+]  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -36,6 +44,10 @@ def with_line(case: Case, place: Place, size: float) -> Case:
     return replace(case, seen=tuple(seen))
 
 
+def line(at: float, mechanism: str = "gear_mesh", price: float = 0.0) -> Candidate:
+    return Candidate(mechanism=mechanism, parts=(), knobs=(), place=order(at), price=price)
+
+
 @pytest.mark.parametrize(
     ("at", "size", "combined"),
     [
@@ -46,10 +58,23 @@ def with_line(case: Case, place: Place, size: float) -> Case:
     ],
 )
 def test_a_small_line_where_two_meet(seen: Case, at: float, size: float, combined: bool) -> None:
-    assert may_be_combined(with_line(seen, order(at), size), [order(at)]) is combined
+    assert may_be_combined(with_line(seen, order(at), size), BENT, [line(at)]) is combined
 
 
 def test_all_that_was_found_must_be_such_lines(seen: Case) -> None:
     both = with_line(with_line(seen, order(13.0), 1e-4), order(16.8), 1e-4)
-    assert not may_be_combined(both, [order(13.0), order(16.8)])
-    assert not may_be_combined(seen, [])
+    assert not may_be_combined(both, BENT, [line(13.0), line(16.8)])
+    assert not may_be_combined(seen, BENT, [])
+
+
+def test_where_the_motor_has_lines_they_are_its_own(seen: Case) -> None:
+    """Order 42 is twice 21, and the sixth of seven pole pairs."""
+    case = with_line(seen, order(42.0), 1e-4)
+    assert not may_be_combined(case, BENT, [line(42.0, "commutation_ripple")])
+    assert may_be_combined(case, BENT, [line(42.0, "commutation_ripple", price=23.0)])
+
+
+def test_what_bends_is_wrong_in_the_spectrum(seen: Case) -> None:
+    case = with_line(seen, order(13.0), 1e-4)
+    assert not may_be_combined(case, [replace(BENT[0], domain="time")], [line(13.0)])
+    assert not may_be_combined(case, [], [line(13.0)])

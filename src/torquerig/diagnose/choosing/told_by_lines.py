@@ -23,8 +23,8 @@ def told_by_lines(case: Case, trial: Trial, held: Sequence[Features]) -> bool:
     """Whether the lines tell what noise and the laws of a load resemble in a spectrum: how the rig passes a frequency.
 
     The same sources pass it at several speeds, whatever shakes the rig beside them. It is asked where nothing stands
-    out, and of a first effect: what stands out may be another, whose lines anything nearby takes up a little, as it does
-    the rest of what was found before.
+    out, and of a first effect: what stands out may be another, whose lines anything nearby takes up a little, as it
+    does the rest of what was found before.
 
     Parameters
     ----------

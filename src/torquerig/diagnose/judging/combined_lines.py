@@ -8,27 +8,36 @@ from itertools import combinations_with_replacement
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Case
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.places import SAME_ORDER, Place
 
+_OF_THE_MOTOR = frozenset({"commutation_ripple", "cogging"})
 _MOST = 0.5  # of the runs that show the line and two others
 
 
-def may_be_combined(case: Case, places: Sequence[Place]) -> bool:
-    """Whether every one of the lines may be made of two of the rig's own by something that bends.
+def may_be_combined(case: Case, left: Sequence[Mismatch], found: Sequence[Candidate]) -> bool:
+    """Whether every line that was found may be made of two of the rig's own by something that bends.
 
     What is not straight makes, of lines at the orders n and m, others at n + m, n - m and 2 n; they are smaller than
-    either (Nayfeh & Mook 1979, Nonlinear Oscillations, ch. 4: combination tones).
+    either (Nayfeh & Mook 1979, Nonlinear Oscillations, ch. 4: combination tones). It changes the spectrum as well:
+    where only times are wrong it is not asked. Where a motor's currents, slots and poles have lines anyway, they are
+    theirs.
 
     Parameters
     ----------
     case : Case
         The runs that it has seen tell the sizes.
-    places : sequence of Place
-        Of what was found.
+    left : sequence of Mismatch
+        Where the case's model is still wrong.
+    found : sequence of Candidate
+        What was found.
     """
-    return bool(places) and all(_may_be(case, place) for place in places)
+    places = [each.place for each in found if each.place is not None]
+    own = any(each.mechanism in _OF_THE_MOTOR and each.price == 0 for each in found)
+    bends = any(mismatch.domain in ("frequency", "order") for mismatch in left)
+    return bends and bool(places) and not own and all(_may_be(case, place) for place in places)
 
 
 def _may_be(case: Case, place: Place) -> bool:
