@@ -22,8 +22,8 @@ _LIGHT = (np.geomspace(15.0, 900.0, 140), (0.05,))
 _DAMPING = 0.02
 _BEST = 3
 # damping ratio: beyond the one a step swings over by less than half and no mode shows in a spectrum; below the other a
-# branch would ring longer than joints let it: those of shafts have from 0.005 on, steel in one piece 0.001
-_RINGS, _NEVER_DIES = 0.2, 0.005
+# shaft would ring longer than steel in one piece, let alone a joint
+_RINGS, _NEVER_DIES = 0.2, 0.001
 _WHERE_SWEPT = 100.0  # what one must gain beside where a line swept: what is left of that looks like a light branch
 # a spectrum tells the width of a line no finer than its bands and the wander of the load let it
 TOLD_LOOSELY = {"damping_ratio": 1.0}
