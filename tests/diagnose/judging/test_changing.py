@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from torquerig.diagnose.judging import changing as judged
+from torquerig.diagnose.judging import along_runs as judged
 from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.looking.observed import Observed
 

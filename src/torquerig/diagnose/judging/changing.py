@@ -16,13 +16,11 @@ from numpy.typing import NDArray
 from scipy.stats import t as student
 
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.judging.along_runs import PARTS, SHORTEST, at_their_end, unbroken
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.sample_faults import moments_lost
 
 Floats = NDArray[np.float64]
 
-_PARTS = 10  # of each run
-_SEGMENT = 0.4  # [s]
 _RANGE, _PER_OCTAVE = (20.0, 3000.0), 8  # [Hz]; bands
 _TOGETHER = 4  # neighbouring bands
 _CHANCE = 1e-4
@@ -32,14 +30,9 @@ def changing(runs: Sequence[Observed]) -> tuple[tuple[str, Mismatch], ...]:
     """Return a sentence and a mismatch for the bands that drift most surely; nothing where that is chance.
 
     Of each band the median over its bins, which no line moves. Runs with moments without signal or at a limit are left
-    out: those ring through the spectrum where they happen to be; so are runs too short for parts of ``_SEGMENT``.
+    out: those ring through the spectrum where they happen to be; so are runs too short for parts of ``SHORTEST``.
     """
-    whole = [
-        run
-        for run in runs
-        if run.steady and not run.rebuilt and not moments_lost(run.recording)
-        and run.torque.size >= _PARTS * int(_SEGMENT * run.rate)
-    ]  # fmt: skip
+    whole = unbroken(runs)
     edges = [pair for pair in pairwise(_edges()) if whole and pair[1] < 0.5 * min(run.rate for run in whole)]
     if len(edges) < _TOGETHER:
         return ()
@@ -48,18 +41,14 @@ def changing(runs: Sequence[Observed]) -> tuple[tuple[str, Mismatch], ...]:
     p_value = min(1.0, p_values.size * float(p_values[at]))
     if p_value > _CHANCE:
         return ()
-    risen = 10 / np.log(10) * float(slope[at]) * (1 - 1 / _PARTS)
-    longest = max(run.recording.duration for run in whole)
+    risen = 10 / np.log(10) * float(slope[at]) * (1 - 1 / PARTS)
     way = "above" if risen > 0 else "below"
     sentence = (
         f"between {edges[at][0]:.0f} and {edges[at + _TOGETHER - 1][1]:.0f} Hz the steady runs end "
         f"{abs(risen):.1f} dB {way} what they begin with: something changes while they run, and the numbers of a rig "
         "are constants"
     )
-    mismatch = Mismatch(
-        domain="time", axis="s", at=(1 - 0.5 / _PARTS) * longest, width=longest / _PARTS,
-        recordings=tuple(run.name for run in whole), excess_dB=risen, share_of_misfit=0.0, p_value=p_value,
-    )  # fmt: skip
+    mismatch = at_their_end(whole, excess_dB=risen, p_value=p_value)
     return ((sentence, mismatch),)
 
 
@@ -72,8 +61,8 @@ def _course(run: Observed, edges: Sequence[tuple[float, float]]) -> Floats:
     """Return the logarithm of the density in each part and band, neighbouring bands together, shape (parts, bands)."""
     from scipy.signal import welch
 
-    parts = run.torque[: run.torque.size // _PARTS * _PARTS].reshape(_PARTS, -1)
-    frequency, power = welch(parts, run.rate, nperseg=int(_SEGMENT * run.rate), axis=1)
+    parts = run.torque[: run.torque.size // PARTS * PARTS].reshape(PARTS, -1)
+    frequency, power = welch(parts, run.rate, nperseg=int(SHORTEST * run.rate), axis=1)
     density = np.log(np.maximum(power, np.finfo(float).tiny))
     each = [np.median(density[:, (frequency >= low) & (frequency < high)], axis=1) for low, high in edges]
     return np.asarray(np.lib.stride_tricks.sliding_window_view(np.stack(each, axis=1), _TOGETHER, axis=1).mean(axis=2))

@@ -14,17 +14,15 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.judging.along_runs import PARTS, at_their_end, unbroken
 from torquerig.diagnose.looking.observed import Observed, Stretch
 from torquerig.diagnose.looking.places import RESOLVED_WELL, Place
 from torquerig.diagnose.looking.regression import regressed
-from torquerig.diagnose.looking.sample_faults import moments_lost
 from torquerig.diagnose.looking.stretch_lines import shown_places
 from torquerig.diagnose.looking.waves import Waves
 
 Floats = NDArray[np.float64]
 
-_PARTS = 10  # of each run
-_SHORTEST = 0.4  # [s] a part
 _KNOWN = 0.002  # of a line: no part tells it better, whatever its own scatter is by luck
 _CHANCE = 1e-5
 _LEAST = 0.02  # of the lines, from the first part to the last: less no gain is known to
@@ -37,33 +35,22 @@ def growing_lines(runs: Sequence[Observed], places: Sequence[Place]) -> tuple[tu
     together by their normal scores, each with the weight of its accuracy (Stouffer 1949; Liptak 1958). Runs with
     moments without signal are left out.
     """
-    whole = [
-        run
-        for run in runs
-        if run.steady and not run.rebuilt and not moments_lost(run.recording)
-        and run.torque.size >= _PARTS * int(_SHORTEST * run.rate)
-    ]  # fmt: skip
-    courses = [(run, course) for run in whole if (course := _course(run, places)) is not None]
+    courses = [(run, course) for run in unbroken(runs) if (course := _course(run, places)) is not None]
     if not courses:
         return ()
     slopes, scores, weights = np.array([_slope(course) for _, course in courses]).T
     score = float(scores @ weights / np.sqrt(weights @ weights))
-    grown = float(slopes @ weights**2 / (weights @ weights)) * (1 - 1 / _PARTS)
+    grown = float(slopes @ weights**2 / (weights @ weights)) * (1 - 1 / PARTS)
     p_value = float(2 * norm.sf(abs(score)))
     if p_value > _CHANCE or abs(grown) < _LEAST:
         return ()
-    longest = max(run.recording.duration for run, _ in courses)
     way = "grow" if grown > 0 else "fade"
     sentence = (
         f"the rig's own lines {way} together by {abs(grown):.1%} along the steady runs: a gain changes while they run, "
         "and the numbers of a rig are constants"
     )
-    mismatch = Mismatch(
-        domain="time", axis="s", at=(1 - 0.5 / _PARTS) * longest, width=longest / _PARTS,
-        recordings=tuple(run.name for run, _ in courses), excess_dB=20 * float(np.log10(1 + grown)),
-        share_of_misfit=0.0, p_value=p_value,
-    )  # fmt: skip
-    return ((sentence, mismatch),)
+    asked = [run for run, _ in courses]
+    return ((sentence, at_their_end(asked, excess_dB=20 * float(np.log10(1 + grown)), p_value=p_value)),)
 
 
 def _course(run: Observed, places: Sequence[Place]) -> Floats | None:
@@ -71,34 +58,34 @@ def _course(run: Observed, places: Sequence[Place]) -> Floats | None:
 
     Each line counts by how little it scatters about its own straight line.
     """
-    size = run.torque.size // _PARTS
+    size = run.torque.size // PARTS
     turning = [place for place in places if place.domain == "order"]
     shown = [turning[row] for row in shown_places(run, Stretch(0, size, False), turning, apart=2 * RESOLVED_WELL)]
     if not shown:
         return None
     window, sizes = np.hanning(size), []
-    for part in range(_PARTS):
+    for part in range(PARTS):
         span = slice(part * size, (part + 1) * size)
         waves = Waves(shown, run.angle[span], np.arange(span.start, span.stop) / run.rate)
         sizes.append(np.abs(regressed(run.torque[span], waves, window=window).amplitude))
     relative = np.array(sizes) / np.mean(sizes, axis=0)
     along = _along()[:, None]
     beside = relative - 1 - along * (relative * along).sum(axis=0) / (along**2).sum()
-    spread = np.maximum(np.sqrt((beside**2).sum(axis=0) / (_PARTS - 2)), _KNOWN)
+    spread = np.maximum(np.sqrt((beside**2).sum(axis=0) / (PARTS - 2)), _KNOWN)
     weight = 1 / spread**2
     return np.asarray(np.log(np.maximum(relative, 1e-3)) @ weight / weight.sum())
 
 
 def _slope(course: Floats) -> tuple[float, float, float]:
     """Return by how much a course rises along the run, its normal score, and one over its standard error."""
-    along, free = _along(), _PARTS - 2
+    along, free = _along(), PARTS - 2
     square = float(along @ along)
     slope = float(course @ along) / square
     error = float(np.sqrt(((course - course.mean() - slope * along) ** 2).sum() / free / square))
-    error = max(error, _KNOWN / _PARTS)
+    error = max(error, _KNOWN / PARTS)
     score = float(norm.isf(student.sf(abs(slope) / error, free)))
     return slope, float(np.copysign(score, slope)), 1 / error
 
 
 def _along() -> Floats:
-    return np.linspace(-0.5, 0.5, _PARTS)
+    return np.linspace(-0.5, 0.5, PARTS)

@@ -86,13 +86,11 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         wave = blades.c[i] * cosine[slot] - blades.s[i] * sine[slot]
         if any_of(wave > 0.0):
             wave = where(wave > 0.0, wave, 0.0)
-            value = blades.amplitude[i] * wave * wave
-            if any_of(blades.inverse_smoothing[i] == 0.0):
-                torque[on] -= value
-                continue
-            value *= direction(omega[on], blades.inverse_smoothing[i])
+            one_way = blades.inverse_smoothing[i] == 0.0
+            way = where(one_way, 1.0, direction(omega[on], blades.inverse_smoothing[i]))
+            value = blades.amplitude[i] * wave * wave * way
             torque[on] -= value
-            opposing[on] += value
+            opposing[on] += where(one_way, 0.0, value)
     for i in range(drives.on.size):
         factor = 1.0
         for j in range(drives.r_first[i], drives.r_first[i + 1]):
