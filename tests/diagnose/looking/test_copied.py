@@ -83,3 +83,10 @@ def test_an_alias_that_goes_on_while_the_signal_is_lost_is_no_copy(clean: Record
     lost[9000:9400] = lost[14000:14400] = 0.0
     tone = 0.04 * np.cos(2 * np.pi * 1148.6 * np.arange(lost.size) / clean.sample_rate)
     assert copied(with_volts(clean, lost + tone)) == ()
+
+
+def test_a_flat_top_under_an_alias_is_no_copy(clean: Recording) -> None:
+    tone = 0.2 * np.sin(2 * np.pi * 6682.3 * clean.time())
+    volts = clean.channels["torque_V"].values + tone
+    top = float(np.quantile(volts, 0.75))
+    assert copied(with_volts(clean, np.minimum(volts, top))) == ()

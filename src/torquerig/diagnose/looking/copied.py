@@ -42,14 +42,15 @@ def copied(recording: Recording) -> tuple[Copied, ...]:
     if length >= min(_LONGEST * recording.sample_rate, steps.size // 2):
         return ()
     beside = without_tone(volts, recording.sample_rate)  # which goes on, and repeats, where a signal is lost
-    found = _extended(codes, _pairs(codes, _alive(steps if beside is None else np.diff(beside)), length), length)
+    alive = (steps != 0) & _uneven(steps if beside is None else np.diff(beside))
+    found = _extended(codes, _pairs(codes, alive, length), length)
     return () if sum(each.stop - each.start for each in found) > _MOST * volts.size else tuple(found)
 
 
-def _alive(steps: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Return which steps are some, and uneven as noise is: a hum over a flat top repeats itself without any."""
-    uneven = np.abs(np.diff(steps, n=2, prepend=[0.0, 0.0]))  # a hum bends evenly from sample to sample
-    return np.asarray((steps != 0) & (uneven >= _UNEVEN * np.median(uneven)))
+def _uneven(steps: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which steps are uneven as noise is: a hum bends evenly from sample to sample."""
+    bends = np.abs(np.diff(steps, n=2, prepend=[0.0, 0.0]))
+    return np.asarray(bends >= _UNEVEN * np.median(bends))
 
 
 def _pairs(codes: NDArray[np.int64], alive: NDArray[np.bool_], length: int) -> list[tuple[int, int]]:
