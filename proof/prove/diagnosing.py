@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import sys
 import time
 from collections.abc import Sequence
@@ -20,6 +19,7 @@ from torquerig.document import read_document
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.signals.files import read_recording
 from torquerig.signals.recording import Recording
+from torquerig.whole_file import whole_file
 
 SCENARIO = "wear_rig.yaml"
 
@@ -91,9 +91,8 @@ def read_all(paths: Sequence[Path]) -> list[Recording]:
 def write_json(path: Path, data: Any) -> None:
     """Write a file whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    partial.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    partial.replace(path)
+    with whole_file(path) as partial:
+        partial.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 def refuse(folder: Path, stage: str, name: str, wrong: Exception) -> None:

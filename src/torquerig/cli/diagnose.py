@@ -18,6 +18,7 @@ from torquerig.scenario.readings import other_readings
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.signals.files import read_recording
 from torquerig.signals.files.sidecar import sidecar_path
+from torquerig.whole_file import whole_file
 
 if TYPE_CHECKING:
     from torquerig.diagnose.diagnose import Outcome
@@ -87,11 +88,13 @@ def command(
     if report is not None:
         again = _command(recordings, scenario, settings=settings, seed=seed)
         page = _page(outcome, title=made.title, command=again, model=_named(data["model"]), seed=seed)
-        report.write_text(page, encoding="utf-8")
+        with whole_file(report) as partial:
+            partial.write_text(page, encoding="utf-8", newline="\n")
     if out == "-":
         click.echo(text, nl=False)
     else:
-        Path(out).write_text(text, encoding="utf-8")
+        with whole_file(Path(out)) as partial:
+            partial.write_text(text, encoding="utf-8", newline="\n")
 
 
 def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:

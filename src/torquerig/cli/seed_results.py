@@ -11,6 +11,7 @@ from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_opt
 from torquerig.cli.progress import drive_progress
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
+from torquerig.whole_file import whole_file
 
 
 @click.command("seed-results")
@@ -51,10 +52,6 @@ def command(
     click.echo(grid([head, *rows]) + "\n")
     for sentence in (*fit_sentences(results), *table_sentences(results), *mechanical_sentences(results.drop)):
         click.echo(wrapped(sentence))
-    partial = out.with_name(f".{out.name}.partial")
-    try:
+    with whole_file(out) as partial:
         partial.write_text(seed_page(results), encoding="utf-8", newline="\n")
-        partial.replace(out)
-    finally:
-        partial.unlink(missing_ok=True)
     click.echo(f"wrote {out}")

@@ -9,8 +9,8 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.rig.mean_by_occupancy import mean_at, refuse_empty
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load, Term
@@ -53,18 +53,11 @@ class ParticleLoad(Part):
     smoothing: Annotated[float, Parameter("rad/s", "speed over which the direction turns", above=0)] = 0.02
 
     def __post_init__(self) -> None:
-        if not self.mean_by_occupancy_percent:
-            raise ValueError("mean_by_occupancy_percent is empty; write for example {0: 0.05 N*m, 21: 3.8 N*m}")
+        refuse_empty(self.mean_by_occupancy_percent)
 
     def mean(self, occupancy_percent: float) -> float:
         """Return the mean torque [N m], linear between the stated occupancies; outside them it is refused."""
-        stated = sorted(self.mean_by_occupancy_percent)
-        if not stated[0] <= occupancy_percent <= stated[-1]:
-            raise InputError(
-                f"{self.name}: occupancy {occupancy_percent:g} % is outside {stated[0]:g}..{stated[-1]:g} %, where the "
-                "load is known; add a mean torque for it to mean_by_occupancy_percent"
-            )
-        return float(np.interp(occupancy_percent, stated, [self.mean_by_occupancy_percent[key] for key in stated]))
+        return mean_at(occupancy_percent, self.mean_by_occupancy_percent, name=self.name)
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the load of the run's occupancy and particle size."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from torquerig import __version__
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, HeldOut, Mismatch
 from torquerig.report.diagnosis_tables import parameters_table
 from torquerig.report.diagnosis_words import WORDS, Yardstick, mechanism_text, verdict_sentence
+from torquerig.report.html import html
 from torquerig.report.layout import Table, plain
 
 NOWHERE = "Nowhere by more than chance leaves, so there is no picture of it."
@@ -16,16 +16,10 @@ NOWHERE = "Nowhere by more than chance leaves, so there is no picture of it."
 
 def rendered(content: Mapping[str, Any], *, title: str, command: str, model: str | None, seed: int) -> str:
     """Return the HTML of a diagnosis: pictures inline, no script, no request to anywhere."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
     made = {
-        "title": title.replace("_", " "), "command": command, "model": model, "seed": seed, "version": __version__,
+        "title": title.replace("_", " "), "command": command, "model": model, "seed": seed,
     }  # fmt: skip
-    return environment.get_template("diagnosis.html").render({**made, **content})
+    return html("diagnosis.html", {**made, **content})
 
 
 def told(

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from torquerig.decide.working import WorkedOut
+from torquerig.whole_file import whole_file
 
 
 def write_matrix(worked: WorkedOut, path: Path) -> None:
     """Write ``path`` as .html, .md, .xlsx or .yaml; what stood there is replaced when the new one is complete."""
-    partial = path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")
-    try:
+    with whole_file(path) as partial:
         if path.suffix.lower() == ".xlsx":
             from torquerig.report.workbook_matrix import write_matrix_workbook
 
             write_matrix_workbook(partial, worked)
         else:
             partial.write_text(_text(worked, path.suffix.lower()), encoding="utf-8", newline="\n")
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 def _text(worked: WorkedOut, ending: str) -> str:

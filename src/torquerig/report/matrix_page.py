@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from torquerig import __version__
 from torquerig.decide.working import WorkedOut
+from torquerig.report.html import html
 from torquerig.report.matrix_chapters import chapters, trace_anchor
 from torquerig.report.picture import Picture, picture
 
 
 def matrix_page(worked: WorkedOut) -> str:
     """Return the HTML of a decision: pictures inline, no script, no request to anywhere; each cell leads to its way."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
     matrix = worked.case.matrix
     content = {
         "title": matrix.name,
@@ -28,9 +22,8 @@ def matrix_page(worked: WorkedOut) -> str:
         "criteria": len(matrix.criteria),
         "draws": worked.case.draws,
         "seed": worked.case.seed,
-        "version": __version__,
     }
-    return environment.get_template("matrix.html").render(content)
+    return html("matrix.html", content)
 
 
 def _pictures(worked: WorkedOut) -> dict[str, Picture]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from base64 import b64encode
 from dataclasses import dataclass
 from io import BytesIO
@@ -14,6 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from torquerig.errors import InputError
+from torquerig.whole_file import whole_file
 
 STYLE: dict[Any, Any] = {
     "svg.hashsalt": "torquerig",  # ids of clip paths, otherwise new in each run
@@ -57,12 +57,8 @@ def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> Non
     """
     check_picture(path, overwrite=overwrite)
     drawn = svg(figure) if path.suffix.lower() == ".svg" else png(figure)
-    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    try:
+    with whole_file(path) as partial:
         partial.write_bytes(drawn)
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 def check_picture(path: Path, *, overwrite: bool = False) -> None:

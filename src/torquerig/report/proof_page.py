@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from torquerig import __version__
+from torquerig.report.html import html
 from torquerig.report.matrix_chapters import Chapter
 from torquerig.report.matrix_markdown import escaped, table_text
 from torquerig.report.picture import Picture
+from torquerig.whole_file import whole_file
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,23 +39,13 @@ class ProofPage:
 def write_proof(page: ProofPage, path: Path) -> None:
     """Write ``path`` as .html or, with any other ending, as Markdown; what stood there is replaced when complete."""
     text = proof_html(page) if path.suffix.lower() == ".html" else proof_markdown(page)
-    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    try:
+    with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8", newline="\n")
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 def proof_html(page: ProofPage) -> str:
     """Return the HTML: pictures inline, no script, no request to anywhere."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
-    return environment.get_template("proof.html").render(page=page, version=__version__)
+    return html("proof.html", {"page": page})
 
 
 def proof_markdown(page: ProofPage) -> str:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
-from torquerig import __version__
+from torquerig.report.html import html
 from torquerig.report.matrix_markdown import escaped, table_text
 from torquerig.report.redone_chapters import chapters
 from torquerig.study.redone.decision import RedoneDecision
+from torquerig.whole_file import whole_file
 
 TITLE = "The published decision, made again"
 
@@ -16,29 +16,18 @@ TITLE = "The published decision, made again"
 def write_decision(decision: RedoneDecision, path: Path) -> None:
     """Write ``path`` as .html or .md; what stood there is replaced when the new one is complete."""
     text = redone_page(decision) if path.suffix.lower() == ".html" else redone_markdown(decision)
-    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    try:
+    with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8", newline="\n")
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 def redone_page(decision: RedoneDecision) -> str:
     """Return the HTML: no script, no request to anywhere; the same plan gives the same bytes."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
     settings = decision.plan.study.settings
     content = {
         "title": TITLE, "source": decision.plan.book.source, "answer": decision.answer, "chapters": chapters(decision),
         "command": command_of(decision), "seed": settings.seed, "draws": settings.draws,
-        "version": __version__,
     }  # fmt: skip
-    return environment.get_template("redone.html").render(content)
+    return html("redone.html", content)
 
 
 def redone_markdown(decision: RedoneDecision) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from torquerig import __version__
+from torquerig.report.html import html
 from torquerig.report.layout import Cell, Table, number, words
 from torquerig.report.seed_figures import seed_pictures
 from torquerig.study.seed.cells import CellResult
@@ -18,12 +18,6 @@ HEAD = (
 
 def seed_page(results: SeedResults) -> str:
     """Return the HTML of the page: pictures inline, no script, no request to anywhere."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
     content = {
         "title": results.rig.scenario.title,
         "fit": fit_sentences(results),
@@ -34,9 +28,8 @@ def seed_page(results: SeedResults) -> str:
         "drop": _drop(results),
         "pictures": seed_pictures(results),
         "seed": results.rig.seed,
-        "version": __version__,
     }
-    return environment.get_template("seed_results.html").render(content)
+    return html("seed_results.html", content)
 
 
 def _table(results: SeedResults, name: str) -> Table:

@@ -10,6 +10,7 @@ from torquerig.report import study_answers as answers
 from torquerig.report import study_chapters as chapters
 from torquerig.report import study_pictures as pictures
 from torquerig.report import study_tables as tables
+from torquerig.report.html import html
 from torquerig.report.picture import Picture
 from torquerig.report.trace_tables import drive_tables, functions_table
 from torquerig.study.results import DriveResult, StudyRuns
@@ -25,12 +26,6 @@ def study_page(
     runs: StudyRuns, decided: Decided, verdict: Verdict, *, changes: Sequence[Change] = (), edits: Sequence[str] = ()
 ) -> str:
     """Return the HTML of a study's page: pictures inline, no script, no request to anywhere."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
-        lstrip_blocks=True, keep_trailing_newline=True,
-    )  # fmt: skip
     content = {
         **_answers(runs, decided, verdict, edits),
         **_found(runs, decided, verdict),
@@ -40,7 +35,7 @@ def study_page(
         "traced": drive_tables(traced_drives(decided, verdict)),
         "changes": tables.changes_table(changes) if changes else None,
     }
-    return environment.get_template("study.html").render(content)
+    return html("study.html", content)
 
 
 def present_drive(decided: Decided) -> DriveResult:

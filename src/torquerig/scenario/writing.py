@@ -13,6 +13,7 @@ from torquerig.parameter import Parameter
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 from torquerig.units import written_quantity
+from torquerig.whole_file import whole_file
 
 _NOT_WRITTEN = ("name", "group")
 
@@ -57,9 +58,8 @@ def write_scenario(path: Path, text: str, *, overwrite: bool) -> None:
     """Write a scenario file whole or not at all; InputError where one stands there and may not be replaced."""
     if path.exists() and not overwrite:
         raise InputError(f"{path} exists already; choose another name, or add --force to replace it")
-    temporary = path.with_name(f".{path.name}.part")
-    temporary.write_text(text, encoding="utf-8")
-    temporary.replace(path)
+    with whole_file(path) as partial:
+        partial.write_text(text, encoding="utf-8", newline="\n")
 
 
 def _written(value: Any, hint: Any) -> Any:

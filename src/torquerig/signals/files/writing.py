@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -16,6 +15,7 @@ from torquerig.signals.files.sidecar_text import sidecar_text
 from torquerig.signals.files.table import TIME_NAMES
 from torquerig.signals.files.tdms import write_tdms
 from torquerig.signals.recording import Recording
+from torquerig.whole_file import whole_file
 
 WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
     ".parquet": write_parquet,
@@ -59,15 +59,9 @@ def put_in_place(
     """
     check_target(path, overwrite=overwrite)
     sidecar = sidecar_path(path)
-    partial, partial_sidecar = _partial(path), _partial(sidecar)
-    try:
+    with whole_file(sidecar) as partial_sidecar, whole_file(path) as partial:
         write(partial)
         partial_sidecar.write_bytes(sidecar_text(recording).encode())
-        partial.replace(path)
-        partial_sidecar.replace(sidecar)
-    finally:
-        partial.unlink(missing_ok=True)
-        partial_sidecar.unlink(missing_ok=True)
     return [path, sidecar]
 
 
@@ -108,7 +102,3 @@ def _refuse_overwriting(path: Path, sidecar: Path, *, overwrite: bool) -> None:
             raise InputError(
                 f"{sidecar}: is there already and is no sidecar of a recording; choose another name for {path.name}"
             ) from None
-
-
-def _partial(path: Path) -> Path:
-    return path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")

@@ -1,0 +1,22 @@
+"""A page from its template: one HTML file that needs nothing beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from torquerig import __version__
+
+
+def html(template: str, content: Mapping[str, Any]) -> str:
+    """Return a template of ``report/templates`` filled with ``content`` and the version that made it.
+
+    What is text is escaped, and a name that the template asks for and the content lacks is an error.
+    """
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("torquerig.report"), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
+        lstrip_blocks=True, keep_trailing_newline=True,
+    )  # fmt: skip
+    return environment.get_template(template).render({"version": __version__, **content})
