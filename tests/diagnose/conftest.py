@@ -106,7 +106,7 @@ def by_hand() -> Callable[..., Observed]:
         volts = Channel(values=np.asarray(torque, dtype=float), quantity="torque", unit="V")
         run = Run(speed=speed, gear_ratio=5.0, profile=profile)  # type: ignore[arg-type]
         recording = Recording(sample_rate=rate, channels={"torque_V": volts}, run=run, name=name)
-        return observed(recording, ShaftAngle(turned, measured, "made by hand"), ratio=5.0, factor=1.0)
+        return observed(recording, ShaftAngle(turned, measured, "made by hand"), ratio=5.0)
 
     return made
 

@@ -65,8 +65,8 @@ def test_bridged_steps_leave_the_bands_above_the_shafts_as_they_were(wear_rig: S
     stepping = clean.with_values("torque_V", volts + 10.0 * steps)
 
     def power(recording: Recording, *, bridged: bool) -> float:
-        (angle,), factor = shaft_angles([recording], wear_rig.rig)
-        run = observed(recording, angle, ratio=kinematics_of(wear_rig.rig).ratio, factor=factor)
+        (angle,) = shaft_angles([recording], wear_rig.rig)
+        run = observed(recording, angle, ratio=kinematics_of(wear_rig.rig).ratio)
         run = refilled(run, seams(STARTS, recording), []) if bridged else run
         frequency, density = welch(run.torque, RATE, nperseg=4096)
         return float(density[frequency > 3000.0].mean())

@@ -93,9 +93,9 @@ def _of_pulses(runs: Sequence[Observed], places: Sequence[Place], rig: Rig) -> l
 def _runs(
     recordings: Sequence[Recording], mended: Sequence[Recording], rig: Rig, strong: Strong
 ) -> tuple[Observed, ...]:
-    angles, factor = shaft_angles([_less(each, strong.tones) for each in mended], rig, also=strong.orders)
+    angles = shaft_angles([_less(each, strong.tones) for each in mended], rig, also=strong.orders)
     ratio = kinematics_of(rig).ratio
-    runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(mended, angles, strict=True)]
+    runs = [observed(each, angle, ratio=ratio) for each, angle in zip(mended, angles, strict=True)]
     return tuple(replace(run, recording=replace(raw, run=run.run)) for run, raw in zip(runs, recordings, strict=True))
 
 

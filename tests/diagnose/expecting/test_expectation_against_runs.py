@@ -54,8 +54,8 @@ EFFECTS: dict[str, Part | None] = {
 
 
 def seen(rig: Rig, recording: Recording) -> Features:
-    angles, factor = shaft_angles([recording], rig)
-    run = observed(recording, angles[0], ratio=5.0, factor=factor)
+    angles = shaft_angles([recording], rig)
+    run = observed(recording, angles[0], ratio=5.0)
     lines = sorted({order(line.order) for line in Twin(rig.at(run.run)).lines()})
     tones = [frequency(50.02), frequency(150.06)]
     return features(run, [*lines, *tones], held=None)
@@ -150,10 +150,10 @@ def test_dry_friction_turns_with_the_motion(wear_rig: Scenario) -> None:
 def test_without_an_encoder_the_shaft_is_followed_in_the_torque(wear_rig: Scenario, record: Record) -> None:
     rig = wear_rig.rig
     bare = [record(rig, 7, encoder=False), record(rig, 8, rpm=700.0, encoder=False)]
-    angles, factor = shaft_angles(bare, rig)
-    assert factor == pytest.approx(1.004, abs=2e-4)
+    angles = shaft_angles(bare, rig)
+    assert [angle.factor for angle in angles] == pytest.approx([1.004, 1.004], abs=2e-4)
     assert not any(angle.measured for angle in angles)
-    full, _ = shaft_angles([record(rig, 7), record(rig, 8, rpm=700.0)], rig)
+    full = shaft_angles([record(rig, 7), record(rig, 8, rpm=700.0)], rig)
     assert all(isinstance(angle, ShaftAngle) and angle.measured for angle in full)
     for followed, measured in zip(angles, full, strict=True):
         drift = (followed.values - followed.values[0]) - (measured.values - measured.values[0])
@@ -164,9 +164,9 @@ def test_without_an_encoder_the_shaft_is_followed_in_the_torque(wear_rig: Scenar
 def test_a_ramp_without_an_encoder_turns_as_the_rig_would(wear_rig: Scenario, record: Record) -> None:
     rig = wear_rig.rig
     ramp = record(rig, 9, profile="ramp", encoder=False)
-    angles, factor = shaft_angles([record(rig, 7), ramp], rig)
-    assert factor == pytest.approx(1.004, abs=3e-4)
-    measured = shaft_angles([record(rig, 9, profile="ramp")], rig)[0][0]
+    angles = shaft_angles([record(rig, 7), ramp], rig)
+    assert [angle.factor for angle in angles] == pytest.approx([1.004, 1.004], abs=3e-4)
+    measured = shaft_angles([record(rig, 9, profile="ramp")], rig)[0]
     turned = angles[1].values[-1] - angles[1].values[0]
     assert turned == pytest.approx(measured.values[-1] - measured.values[0], rel=1e-3)
     assert "simulated" in angles[1].origin
@@ -174,8 +174,8 @@ def test_a_ramp_without_an_encoder_turns_as_the_rig_would(wear_rig: Scenario, re
 
 def test_features_see_no_sample_that_is_held_out(wear_rig: Scenario, record: Record) -> None:
     recording = record(wear_rig.rig, 1)
-    angles, factor = shaft_angles([recording], wear_rig.rig)
-    run = observed(recording, angles[0], ratio=5.0, factor=factor)
+    angles = shaft_angles([recording], wear_rig.rig)
+    run = observed(recording, angles[0], ratio=5.0)
     spoilt = run.torque.copy()
     for stretch in run.stretches:
         if stretch.held:

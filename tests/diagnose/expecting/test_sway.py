@@ -40,7 +40,7 @@ def looked(rig: Rig, *, measured: bool) -> Features:
     made: Recording = simulate(rig, duration=12.0, seed=2, sample_rate=10_000.0)
     true = made.channels["true_motor_angle_rad"].values
     angle = true if measured else np.polyval(np.polyfit(np.arange(true.size), true, 1), np.arange(true.size))
-    run = observed(made, ShaftAngle(angle, measured=measured, origin="test"), ratio=5.0, factor=1.0)
+    run = observed(made, ShaftAngle(angle, measured=measured, origin="test"), ratio=5.0)
     return features(run, [order(at) for at in (SLOW, *SIDES, FAST)], held=None)
 
 

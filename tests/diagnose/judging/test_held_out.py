@@ -30,9 +30,9 @@ from torquerig.signals.run import Run
 def held(wear_rig: Scenario, record: Callable[..., Recording]) -> tuple[Features, ...]:
     rig = wear_rig.rig
     recordings = [replace(record(rig, seed, duration=12.0), name=f"run{seed}.parquet") for seed in (5, 6, 7)]
-    angles, factor = shaft_angles(recordings, rig)
+    angles = shaft_angles(recordings, rig)
     ratio = kinematics_of(rig).ratio
-    runs = [observed(each, angle, ratio=ratio, factor=factor) for each, angle in zip(recordings, angles, strict=True)]
+    runs = [observed(each, angle, ratio=ratio) for each, angle in zip(recordings, angles, strict=True)]
     return tuple(features(run, known_places(runs, rig), held=True) for run in runs)
 
 

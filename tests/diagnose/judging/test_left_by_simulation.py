@@ -40,8 +40,8 @@ def recording(wear_rig: Scenario, record: Callable[..., Recording]) -> Recording
 
 def case_of(rig: Rig, recording: Recording) -> Case:
     """The run against ``rig``, none of its numbers fitted."""
-    angles, factor = shaft_angles([recording], rig)
-    run = observed(recording, angles[0], ratio=kinematics_of(rig).ratio, factor=factor)
+    angles = shaft_angles([recording], rig)
+    run = observed(recording, angles[0], ratio=kinematics_of(rig).ratio)
     seen = (features(run, [*known_places([run], rig), order(112.0)]),)
     misfits = misfits_of(rig, seen)
     none = np.zeros(0)

@@ -85,7 +85,7 @@ def turning_back(wear_rig: Scenario, record: Callable[..., Recording]) -> Observ
     angle = recording.channels["encoder_count"].in_si()
     from torquerig.diagnose.looking.observed import observed
 
-    return observed(recording, ShaftAngle(angle, True, "by the encoder"), ratio=5.0, factor=1.0)
+    return observed(recording, ShaftAngle(angle, True, "by the encoder"), ratio=5.0)
 
 
 def test_flanks_fly_where_there_is_a_gap_and_nowhere_else(wear_rig: Scenario, turning_back: Observed) -> None:

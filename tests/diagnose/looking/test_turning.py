@@ -109,7 +109,7 @@ def test_a_simulation_of_the_same_rig_turns_like_it(wear_rig: Scenario, record: 
     rig = wear_rig.rig
     made = record(rig, 5, rpm=700.0, occupancy=5.0, profile="reversal")
     angle = made.channels["encoder_count"].in_si()
-    run = observed(made, ShaftAngle(angle, "encoder", True), ratio=5.0, factor=1.0)
+    run = observed(made, ShaftAngle(angle, "encoder", True), ratio=5.0)
     places = [order(at) for at in (0.2, 0.4, 0.6, 0.8, 1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 12.0, 14.0, 18.0, 21.0)]
     seen = features(run, places)
     twin = expected(rig, seen)

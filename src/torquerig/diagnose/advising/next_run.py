@@ -136,7 +136,7 @@ def _imagined(rig: Rig, run: Run, like: Observed) -> Observed:
     """Return a simulated run, its angle known as well as in the recordings."""
     recording = simulate(rig.at(run), duration=_LENGTH, seed=_SEED, sample_rate=like.rate)
     angle = ShaftAngle(recording.channels["true_motor_angle_rad"].values, like.angle_measured, "simulated")
-    return observed(recording, angle, ratio=kinematics_of(rig).ratio, factor=1.0)
+    return observed(recording, angle, ratio=kinematics_of(rig).ratio)
 
 
 def _places(case: Case, rigs: Sequence[Rig], run: Run) -> list[Place]:

@@ -126,15 +126,15 @@ class Observed:
         return float(self.speed.mean())
 
 
-def observed(recording: Recording, angle: ShaftAngle, *, ratio: float, factor: float) -> Observed:
-    """Return the run ready to compare; ``factor`` is the real speed over the set-point, ``ratio`` motor per output."""
+def observed(recording: Recording, angle: ShaftAngle, *, ratio: float) -> Observed:
+    """Return the run ready to compare; ``ratio`` is the motor's turns per turn of the output."""
     if recording.duration < SHORTEST:
         raise RecordingError(
             f"{recording.name}: {recording.duration:.2f} s are too short to tell anything; record {SHORTEST:g} s or "
             "more, better 12 s"
         )
     run = recording.run
-    held_at = replace(run, speed=None if run.speed is None else run.speed * factor)
+    held_at = replace(run, speed=None if run.speed is None else run.speed * angle.factor)
     return Observed(
         recording=replace(recording, run=held_at),
         torque=recording.torque(),
