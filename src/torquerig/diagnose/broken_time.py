@@ -37,7 +37,8 @@ def broken_time(recordings: Sequence[Recording], *, repeating: Collection[str] =
     """
     names: list[str] = []
     copies, jumps, about = list[Untrue](), list[Untrue](), list[Moments]()
-    held = [(each, every) for each in recordings if (every := renewed_every(each)) is not None]
+    told = zip(recordings, renewed_every(recordings), strict=True)
+    held = [(each, every) for each, every in told if every is not None]
     for recording in recordings:
         twice = () if recording.name in repeating else copied(recording)
         turned = angle_jumps(recording)

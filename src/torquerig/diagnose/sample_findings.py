@@ -78,7 +78,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     candidates: list[Candidate] = []
     unnamed: list[str] = []
     present = {part.kind for part in rig.parts}
-    recorded, recordings = recordings, tuple(map(on_straight_lines, recordings))
+    recorded, recordings = recordings, tuple(on_straight_lines(recordings))
 
     def add(kind: str, class_name: str, **values: float | str) -> None:
         if kind in present:
@@ -92,11 +92,13 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     codes = coarse_codes(recordings, converter_step=step) if step else None
     if codes is not None:
         add("quantization", "Quantization", step=codes.step)
-    lost = dropouts(recordings)
+    held = [each is not as_read for each, as_read in zip(recordings, recorded, strict=True)]
+    lost = dropouts([each for each, by_itself in zip(recordings, held, strict=True) if not by_itself])
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
-    mended = tuple(bridged(recording) for recording in recordings) if lost is not None else tuple(recordings)
-    lost_of_each: tuple[Moments, ...] = tuple(map(moments_lost, recordings))
+    still = zip(recordings, held, strict=True)  # what is held stands still by itself
+    lost_of_each: tuple[Moments, ...] = tuple([] if by_itself else moments_lost(each) for each, by_itself in still)
+    mended = tuple(bridged(each) if moments else each for each, moments in zip(recordings, lost_of_each, strict=True))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     behind = None if flat is not None or codes is not None else _cut_before_noise(mended, full_range=full)
     if flat is not None:
