@@ -88,7 +88,7 @@ def _chain(
         ]
         if not (good or accepted):  # where one does not suffice, two may
             good = [trial for trial in tried.fitted if promising(case, trial)]
-            fewest = 1 if good else 2
+            fewest = 1 if any(not trial.candidate.resembled for trial in good) else 2  # noise looks like the others
             good = good or [trial for trial in tried.fitted if hopeful(case, trial)]
             on_trial = bool(good)
         if not good or len(accepted) == MOST_EFFECTS:

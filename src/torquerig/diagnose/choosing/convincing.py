@@ -109,9 +109,12 @@ def _may_leave(earlier: Trial, trial: Trial) -> bool:
 
 
 def _levels_still_wrong(trial: Trial) -> bool:
-    """Whether it moves the slow torque alone, and that of a run strays beside it: its course is another one."""
+    """Whether it moves the slow torque alone, and that of a run strays beside it: its course is another one.
+
+    What goes to and fro from one level to the next is none: a slow shaft's line, of which they hold no whole turns.
+    """
     levels = [each.level for each in trial.model.misfits if each.level.size and trial.candidate.slow]
-    return any(float(np.mean(robust_squares(level))) > _MEAN_SQUARE for level in levels)
+    return any(float(np.mean(robust_squares(level))) > _MEAN_SQUARE and level[1:] @ level[:-1] > 0 for level in levels)
 
 
 def _of_any_width(trial: Trial) -> bool:
