@@ -40,18 +40,18 @@ def broken(clean: Recording) -> Recording:
 
 
 def test_each_kind_of_sign_is_told_with_the_recording(clean: Recording, broken: Recording) -> None:
-    found = broken_time([broken])
+    found = broken_time([broken], renewed=[None])
     assert found.names == (broken.name,)
     assert any("samples repeat earlier ones exactly" in sentence for sentence, _ in found.told)
     assert all(sentence.endswith("the seams were bridged") for sentence, _ in found.told)
-    whole = broken_time([clean])
+    whole = broken_time([clean], renewed=[None])
     assert (whole.names, whole.told, whole.seams) == ((), (), ([],))
-    told_of_copies = [sentence for sentence, _ in broken_time([broken], repeating=[broken.name]).told]
+    told_of_copies = [sentence for sentence, _ in broken_time([broken], renewed=[None], repeating=[broken.name]).told]
     assert not any("repeat" in sentence for sentence in told_of_copies)
 
 
 def test_seams_are_where_the_stream_breaks(broken: Recording) -> None:
-    (found,) = broken_time([broken]).seams
+    (found,) = broken_time([broken], renewed=[None]).seams
     for start in STARTS:
         assert any(first < start < stop for first, stop in found)
     assert all(stop - first == pytest.approx(0.003 * RATE, abs=1) for first, stop in found)

@@ -9,7 +9,6 @@ import numpy as np
 
 from torquerig.diagnose.looking.angle_jumps import AngleJump, angle_jumps
 from torquerig.diagnose.looking.copied import Copied, copied
-from torquerig.diagnose.looking.held_samples import renewed_every
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.seams import seams
 from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_frequency, place_in_time
@@ -25,20 +24,23 @@ class BrokenTime:
     seams: tuple[Moments, ...]
 
 
-def broken_time(recordings: Sequence[Recording], *, repeating: Collection[str] = ()) -> BrokenTime:
+def broken_time(
+    recordings: Sequence[Recording], *, renewed: Sequence[float | None], repeating: Collection[str] = ()
+) -> BrokenTime:
     """Return where samples were written twice, lost or held; copies are not looked for in ``repeating`` recordings.
 
     Parameters
     ----------
     recordings : sequence of Recording
         As they were read.
+    renewed : sequence of float or None
+        After how many samples each is renewed, where it is held in between.
     repeating : collection of str
         Names of those whose samples repeat by themselves, as the tones at a limit do.
     """
     names: list[str] = []
     copies, jumps, about = list[Untrue](), list[Untrue](), list[Moments]()
-    told = zip(recordings, renewed_every(recordings), strict=True)
-    held = [(each, every) for each, every in told if every is not None]
+    held = [(each, every) for each, every in zip(recordings, renewed, strict=True) if every is not None]
     for recording in recordings:
         twice = () if recording.name in repeating else copied(recording)
         turned = angle_jumps(recording)

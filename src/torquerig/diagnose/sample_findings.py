@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from torquerig import mechanisms
 from torquerig.diagnose.broken_time import broken_time
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.looking.held_samples import on_straight_lines
+from torquerig.diagnose.looking.held_samples import on_straight_lines, renewed_every
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import FlatTops, bridged, coarse_codes, dropouts, flat_tops, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
@@ -78,7 +78,8 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     candidates: list[Candidate] = []
     unnamed: list[str] = []
     present = {part.kind for part in rig.parts}
-    recorded, recordings = recordings, tuple(on_straight_lines(recordings))
+    recorded, renewed = recordings, renewed_every(recordings)
+    recordings = tuple(map(on_straight_lines, recorded, renewed))
 
     def add(kind: str, class_name: str, **values: float | str) -> None:
         if kind in present:
@@ -92,13 +93,13 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     codes = coarse_codes(recordings, converter_step=step) if step else None
     if codes is not None:
         add("quantization", "Quantization", step=codes.step)
-    held = [each is not as_read for each, as_read in zip(recordings, recorded, strict=True)]
+    held = [every is not None for every in renewed]  # such a run stands still by itself
     lost = dropouts([each for each, by_itself in zip(recordings, held, strict=True) if not by_itself])
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
-    still = zip(recordings, held, strict=True)  # what is held stands still by itself
+    still = zip(recordings, held, strict=True)
     lost_of_each: tuple[Moments, ...] = tuple([] if by_itself else moments_lost(each) for each, by_itself in still)
-    mended = tuple(bridged(each) if moments else each for each, moments in zip(recordings, lost_of_each, strict=True))
+    mended = tuple(map(bridged, recordings, lost_of_each))
     flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
     behind = None if flat is not None or codes is not None else _cut_before_noise(mended, full_range=full)
     if flat is not None:
@@ -114,7 +115,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     changed = [after.name for before, after in zip(mended, filled, strict=True) if after is not before]
     put_right = tuple(name for name in clipped if name in changed)
     resolution = 0.5 * (codes.step if codes else step)
-    time = broken_time(recorded, repeating=() if behind is None else behind.runs)
+    time = broken_time(recorded, renewed=renewed, repeating=() if behind is None else behind.runs)
     lost_of_each = tuple([*some, *more] for some, more in zip(lost_of_each, time.seams, strict=True))
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(

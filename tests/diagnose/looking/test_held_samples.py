@@ -29,14 +29,16 @@ def test_a_rhythm_is_told_whole_or_not(every: float, smooth: np.ndarray) -> None
     at = (np.floor(np.arange(smooth.size) / every) * every).astype(int)
     held = of(smooth[at])
     assert renewed_every([held])[0] == pytest.approx(every, rel=1e-3)
-    found = broken_time([held])
+    found = broken_time([held], renewed=renewed_every([held]))
     ((sentence, place),) = found.told
     assert found.names == ("run",)
     assert "renewed only every" in sentence
     assert place.at == pytest.approx(RATE / every, rel=1e-3)
     if every > 5:
         slow = np.convolve(smooth, np.ones(400) / 400, "same")
-        again = np.convolve(on_straight_lines([held])[0].channels["torque_V"].values, np.ones(400) / 400, "same")
+        again = np.convolve(
+            on_straight_lines(held, renewed_every([held])[0]).channels["torque_V"].values, np.ones(400) / 400, "same"
+        )
         assert np.abs(again - slow)[1000:-1000].max() < 0.02
 
 
@@ -45,7 +47,7 @@ def test_a_rhythm_is_told_under_the_noise_of_what_comes_behind(smooth: np.ndarra
     noise = 2e-4 * np.random.default_rng(6).standard_normal(smooth.size)
     held = of(smooth[at] + noise)
     assert renewed_every([held])[0] == pytest.approx(10.7, rel=1e-3)
-    lines = on_straight_lines([held])[0].channels["torque_V"].values
+    lines = on_straight_lines(held, renewed_every([held])[0]).channels["torque_V"].values
     assert np.mean(np.diff(lines) == 0) < 0.01  # where two renewals are alike nothing stands still all the same
     assert np.abs(lines - smooth)[1000:-1000].std() < 0.8 * np.abs(held.channels["torque_V"].values - smooth).std()
 
@@ -59,7 +61,7 @@ def test_what_is_not_held_keeps_none(smooth: np.ndarray) -> None:
     for volts in (smooth, coarse, slow, lost, np.zeros(5000), struck, seldom):
         recording = of(volts)
         assert renewed_every([recording]) == [None]
-        assert on_straight_lines([recording])[0] is recording
+        assert on_straight_lines(recording, None) is recording
 
 
 @pytest.mark.parametrize("every", [10.7, 22.88])
@@ -72,7 +74,7 @@ def test_a_rhythm_that_one_run_tells_is_found_where_steps_hardly_pass_the_noise(
     assert alone == [None]
     assert both == pytest.approx([every, every], rel=3e-4)
     assert renewed_every([of(clear[at] + noise), of(faint + noise)])[1] is None
-    lines = on_straight_lines([of(clear[at] + noise), of(faint[at] + noise)])[1].channels["torque_V"].values
+    lines = on_straight_lines(of(faint[at] + noise), both[1]).channels["torque_V"].values
     assert (
         np.abs(lines - faint)[100:-100].max() < 0.06
     )  # of what is held the noise's mean stays, and the way to the next

@@ -7,7 +7,15 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnose.looking.sample_faults import _gaps, bridged, coarse_codes, dropouts, flat_tops, gaps
+from torquerig.diagnose.looking.sample_faults import (
+    _gaps,
+    bridged,
+    coarse_codes,
+    dropouts,
+    flat_tops,
+    gaps,
+    moments_lost,
+)
 from torquerig.diagnose.sample_findings import sample_findings
 from torquerig.mechanisms import Clipping, Quantization, SignalDropout
 from torquerig.rig.rig import Rig
@@ -140,7 +148,7 @@ def test_bridging_takes_the_moments_out_and_leaves_the_rest(clean: Recording) ->
     volts = clean.channels["torque_V"].values.copy()
     volts[4000:4030] = -0.4
     lost = with_volts(clean, volts)
-    mended = bridged(lost).channels["torque_V"].values
+    mended = bridged(lost, moments_lost(lost)).channels["torque_V"].values
     assert gaps(mended, clean.sample_rate) == []
     assert mended[4000:4030].min() > 0.3
     kept = np.r_[0:3999, 4031 : volts.size]

@@ -85,13 +85,10 @@ def _changes(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     return np.asarray(steps > _NOISE * np.median(steps))
 
 
-def on_straight_lines(recordings: Sequence[Recording]) -> list[Recording]:
-    """Return the recordings with straight lines from one renewal to the next, as they are where nothing is held."""
-    told = zip(recordings, renewed_every(recordings), strict=True)
-    return [recording if every is None else _joined(recording, every) for recording, every in told]
-
-
-def _joined(recording: Recording, every: float) -> Recording:
+def on_straight_lines(recording: Recording, every: float | None) -> Recording:
+    """Return the recording with straight lines from one renewal to the next, as it is where nothing is held."""
+    if every is None:
+        return recording
     name = recording.torque_name()
     values = recording.channels[name].values
     changed = np.flatnonzero(_changes(values)) + 1
