@@ -93,11 +93,13 @@ def parse_document(text: str, path: Path) -> Document:
 
 
 def validated(
-    document: Document, adapter: TypeAdapter[Model], *, within: tuple[str | int, ...] = (), data: Any = None
-) -> Model:
+    document: Document, adapter: TypeAdapter[Model], *, within: tuple[str | int, ...] = (), data: Any = None,
+    context: Mapping[str, Any] | None = None,
+) -> Model:  # fmt: skip
     """Return the document's data (or the part ``within``) as the adapter's type; InputError lists every problem.
 
     ``data`` stands in for the part ``within`` where defaults have been filled in; places are still the document's.
+    ``context`` is what fields may ask, such as ``{"in_a_line": True}``.
     """
     from pydantic import ValidationError
 
@@ -106,7 +108,7 @@ def validated(
         for key in within:
             data = data[key]
     try:
-        return adapter.validate_python(data)
+        return adapter.validate_python(data, context=None if context is None else dict(context))
     except ValidationError as error:
         sentences = [_sentence(document, within, detail, adapter) for detail in _without_misspelt(error.errors())]
         raise InputError("\n".join(dict.fromkeys(sentences))) from None

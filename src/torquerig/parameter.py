@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, inf, isfinite, log, sqrt
 from typing import TYPE_CHECKING, Any
 
 from torquerig.errors import UnitError
-from torquerig.units import in_unit, parse_quantity, written_quantity
+from torquerig.units import IN_A_LINE, in_unit, parse_quantity, written_quantity
 
 if TYPE_CHECKING:
     import numpy as np
-    from pydantic import GetCoreSchemaHandler
+    from pydantic import GetCoreSchemaHandler, ValidationInfo
     from pydantic_core import CoreSchema
 
 EVIDENCE = {
@@ -121,6 +121,7 @@ class Parameter:
 
     pydantic reads such a field from text with a unit; a bare number is refused where a unit is possible. On an
     ``Estimate`` field the YAML holds a mapping with value, or low and high, or one_of, and with evidence and source.
+    With ``{"in_a_line": True}`` as pydantic's context the unit is that of something that moves in a line.
     """
 
     unit: str
@@ -128,6 +129,11 @@ class Parameter:
     low: float = -inf
     high: float = inf
     above: float = -inf
+
+    @property
+    def in_a_line(self) -> Parameter:
+        """The same number of something that moves in a line: N for N*m, kg for kg*m^2."""
+        return replace(self, unit=IN_A_LINE.get(self.unit, self.unit))
 
     def read(self, written: Any) -> float:
         """Return the SI number written as ``written``; UnitError or ValueError says what to write instead."""
@@ -198,25 +204,16 @@ class Parameter:
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         from pydantic_core import core_schema
 
-        read = self.read_estimate if source is Estimate else self.read
-
-        def validator(written: Any) -> Any:
-            if isinstance(written, source):
+        def validator(written: Any, info: ValidationInfo) -> Any:
+            if source is not float and isinstance(written, source):
                 return written
+            here = self.in_a_line if (info.context or {}).get("in_a_line") else self
             try:
-                return read(written)
+                return here.read_estimate(written) if source is Estimate else here.read(written)
             except UnitError as error:
                 raise ValueError(str(error)) from None
 
-        if source is float:
-
-            def validator(written: Any) -> Any:
-                try:
-                    return self.read(written)
-                except UnitError as error:
-                    raise ValueError(str(error)) from None
-
-        return core_schema.no_info_plain_validator_function(validator)
+        return core_schema.with_info_plain_validator_function(validator)
 
 
 def _listed(written: Any) -> list[Any]:

@@ -76,6 +76,7 @@ UNITS: dict[str, dict[str, float]] = {
     "force": {"N": 1, "mN": 1e-3, "kN": 1e3, "lbf": 4.4482216152605, "kip": 4448.2216152605},
     "linear stiffness": {"N/m": 1, "N/mm": 1e3, "N/um": 1e6},
     "linear damping": {"N*s/m": 1, "Ns/m": 1},
+    "linear quadratic drag": {"N*s^2/m^2": 1, "N*s2/m2": 1},
     "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254},
     "voltage": {"V": 1, "mV": 1e-3, "uV": 1e-6, "kV": 1e3},
     "current": {"A": 1, "mA": 1e-3},
@@ -95,6 +96,12 @@ UNITS: dict[str, dict[str, float]] = {
     "data": {"bit": 1},
     "share": {"1": 1, "%": 1e-2, "ppm": 1e-6},
 }
+
+IN_A_LINE = {
+    "N*m": "N", "kg*m^2": "kg", "rad": "m", "rad/s": "m/s", "N*m/rad": "N/m", "N*m*s/rad": "N*s/m",
+    "N*m*s^2/rad^2": "N*s^2/m^2",
+}  # fmt: skip
+"""What stands for the unit of a shaft where the same equation holds of something that moves in a line."""
 
 _NUMBER = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 _DECIMAL_COMMA = re.compile(r"^\s*[+-]?\d+,\d+")

@@ -54,6 +54,30 @@ def test_the_picture_is_drawn_once_and_not_overwritten(tmp_path: Path, capsys: p
     assert picture.read_bytes() == first
 
 
+IMPOSED = """
+operating_point: {}
+measured: motion
+rig:
+  table: {kind: slide, mass: 3 kg}
+  rod: {kind: link, stiffness: 1.0e6 N/m, damping: 50 N*s/m}
+  block: {kind: slide, mass: 4 kg}
+  motion: {kind: imposed_motion, at: table, channel: position}
+"""
+
+
+def test_what_an_imposed_motion_moves_is_clamped(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scenario = tmp_path / "imposed.yaml"
+    scenario.write_text(IMPOSED, encoding="utf-8")
+    assert run(str(scenario)) == 0
+    out = capsys.readouterr().out
+    # sqrt(1e6 / 4) / 2 pi = 79.577 Hz: the block on its rod, the table held
+    assert "79.577" in out
+    assert "motion imposes the motion" in out
+    assert run(str(scenario), "--picture", str(tmp_path / "modes.svg")) == 2
+    assert "no spring is read" in capsys.readouterr().err
+    assert not (tmp_path / "modes.svg").exists()
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [

@@ -11,9 +11,9 @@ import pytest
 import yaml
 
 from torquerig import mechanisms
-from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.reading import Catalog, load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.document import read_document
+from torquerig.document import parse_document, read_document
 from torquerig.errors import InputError
 from torquerig.mechanisms import (
     BearingDefect,
@@ -102,6 +102,54 @@ def test_numbers_stand_with_their_units_and_defaults_are_left_out() -> None:
     written = written_part(SensorDrift(name="part", span=-0.2, time_constant=3.0))
     assert written == {"kind": "sensor_drift", "span": "-0.2 V", "time_constant": "3.0 s"}
     assert written_part(SensorDrift(name="part", span=-0.2)) == {"kind": "sensor_drift", "span": "-0.2 V"}
+
+
+IN_A_LINE = """
+operating_point: {}
+measured: motion
+rig:
+  table: {kind: slide, mass: 3 kg}
+  contact: {kind: stribeck_friction, at: block, coulomb: 37 N, static: 47 N, stribeck_speed: 12 mm/s, smoothing: 1 mm/s}
+  rod: {kind: link, after: table, stiffness: 1.0e6 N/m, damping: 500 N*s/m}
+  play: {kind: backlash, gear: rod, gap: 0.2 mm}
+  block: {kind: slide, after: rod, mass: 4 kg}
+  air: {kind: quadratic_drag, at: block, coefficient: 3 N*s^2/m^2}
+  arm: {kind: torsional_mode, after: block, frequency: 30 Hz, inertia: 0.2 kg, damping_ratio: 0.02}
+  motion: {kind: imposed_motion, at: table, channel: position}
+"""
+
+
+def test_effects_of_what_moves_in_a_line_are_in_kg_n_and_m(tmp_path: Path) -> None:
+    made = read_scenario(parse_document(IN_A_LINE, tmp_path / "line.yaml"), Catalog(), seed=0)
+    assert made.rig.part("contact") == StribeckFriction(
+        name="contact", at="block", coulomb=37.0, static=47.0, stribeck_speed=0.012, smoothing=1e-3
+    )
+    written = yaml.safe_load(scenario_text(made.rig, title="line", operating_point={}))["rig"]
+    assert written["contact"] == {
+        "kind": "stribeck_friction", "at": "block", "coulomb": "37.0 N", "static": "47.0 N",
+        "stribeck_speed": "0.012 m/s", "smoothing": "0.001 m/s",
+    }  # fmt: skip
+    assert written["play"]["gap"] == "0.0002 m"
+    assert written["air"]["coefficient"] == "3.0 N*s^2/m^2"
+    assert written["arm"]["inertia"] == "0.2 kg"
+    assert back(made.rig, tmp_path, operating_point={}).rig.parts == made.rig.parts
+
+
+@pytest.mark.parametrize(
+    ("stated", "wrong", "told"),
+    [
+        (
+            "37 N",
+            "37 N*m",
+            r"line\.yaml:6: rig\.contact\.coulomb: '37 N\*m' is a torque; a force is wanted, write '37 N'",
+        ),
+        ("0.2 mm", "3 arcmin", r"rig\.play\.gap: '3 arcmin' is an angle; a length is wanted, write '3 m'"),
+        ("0.2 kg", "0.2 kg*m^2", r"rig\.arm\.inertia: .* a mass is wanted"),
+    ],
+)
+def test_a_shafts_unit_in_a_line_is_refused(tmp_path: Path, stated: str, wrong: str, told: str) -> None:
+    with pytest.raises(InputError, match=told):
+        read_scenario(parse_document(IN_A_LINE.replace(stated, wrong, 1), tmp_path / "line.yaml"), Catalog(), seed=0)
 
 
 def test_spreads_come_back_as_uncertainties(tmp_path: Path) -> None:

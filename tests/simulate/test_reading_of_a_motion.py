@@ -61,9 +61,9 @@ def taken(made: Rig) -> np.ndarray:
 def test_the_reading_is_what_mass_and_friction_by_direction_ask_for(tmp_path: Path) -> None:
     """m v' + c v + Tc sign(v), c and Tc of the direction, away from the reversals."""
     friction = (
-        "friction: {kind: stribeck_friction, at: table, coulomb: 5 N*m, static: 5 N*m, stribeck_speed: 1 rad/s, "
-        "coulomb_backward: 8 N*m, static_backward: 8 N*m, viscous: 3 N*m*s/rad, viscous_backward: 30 N*m*s/rad, "
-        "smoothing: 1.0e-3 rad/s}"
+        "friction: {kind: stribeck_friction, at: table, coulomb: 5 N, static: 5 N, stribeck_speed: 1 m/s, "
+        "coulomb_backward: 8 N, static_backward: 8 N, viscous: 3 N*s/m, viscous_backward: 30 N*s/m, "
+        "smoothing: 1.0e-3 m/s}"
     )
     reading, speed = taken(rig(tmp_path, CARRIAGE, friction)), SPEED[:-1]
     gained = -((2 * np.pi * F) ** 2) * STROKE * np.sin(2 * np.pi * F * TIME[:-1])
@@ -75,7 +75,7 @@ def test_the_reading_is_what_mass_and_friction_by_direction_ask_for(tmp_path: Pa
 
 def test_play_lets_the_actuator_travel_freely_after_each_reversal(tmp_path: Path) -> None:
     """Free travel, by which the force stays below a tenth, is the play and the springs' short way beside it."""
-    made = rig(tmp_path, PLAY, "play: {kind: backlash, gear: link, gap: 8 mrad}")
+    made = rig(tmp_path, PLAY, "play: {kind: backlash, gear: link, gap: 8 mm}")
     reading = taken(made)
     free = np.abs(reading[100:]) < 4.0
     travelled = np.abs(np.diff(STROKE * np.sin(2 * np.pi * F * TIME)))[100:][free].sum()

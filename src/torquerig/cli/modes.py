@@ -19,6 +19,10 @@ from torquerig.simulate.twin.modes import Mode, Pole
 from torquerig.simulate.twin.twin import Twin, twin_of
 from torquerig.units import parse_quantity
 
+_IMPOSED = (
+    "{0} imposes the motion: what it moves is clamped here, it closes no loop, and no spring is read that could show "
+    "how strongly a line meets a mode"
+)
 NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] how far the diagram goes for a rig without set-point
 
 
@@ -51,10 +55,16 @@ def command(
     made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
     twin = twin_of(made.rig, rate=sampled, seed=seed)
     top = asked or 1.5 * abs(twin.motor_speed_rpm) * pi / 30 or NO_SPEED_TOP
+    if picture is not None and not twin.reads_a_spring:
+        raise InputError(f"{scenario}: {made.rig.measured} imposes the motion and no spring is read, so that there is "
+                         "no transfer to draw; leave --picture out, or name a sensor under measured:")  # fmt: skip
     lines = twin.order_lines(kinematics_of(made.rig).lines())
-    found = twin.crossings(lines, top_speed=top)
     click.echo(f"{made.title}: {_about(twin)}\n")
     _tell_modes(twin.modes())
+    if not twin.reads_a_spring:
+        click.echo(wrapped(_IMPOSED.format(made.rig.measured)))
+        return
+    found = twin.crossings(lines, top_speed=top)
     if loops := twin.margins():
         click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
         _tell_poles(twin.loop_poles())
@@ -80,8 +90,10 @@ def _read(text: str, unit: str, option: str) -> float:
 
 
 def _about(twin: Twin) -> str:
-    point, sensor = twin.point, twin.lowered.spring_names.index(twin.rig.measured)
+    if not twin.reads_a_spring:
+        return f"linear, {twin.lowered.leader()} held"
     words = f"linear about {twin.motor_speed_rpm:.6g} rpm of {twin.lowered.leader()}"
+    point, sensor = twin.point, twin.lowered.spring_names.index(twin.rig.measured)
     words += f", {point.spring_torques[sensor]:.4g} N*m in {twin.rig.measured}"
     return words + (f", {point.drive_torque:.4g} N*m from the motor" if twin.lowered.drive_names else "")
 

@@ -66,6 +66,12 @@ class Part:
     in_a_line: ClassVar[bool] = False
     """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
 
+    @property
+    def host(self) -> str | None:
+        """The part that an effect sits on and moves with: ``at`` or ``gear``, and of a branch ``after``."""
+        at: str | None = getattr(self, "at", getattr(self, "gear", None))
+        return self.after if at is None and self.ends_shaft else at
+
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the physics that this part adds to the shafts."""
         return ()

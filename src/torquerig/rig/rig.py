@@ -87,6 +87,10 @@ class Rig:
             raise InputError(f"{name}: nothing drives it; name the part before it with after:")
         return self.node(part.after)
 
+    def in_a_line(self, part: Part) -> bool:
+        """Tell whether a part moves in a line, or sits on one that does: its numbers are then in kg, N and m."""
+        return part.in_a_line or any(one.in_a_line for one in self.parts if one.name == part.host)
+
     def terms(self) -> tuple[Term, ...]:
         """Return the physics of all parts; InputError where a node has no inertia."""
         return self._terms

@@ -206,4 +206,17 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
     if cls.on_shaft:
         data.setdefault("after", shaft)
     adapter: TypeAdapter[Part] = TypeAdapter(cls)
-    return validated(document, adapter, within=("rig", name), data=data)
+    units = {"in_a_line": cls.in_a_line or _kind_of(document, _host(cls, data)).in_a_line}
+    return validated(document, adapter, within=("rig", name), data=data, context=units)
+
+
+def _host(cls: type[Part], data: Mapping[str, Any]) -> Any:
+    """Return the name of the part that an effect is going to sit on, as ``Part.host`` does once it is read."""
+    stated = [data.get(key, getattr(cls, key, None)) for key in ("at", "gear")]
+    return next((one for one in stated if one is not None), data.get("after") if cls.ends_shaft else None)
+
+
+def _kind_of(document: Document, name: Any) -> type[Part]:
+    """Return the class of a part that the file states, wherever it stands there; Part of one that it does not."""
+    entry = document.data["rig"].get(name) if isinstance(name, str) else None
+    return KINDS.get(str(entry.get("kind")), Part) if isinstance(entry, dict) else Part

@@ -18,13 +18,17 @@ from torquerig.whole_file import whole_file
 _NOT_WRITTEN = ("name", "group")
 
 
-def written_part(part: Part, spreads: Mapping[str, float] | None = None) -> dict[str, Any]:
+def written_part(
+    part: Part, spreads: Mapping[str, float] | None = None, *, in_a_line: bool = False
+) -> dict[str, Any]:  # fmt: skip
     """Return the YAML mapping of a part: kind first, then every field that differs from its default.
 
     Parameters
     ----------
     spreads : mapping of str to float, optional
         One-sigma relative spread by field, written as ``{value: ..., rel_sd: ...}``.
+    in_a_line : bool
+        Whether it sits on something that moves in a line, so that N stands for N*m.
     """
     hints = get_type_hints(type(part), include_extras=True)
     answer: dict[str, Any] = {"kind": part.kind}
@@ -33,7 +37,7 @@ def written_part(part: Part, spreads: Mapping[str, float] | None = None) -> dict
         default = field.default_factory() if field.default_factory is not MISSING else field.default
         if field.name in (*_NOT_WRITTEN, "kind") or value is None or (value == default and default is not MISSING):
             continue
-        written = _written(value, hints[field.name])
+        written = _written(value, hints[field.name], in_a_line)
         spread = (spreads or {}).get(field.name, 0.0)
         answer[field.name] = {"value": written, "rel_sd": float(f"{spread:.4g}")} if spread else written
     if "group" in hints and get_origin(hints["group"]) is not None and len(get_args(hints["group"])) > 1:
@@ -48,7 +52,10 @@ def scenario_text(
     """Return a scenario file for ``rig``; ``head`` goes before it as a comment, line by line."""
     import yaml
 
-    parts = {part.name: written_part(part, (spreads or {}).get(part.name)) for part in rig.parts}
+    parts = {
+        part.name: written_part(part, (spreads or {}).get(part.name), in_a_line=rig.in_a_line(part))
+        for part in rig.parts
+    }
     data = {"scenario": title, "operating_point": dict(operating_point), "measured": rig.measured, "rig": parts}
     comment = "".join(f"# {line}\n" for line in head.splitlines())
     return comment + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120)
@@ -62,20 +69,21 @@ def write_scenario(path: Path, text: str, *, overwrite: bool) -> None:
         partial.write_text(text, encoding="utf-8", newline="\n")
 
 
-def _written(value: Any, hint: Any) -> Any:
+def _written(value: Any, hint: Any, in_a_line: bool) -> Any:
     """Return a value as YAML states it: numbers with units where the annotation has one."""
     if get_origin(hint) in (Union, UnionType):
         hint = next(option for option in get_args(hint) if option is not type(None))
     parameter = next((note for note in getattr(hint, "__metadata__", ()) if isinstance(note, Parameter)), None)
     if parameter is not None and isinstance(value, int | float):
-        return float(value) if parameter.unit == "1" else written_quantity(float(value), parameter.unit)
+        unit = parameter.in_a_line.unit if in_a_line else parameter.unit
+        return float(value) if unit == "1" else written_quantity(float(value), unit)
     if get_origin(hint) is Annotated:
         hint = get_args(hint)[0]
     inner = get_args(hint)
     if isinstance(value, Mapping):
-        return {_written(key, inner[0]): _written(item, inner[1]) for key, item in value.items()}
+        return {_written(key, inner[0], in_a_line): _written(item, inner[1], in_a_line) for key, item in value.items()}
     if isinstance(value, tuple | list):
-        return [_written(item, inner[0] if inner else type(item)) for item in value]
+        return [_written(item, inner[0] if inner else type(item), in_a_line) for item in value]
     if is_dataclass(value) and not isinstance(value, type):
         return {key: item for key, item in asdict(value).items() if item is not None}
     return value

@@ -19,13 +19,19 @@ TURNS = SPEED * np.arange(int(RATE * LENGTH)) / RATE / (2 * pi)
 NOISE = 1e-3 * np.random.default_rng(1).standard_normal(TURNS.size)
 
 
-def resting_once_a_turn(highest: int) -> tuple[np.ndarray, list[float]]:
-    """A torque that rests at zero for a twelfth of a turn and then rises, made of orders up to ``highest`` alone."""
+def resting_once_a_turn(highest: int, *, astray: float = 0.0) -> tuple[np.ndarray, list[float]]:
+    """A torque that rests at zero for a twelfth of a turn and then rises, made of orders up to ``highest`` alone.
+
+    In each turn at another angle, by so much of a turn ``astray``.
+    """
     turn = np.arange(4096) / 4096
     drawn = np.where(turn < 1 / 12, 0.0, 0.4 * np.sqrt(np.abs(np.sin(pi * (turn - 1 / 12) / (11 / 12)))))
     kept = np.fft.rfft(drawn)
     kept[highest + 1 :] = 0.0
-    return np.interp(TURNS % 1, turn, np.fft.irfft(kept, 4096), period=1.0), [float(n) for n in range(1, highest + 1)]
+    off = astray * np.random.default_rng(2).uniform(-1, 1, int(TURNS[-1]) + 2)[(TURNS + 0.5).astype(int)]
+    return np.interp((TURNS + off) % 1, turn, np.fft.irfft(kept, 4096), period=1.0), [
+        float(n) for n in range(1, highest + 1)
+    ]
 
 
 def test_waves_that_rest_near_zero_are_no_flights(by_hand: ByHand) -> None:
@@ -35,8 +41,15 @@ def test_waves_that_rest_near_zero_are_no_flights(by_hand: ByHand) -> None:
     assert flights_beyond_lines(seen) < CLEARLY
 
 
-def test_a_blow_is_more_than_the_lines_below_it(by_hand: ByHand) -> None:
+def test_rests_at_one_angle_in_turn_after_turn_are_waves(by_hand: ByHand) -> None:
     """The same rest and rise, of which the model has the lowest lines alone."""
     torque, orders = resting_once_a_turn(60)
+    seen = features(by_hand(torque + NOISE, 2 * pi * TURNS, rate=RATE), [order(each) for each in orders[:4]])
+    assert flights_counted(seen.untoned) >= CLEARLY
+    assert flights_beyond_lines(seen) < CLEARLY
+
+
+def test_blows_at_other_angles_in_every_turn_are_flights(by_hand: ByHand) -> None:
+    torque, orders = resting_once_a_turn(60, astray=0.2)
     seen = features(by_hand(torque + NOISE, 2 * pi * TURNS, rate=RATE), [order(each) for each in orders[:4]])
     assert flights_beyond_lines(seen) == flights_counted(seen.untoned) >= CLEARLY

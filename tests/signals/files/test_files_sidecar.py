@@ -97,6 +97,14 @@ def test_other_keys_of_the_sheet_are_kept(tmp_path: Path) -> None:
             r"run1\.yaml:5: channels\.a\.Nm_per_mV: the scale does not give a torque for each 'V'; write Nm_per_V",
         ),
         ("channels:\n  a: {quantity: torque, unit: V, N_per_V: 1}\n", r"N_per_V: the scale does not give a torque"),
+        (
+            "channels:\n  a: {quantity: current, unit: A, Nm_per_A: 0.1}\n",
+            r"Nm_per_A: .* write A_per_A: NUMBER, or quantity: motor_torque, which it is the scale of",
+        ),
+        (
+            "channels:\n  a: {quantity: position, unit: count, counts_per_rev: 4096}\n",
+            r"counts_per_rev: .* write m_per_count: NUMBER, or quantity: motor_angle",
+        ),
         ("channels:\n  a: {quantity: torque, unit: V, Nm_per_V: 0}\n", r"0 cannot be a scale; write a number"),
         ("channels:\n  a: {quantity: torque, unit: V, Nm_per_V: 5 Nm}\n", r"'5 Nm' cannot be a scale"),
         ("channels:\n  a: {quantity: torque, unit: V, Nm_per_V: 1, V_per_Nm: 1}\n", r"there are two scales"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import blows, flights_counted, noise_of
@@ -14,21 +15,35 @@ from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.waves import Waves
 
 _SAME = 4e-3  # [s] so near to a blow one that the lines make is the same
+_AT_ONE_ANGLE = 1e-3  # [s] within which, turn after turn, a wave repeats; how flanks meet hangs on all that was before
+_AGAIN = 3  # blows at one angle of the shaft that no flanks make: two may meet by chance
 
 
 @kept
 def flights_beyond_lines(seen: Features) -> int:
     """Return how many flights a run shows, long ones counted twice, less those that its lines make without any gap.
 
-    The lines are those of the whole run by least squares, in noise as the run has it. Real blows ring far above them.
+    The lines are those of the whole run by least squares, in noise as the run has it. Real blows ring far above them,
+    and come at other angles of the shaft in every turn.
     """
     shown, counted = blows(seen.untoned), flights_counted(seen.untoned)
     if not shown or not seen.observed.steady:
         return counted
     of_lines = np.array(blows(_lines_alone(seen)))
     near = _SAME * seen.observed.rate
-    real = [at for at in shown if not (np.abs(of_lines - at) < near).any()]
+    again = _at_one_angle(seen.untoned, np.array(shown))
+    made = [(np.abs(of_lines - at) < near).any() for at in shown]
+    real = [at for at, by_lines, often in zip(shown, made, again, strict=True) if not (by_lines or often)]
     return round(counted * len(real) / len(shown))
+
+
+def _at_one_angle(observed: Observed, blows: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Return which blows come at one angle of the output shaft, in one turn after another."""
+    ratio = abs(observed.run.gear_ratio or 1.0)
+    turns = observed.angle[blows] / (2 * np.pi * ratio)
+    apart = turns[:, None] - turns[None, :]
+    alike = np.abs(apart - np.round(apart)) < _AT_ONE_ANGLE * np.abs(observed.speed[blows]) / (2 * np.pi * ratio)
+    return np.asarray(alike.sum(axis=1) >= _AGAIN)
 
 
 def _lines_alone(seen: Features) -> Observed:

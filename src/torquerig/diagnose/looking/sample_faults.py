@@ -21,7 +21,7 @@ FLAT_SHARE, FEWEST_FLAT = 2e-4, 20
 _LOWEST_LIMIT = 4.0  # codes: a signal that stops nearer to zero holds nothing
 _JUMP = 12.0
 _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
-_SHORTEST = 8e-4  # [s] half a period of what rings is shorter
+_SHORTEST, _FEWEST = 8e-4, 3  # [s] half a period of what rings is shorter; samples of which two may stand still
 _ONE_LEVEL = 6.0
 _MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
 _REPEATS = 20  # samples of one value, which noise of many codes repeats once in ten
@@ -160,7 +160,7 @@ def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: f
     half = 0.5 * float(np.median([stop - start for start, stop, _ in found]))
     edges = np.flatnonzero(np.diff(np.concatenate([[False], np.abs(volts - level) < quiet, [False]]).astype(int)))
     pairs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
-    others = [(start, stop, level) for start, stop in pairs if stop - start >= max(half, _SHORTEST * rate)]
+    others = [(start, stop, level) for start, stop in pairs if stop - start >= max(half, _shortest(rate))]
     return sorted([*found, *(each for each in others if not any(_meet(each, other) for other in found))])
 
 
@@ -182,7 +182,7 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     found, bends = list[tuple[int, int, float]](), float(np.median(np.abs(np.diff(steps))))
     last, within = 0, _ONE_LEVEL * sigma
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
-        if start < last or not _SHORTEST * rate <= stop - start <= 0.2 * rate:
+        if start < last or not _shortest(rate) <= stop - start <= 0.2 * rate:
             continue
         inside, level = volts[start:stop], float(np.median(volts[start:stop]))
         outside = 0.5 * (volts[max(start - 2, 0)] + volts[min(stop + 1, volts.size - 1)])
@@ -200,16 +200,21 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
             last, within = stop, within if still else max(within, _SWAYS * abs(level - outside))
     if not found and fine:
         low, high = float(volts.min()), float(volts.max())
-        still_long = _standing(volts, max(_REPEATS, _SHORTEST * rate))
+        still_long = _standing(volts, max(_REPEATS, _shortest(rate)))
         found = [each for each in still_long if low < each[2] < high]  # at its limit a signal is not lost
     if not found or not _at_one_level([level for _, _, level in found], within=within):
         return []
     if fine:
         level = float(np.median([each[2] for each in found]))
         nearest = float(volts[np.argmin(np.abs(volts - level))])
-        others = [each for each in _standing(volts, _SHORTEST * rate) if each[2] == nearest]
+        others = [each for each in _standing(volts, _shortest(rate)) if each[2] == nearest]
         found += [each for each in others if not any(_meet(each, other) for other in found)]
     return sorted(found)
+
+
+def _shortest(rate: float) -> float:
+    """Return the samples that a moment without signal lasts at least."""
+    return max(_FEWEST, _SHORTEST * rate)
 
 
 def _noise_of(steps: Floats) -> tuple[float, float]:

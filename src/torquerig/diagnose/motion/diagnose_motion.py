@@ -11,13 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
-from torquerig.diagnose.fitting.knobs import nuisance_knobs
+from torquerig.diagnose.fitting.knobs import Knob, nuisance_knobs
 from torquerig.diagnose.motion.believed import believed
 from torquerig.diagnose.motion.completing import completed
+from torquerig.diagnose.motion.effort_samples import effort_faults
+from torquerig.diagnose.motion.effort_told import Told, effort_told, limit_is_the_readings, with_codes
 from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, residuals_of
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
 from torquerig.diagnose.motion.lines import in_a_line, lines_in
-from torquerig.diagnose.motion.moved import STRETCHES, Moved, imposed_part, moved_runs
+from torquerig.diagnose.motion.moved import STRETCHES, Moved, effort_of, imposed_part, moved_runs
 from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
 from torquerig.diagnose.motion.objections import lacks_viscous
 from torquerig.diagnose.motion.places import mismatches
@@ -34,6 +36,10 @@ Floats = NDArray[np.float64]
 METRIC = (
     "rms of measured less simulated effort over the rms of the measured one, below a tenth of the sample rate, of "
     "samples that no fit has seen, with each recording's own motion imposed; 0 at best, 1 for a model that says nothing"
+)
+_LEFT_OUT = (
+    "samples at a limit or without signal are left out of fits and judgement alike, so the held-out error does not "
+    "tell of them"
 )
 _NEUTRALS = 3
 _DRAWS = 400
@@ -106,32 +112,51 @@ def diagnose_motion(
         Where the scenario measures no imposed motion, or a recording lacks effort or motion.
     """
     rig = scenario.rig.at(recordings[0].run)
-    progress("following the motion")
-    runs = moved_runs(recordings, rig, held_out=held_out)
-    progress("fitting the nominal model's own numbers")
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
     knobs = (*knobs, *knobs_of_the_sign(rig, knobs))
-    before, found, refused = completed(rig, runs, knobs, progress=progress)
-    progress("predicting what no fit has seen")
-    steps, refused = believed(before, found, refused, runs)
-    after = steps[-1].kept.model if steps else before
+    progress("following the motion")
+    faults = effort_faults(recordings, [effort_of(each) for each in recordings])
+    runs = moved_runs(recordings, rig, held_out=held_out, faults=faults)
+    before, steps, refused = _completed(rig, runs, knobs, progress)
+    if faults.limit is not None and not limit_is_the_readings(faults, _last(before, steps), runs):
+        progress("once more: what the effort stops at is the drive's limit")
+        faults = effort_faults(recordings, [effort_of(each) for each in recordings], limits=False)
+        runs = moved_runs(recordings, rig, held_out=held_out, faults=faults)
+        before, steps, refused = _completed(rig, runs, knobs, progress)
+    after, code = with_codes(_last(before, steps), runs)
+    of_samples = tuple(effort_told(faults, after, runs, code=code))
     left = mismatches(after, runs)
     missed = mismatches(before, runs) if steps else left
     lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
     neutrals = tuple(neutral(line, after.residuals, runs) for line in lines)
-    findings = tuple(finding(step, after, runs) for step in steps)
+    findings = (*(each.finding for each in of_samples), *(finding(step, after, runs) for step in steps))
     ends = at_their_ends(after, of=before.knobs)
     verdict: Verdict = "unexplained" if left or ends else "missing_physics" if findings else "adequate"
     diagnosis = Diagnosis(
         verdict=verdict, mismatch=_mismatch(missed, left), findings=findings,
         fit=_held_out(rig, before, after, runs, seed), recordings=tuple(_used(run) for run in runs),
-        remarks=(*_remarks(neutrals, after, runs), *_of_viscous(refused, runs), *ends),
-        set_aside=set_aside(rig, steps, refused),
+        remarks=(*_remarks(neutrals, after, runs), *_of_viscous(refused, runs), *ends,
+                 *([_LEFT_OUT] if any(mask.any() for mask in faults.spoilt) else [])),
+        set_aside=set_aside(rig, steps, refused, of_samples=[each.finding.mechanism for each in of_samples]),
     )  # fmt: skip
     return MotionOutcome(
         diagnosis=diagnosis, runs=runs, nominal=rig, before=before, after=after, missed=missed, left=left, steps=steps,
-        neutrals=neutrals, completed=_written(after, neutrals, runs),
+        neutrals=neutrals, completed=_written(after, neutrals, runs, of_samples),
     )  # fmt: skip
+
+
+def _completed(
+    rig: Rig, runs: Sequence[Moved], knobs: Sequence[Knob], progress: Callable[[str], None]
+) -> tuple[FittedMotion, tuple[Step, ...], tuple[Refused, ...]]:
+    """Return the calibrated model, the steps that complete it and are believed, and what was refused."""
+    progress("fitting the nominal model's own numbers")
+    before, found, refused = completed(rig, runs, knobs, progress=progress)
+    progress("predicting what no fit has seen")
+    return before, *believed(before, found, refused, runs)
+
+
+def _last(before: FittedMotion, steps: Sequence[Step]) -> FittedMotion:
+    return steps[-1].kept.model if steps else before
 
 
 def _mismatch(missed: tuple[Mismatch, ...], left: tuple[Mismatch, ...]) -> tuple[Mismatch, ...]:
@@ -186,7 +211,9 @@ def _of_viscous(refused: Sequence[Refused], runs: Sequence[Moved]) -> Iterator[s
     )
 
 
-def _written(after: FittedMotion, neutrals: Sequence[Neutral], runs: Sequence[Moved]) -> Rig:
+def _written(
+    after: FittedMotion, neutrals: Sequence[Neutral], runs: Sequence[Moved], of_samples: Sequence[Told]
+) -> Rig:
     rig = after.rig
     for part in after.rig.parts:
         rig = rig.changed(without_peak(part, after.knobs))
@@ -194,6 +221,8 @@ def _written(after: FittedMotion, neutrals: Sequence[Neutral], runs: Sequence[Mo
     for each in neutrals:
         line = neutral_part(each.line, after.residuals[first], runs[first], rig)
         rig = rig if line is None else rig + line
+    for told in of_samples:
+        rig += told.part
     return rig
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.motion.effort_samples import EffortFaults, effort_faults
 from torquerig.errors import InputError, RecordingError
 from torquerig.rig.parts import ImposedMotion
 from torquerig.rig.rig import Rig
@@ -83,15 +84,25 @@ def imposed_part(rig: Rig) -> ImposedMotion | None:
     return part if isinstance(part, ImposedMotion) and part.recording is None else None
 
 
-def moved(recording: Recording, part: ImposedMotion, *, held_out: bool | None = None) -> Moved:
+def moved(
+    recording: Recording, part: ImposedMotion, *, held_out: bool | None = None, mended: Floats | None = None,
+    spoilt: Mask | None = None,
+) -> Moved:  # fmt: skip
     """Return a run made ready; ``held_out`` True holds it back whole, False gives it to the fits, None parts it.
+
+    Parameters
+    ----------
+    mended : ndarray, shape (samples,), optional
+        The effort in the channel's unit, in place of what the channel has.
+    spoilt : ndarray of bool, shape (samples,), optional
+        Samples that neither fits nor judgement may use.
 
     Raises
     ------
     RecordingError
         Without a channel of effort or motion, or with gaps in one of them; too short to tell anything.
     """
-    channel = _effort(recording)
+    channel = effort_of(recording)
     if recording.samples < _FEWEST:
         raise RecordingError(
             f"{recording.name}: {recording.samples} samples of motion are too few to tell anything; record at least "
@@ -110,15 +121,23 @@ def moved(recording: Recording, part: ImposedMotion, *, held_out: bool | None = 
         raise RecordingError(f"{recording.name}: its effort is zero all along; diagnose a recording that shows one")
     edge = min(round(_EDGE / BAND), recording.samples // 20)
     inner[edge:-edge] = True
+    if spoilt is not None:
+        inner &= ~spoilt
+    effort = channel.in_si() if mended is None else replace(channel, values=mended).in_si()
     seen = _parted(recording.samples) if held_out is None else np.full(recording.samples, not held_out)
     return Moved(
-        recording=replace(recording, sample_rate=rate), motion=motion, effort=low_passed(channel.in_si()),
+        recording=replace(recording, sample_rate=rate), motion=motion, effort=low_passed(effort),
         position=position, speed=speed, seen=inner & seen, held=inner & ~seen, channel=channel,
     )  # fmt: skip
 
 
-def moved_runs(recordings: Sequence[Recording], rig: Rig, *, held_out: Sequence[str] = ()) -> tuple[Moved, ...]:
-    """Return all runs made ready: those named are held out whole; where none is, each is parted in stretches."""
+def moved_runs(
+    recordings: Sequence[Recording], rig: Rig, *, held_out: Sequence[str] = (), faults: EffortFaults | None = None
+) -> tuple[Moved, ...]:
+    """Return all runs made ready: those named are held out whole; where none is, each is parted in stretches.
+
+    ``faults`` are those of the efforts' samples, found here where they are not given.
+    """
     part = imposed_part(rig)
     if part is None:
         raise InputError(
@@ -128,8 +147,11 @@ def moved_runs(recordings: Sequence[Recording], rig: Rig, *, held_out: Sequence[
     unknown = set(held_out) - {recording.name for recording in recordings}
     if unknown:
         raise InputError(f"no recording is called {sorted(unknown)[0]!r}; name one of the recordings to hold out")
-    whole = bool(held_out)
-    return tuple(moved(one, part, held_out=one.name in held_out if whole else None) for one in recordings)
+    found = effort_faults(recordings, [effort_of(each) for each in recordings]) if faults is None else faults
+    return tuple(
+        moved(one, part, held_out=one.name in held_out if held_out else None, mended=mended, spoilt=spoilt)
+        for one, mended, spoilt in zip(recordings, found.efforts, found.spoilt, strict=True)
+    )
 
 
 def low_passed(values: Floats, band: float = BAND) -> Floats:
@@ -139,7 +161,8 @@ def low_passed(values: Floats, band: float = BAND) -> Floats:
     return np.asarray(sosfiltfilt(butter(4, 2 * band, output="sos"), values))
 
 
-def _effort(recording: Recording) -> Channel:
+def effort_of(recording: Recording) -> Channel:
+    """Return the channel that is compared; RecordingError where there is none, or one with gaps."""
     for quantity in EFFORTS:
         name = recording.find(quantity)
         if name is not None:

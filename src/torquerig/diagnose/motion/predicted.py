@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.motion.hum_of_a_run import hum_in, hums_of
 from torquerig.diagnose.motion.moved import Moved, low_passed
 from torquerig.errors import SimulationError
 from torquerig.rig import terms
@@ -43,7 +44,9 @@ def predicted(rig: Rig, run: Moved) -> Floats:
     part = rig.part(rig.measured)
     assert isinstance(part, ImposedMotion)
     given = GivenMotion(name=part.name, at=part.at, given=run.motion)
-    moving = rig.changed(given).at(run.recording.run)
+    moving, hums = rig.changed(given).at(run.recording.run), hums_of(rig)
+    for hum in hums:
+        moving = moving.without(hum.name)
     span = Span.of(duration=run.recording.samples / run.rate, settling=0.0, rate=run.rate, seed=0, wander=0.0)
     prepared = ready(moving, span, scenario="", substeps=None)
     if prepared.steps > _MOST_STEPS:
@@ -52,4 +55,5 @@ def predicted(rig: Rig, run: Moved) -> Floats:
         made = stepped(prepared)
     except SimulationError:
         return far_off
-    return low_passed(made.torque())
+    taken = low_passed(made.torque())
+    return taken + hum_in(hums, run, run.effort - taken) if hums else taken

@@ -19,13 +19,19 @@ CLASSES: Mapping[str, tuple[str, ...]] = {  # by the contract's name: what would
     "sensor_drift": ("SensorDrift",),
     "torsional_mode": ("TorsionalMode",),
     "mains_interference": ("MainsInterference",),
+    "clipping": ("Clipping",),
+    "quantization": ("Quantization",),
+    "signal_dropout": ("SignalDropout",),
 }
 _NO_CARRIER = "no part with an inertia moves in the rig"
 
 
-def set_aside(nominal: Rig, steps: Sequence[Step], refused: Sequence[Refused]) -> dict[str, str]:
+def set_aside(
+    nominal: Rig, steps: Sequence[Step], refused: Sequence[Refused], *, of_samples: Sequence[str] = ()
+) -> dict[str, str]:
     """Return a reason for every mechanism that is looked for under measured motion and was not found.
 
+    ``of_samples`` are those that the samples themselves showed.
     What was a rival of a finding is judged again beside all findings, so it stands here too, with that judgement.
     """
     found = [step.kept.candidate.mechanism for step in steps]
@@ -35,7 +41,7 @@ def set_aside(nominal: Rig, steps: Sequence[Step], refused: Sequence[Refused]) -
         answer.setdefault(one.tried.candidate.mechanism, beside + one.why)
     for name in CLASSES:
         answer.setdefault(name, _untried(name, nominal, steps))
-    return {name: why for name, why in sorted(answer.items()) if name not in found}
+    return {name: why for name, why in sorted(answer.items()) if name not in (*found, *of_samples)}
 
 
 def _untried(name: str, nominal: Rig, steps: Sequence[Step]) -> str:
@@ -74,5 +80,8 @@ _REASONS: Mapping[str, Callable[[Rig], str]] = {
     "quadratic_drag": _no_carrier,
     "sensor_drift": _no_carrier,
     "torsional_mode": _no_carrier,
-    "mains_interference": lambda rig: "no line stands at the mains' frequency, or there are several runs",
+    "mains_interference": lambda rig: "no line stands at the mains' frequency",
+    "clipping": lambda rig: "no effort stays at a flat top, or the motion asks for no more than that",
+    "quantization": lambda rig: "codes are fine beside what the model leaves",
+    "signal_dropout": lambda rig: "no moments without signal",
 }

@@ -9,6 +9,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig import units
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
 from torquerig.diagnose.motion.evidence import root_mean_square
 from torquerig.diagnose.motion.lines import in_a_line
@@ -37,10 +38,7 @@ class Scale:
 
 IN_A_LINE = Scale(
     effort="N", place="m", speed="m/s", lines="cycles/m", place_unit=1.0, speed_unit=1.0,
-    called={
-        "V": "N", "N*m": "N", "N*m*s/rad": "N*s/m", "N*m/rad": "N/m", "N*m*s^2/rad^2": "N*s^2/m^2", "rad": "m",
-        "rad/s": "m/s", "kg*m^2": "kg",
-    },
+    called={"V": "N", **units.IN_A_LINE},
 )  # fmt: skip
 TURNING = Scale(
     effort="N m", place="turns", speed="rpm", lines="cycles/turn", place_unit=2 * pi, speed_unit=pi / 30,

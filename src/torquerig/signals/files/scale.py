@@ -60,15 +60,26 @@ def si_per_unit_from(key: str, number: float, *, quantity: str, unit: str) -> fl
     """
     if isinstance(number, bool) or not isinstance(number, int | float) or not isfinite(number) or number == 0:
         raise ValueError(f"{number!r} cannot be a scale; write a number other than 0")
+    found = _si_per_unit(key, float(number), kind=KINDS[quantity], unit=unit)
+    if found is not None:
+        return found
+    told = f"the scale does not give a {KINDS[quantity]} for each {unit!r}; write {scale_key(quantity, unit)}: NUMBER"
+    fitting = [each for each, kind in KINDS.items() if _si_per_unit(key, 1.0, kind=kind, unit=unit) is not None]
+    if fitting:  # a current with its torque constant is the torque that the motor makes of it
+        meant = "motor_torque" if "motor_torque" in fitting and quantity == "current" else fitting[0]
+        told += f", or quantity: {meant}, which it is the scale of"
+    raise ValueError(told)
+
+
+def _si_per_unit(key: str, number: float, *, kind: str, unit: str) -> float | None:
+    """Return what a scale makes of one ``unit`` in SI of this kind of unit; None where the key is none of it."""
     over, _, under = key.partition("_per_")
-    spellings = {_simple(spelling): factor for spelling, factor in UNITS[KINDS[quantity]].items()}
+    spellings = {_simple(spelling): factor for spelling, factor in UNITS[kind].items()}
     if under == _simple(unit) and over in spellings:
         return number * spellings[over]
     if over in (_simple(unit), f"{_simple(unit)}s") and under in spellings:
         return spellings[under] / number
-    raise ValueError(
-        f"the scale does not give a {KINDS[quantity]} for each {unit!r}; write {scale_key(quantity, unit)}: NUMBER"
-    )
+    return None
 
 
 def scale_key(quantity: str, unit: str) -> str:

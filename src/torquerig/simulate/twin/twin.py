@@ -70,6 +70,11 @@ class Twin:
         return crossings(tuple(lines), found, self.closed_loop, sensor=self.rig.measured, top_speed=top_speed)
 
     @property
+    def reads_a_spring(self) -> bool:
+        """Whether a spring is measured; else it is an imposed motion, and ``sensor`` is no output."""
+        return self.rig.measured in self.lowered.spring_names
+
+    @property
     def sensor(self) -> str:
         """The output that is read."""
         return f"torque in {self.rig.measured}"
