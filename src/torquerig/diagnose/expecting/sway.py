@@ -52,7 +52,11 @@ class Sway:
         self.orders = np.array([line.order for line in self.lines])[:, None]
         self.slow = np.array([line.order for line in slow])
         # by how much each line's phase is swayed [rad], shape (lines, slow, stretches)
-        self.phase = self.orders[:, None] * _sways(twin, slow, turns, motor) if slow else np.zeros((0, 0, turns.size))
+        self.phase = (
+            self.orders[:, None] * _sways(twin, slow, turns, motor)
+            if slow
+            else np.zeros((len(self.lines), 0, turns.size))
+        )
         self.phase[self.slow >= self.orders] = 0.0
 
     @cached_property

@@ -30,6 +30,8 @@ _PASSES = 3
 _STRONG = 0.02  # of the strongest new peak: what is weaker may be its skirt and waits for the next pass
 _ASKED = 5  # of the clearest: whether they may keep their frequency
 _HARMONICS = 6  # of a line, up to which others are taken for its own
+SET_POINT_OFF = 0.013  # [1] by more no drive is off its set-point
+_ONE_FACTOR, _TELLING = 2e-4, 250  # [1] to which several lines tell one factor; beyond, any order is nearly whole
 _AMONG_MANY = 3.0  # whole orders of the output either way: which of them is meant nobody could tell
 
 
@@ -67,9 +69,31 @@ def strong_lines(runs: Sequence[Observed], rig: Rig) -> Strong:
         if peak.excess > LEADING and (peak.speeds > 1 or (peak in asked and _turns(peak.place, told)))
     ]
     orders, tones = ([place.at for place in leading if place.domain == domain] for domain in ("order", "frequency"))
+    ratio = kinematics_of(rig).ratio
+    if not known:
+        orders = whole_by_one_factor(orders, ratio)
     peaked = [place.at for place in (*known, *(peak.place for peak in left)) if place.domain == "order"]
-    smeared = smeared_orders(runs, peaked, ratio=kinematics_of(rig).ratio)
+    smeared = smeared_orders(runs, peaked, ratio=ratio)
     return Strong((*orders, *smeared), tuple(tones))
+
+
+def whole_by_one_factor(orders: Sequence[float], ratio: float) -> list[float]:
+    """Return the whole orders of the output shaft that several lines stand on but for one error of the set-points.
+
+    Where the rig has no line of its own to be followed by, its angle is what the sheets say, and all that turns with
+    it stands off its order by the same share. Other lines are returned as they are.
+    """
+    at = [abs(each) * ratio for each in orders]
+    for first in at:
+        near = round(first)
+        factor = first / near if near else 0.0
+        if not 0 < abs(factor - 1) < SET_POINT_OFF:
+            continue
+        whole = [max(1, round(each / factor)) for each in at]
+        off = [abs(each / factor / one - 1) for each, one in zip(at, whole, strict=True)]
+        if len(at) > 1 and max(off) < _ONE_FACTOR and max(whole) < _TELLING:
+            return [one / ratio for one in whole]
+    return list(orders)
 
 
 def _turns(place: Place, told: Sequence[float]) -> bool:

@@ -13,6 +13,8 @@ completing   the best hypothesis, and again                            objection
 convincing   whether a gain speaks for its mechanism                   places     what still stands out, where
 level        where over the speed the mean is wrong                    course     what comes again at a place
 steps        a moment at which the mean changes                        told       a finding in the contract's words
+effort_samples  a limit, moments without signal             effort_told    what is told of them, and of codes
+hum_of_a_run    the phase of a hum in each run              goes_with      a delay, or what changes along the runs
 believed     not what hardly foretells better, where the model stays wrong
 set_aside    why the others were not named
 diagnose_motion   all of it in order

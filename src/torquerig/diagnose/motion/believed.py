@@ -25,7 +25,7 @@ def believed(
     if not steps:
         return steps, refused
     after = steps[-1].kept.model
-    right = not (mismatches(after, runs) or at_their_ends(after, of=before.knobs))
+    right = not (mismatches(after, runs, before=before) or at_their_ends(after, of=before.knobs))
     if right or relative_error(after, runs) < (1 - _LEAST_FALL) * relative_error(before, runs):
         return steps, refused
     return (), (*(Refused(step.kept, _HARDLY) for step in steps), *refused)

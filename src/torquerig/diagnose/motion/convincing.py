@@ -39,13 +39,24 @@ def doubt_in(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
         return "it bends the level the right way, which stays wrong at some speeds: it would stand for something else"
     if candidate.mechanism in _OF_THE_LEVEL and step_in(made, runs) is not None:
         return "it bends the level the right way, which still steps at a moment: it would stand for something else"
-    if candidate.mechanism == "stribeck_friction" and viscous_alone(candidate, made, runs):
-        return "what explains is the viscous friction that was fitted with it; there is hardly any dry friction"
-    if candidate.mechanism == "stribeck_friction" and not friction.possible(part, candidate.variant):
-        return "it would hold no more than it slides"
+    if candidate.mechanism == "stribeck_friction":
+        return _of_friction(part, candidate, made, runs)
     if candidate.mechanism == "torsional_mode":
         return _of_a_mode(part, made, model, runs)
     return ""
+
+
+def _of_friction(part: Any, candidate: Candidate, made: FittedMotion, runs: Sequence[Moved]) -> str:
+    if viscous_alone(candidate, made, runs):
+        return "what explains is the viscous friction that was fitted with it; there is hardly any dry friction"
+    if candidate.variant == "lugre" and max(part.coulomb, part.coulomb_backward) > _largest(runs):
+        return "its bristles would never let go, as a spring to the frame does not"
+    return "" if friction.possible(part, candidate.variant) else "it would hold no more than it slides"
+
+
+def _largest(runs: Sequence[Moved]) -> float:
+    """Return the largest effort that fits may see [N m] or [N]."""
+    return max(float(np.abs(run.effort[run.seen]).max()) for run in runs if run.seen.any())
 
 
 def _of_a_mode(part: Any, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> str:

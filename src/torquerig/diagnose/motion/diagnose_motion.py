@@ -18,6 +18,7 @@ from torquerig.diagnose.motion.effort_samples import effort_faults
 from torquerig.diagnose.motion.effort_told import Told, effort_told, limit_is_the_readings, with_codes
 from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, residuals_of
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
+from torquerig.diagnose.motion.goes_with import goes_with
 from torquerig.diagnose.motion.lines import in_a_line, lines_in
 from torquerig.diagnose.motion.moved import STRETCHES, Moved, effort_of, imposed_part, moved_runs
 from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
@@ -125,8 +126,10 @@ def diagnose_motion(
         before, steps, refused = _completed(rig, runs, knobs, progress)
     after, code = with_codes(_last(before, steps), runs)
     of_samples = tuple(effort_told(faults, after, runs, code=code))
-    left = mismatches(after, runs)
+    left = mismatches(after, runs, before=before)
     missed = mismatches(before, runs) if steps else left
+    whole = goes_with(after, runs)
+    left = left if whole is None else (*left, whole.mismatch)
     lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
     neutrals = tuple(neutral(line, after.residuals, runs) for line in lines)
     findings = (*(each.finding for each in of_samples), *(finding(step, after, runs) for step in steps))
@@ -136,6 +139,7 @@ def diagnose_motion(
         verdict=verdict, mismatch=_mismatch(missed, left), findings=findings,
         fit=_held_out(rig, before, after, runs, seed), recordings=tuple(_used(run) for run in runs),
         remarks=(*_remarks(neutrals, after, runs), *_of_viscous(refused, runs), *ends,
+                 *([] if whole is None else [whole.sentence]),
                  *([_LEFT_OUT] if any(mask.any() for mask in faults.spoilt) else [])),
         set_aside=set_aside(rig, steps, refused, of_samples=[each.finding.mechanism for each in of_samples]),
     )  # fmt: skip

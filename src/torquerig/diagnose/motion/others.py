@@ -23,13 +23,14 @@ _CLASSES = {
     "sensor_drift": "SensorDrift",
     "torsional_mode": "TorsionalMode",
 }
+_WARMING = (0.1, 0.3, 1.0)  # of the longest run, time constants of a zero that settles
 _BRANCHES = (0.05, 0.2, 0.6)  # of the compared band's edge
 _SHARE, _DAMPING = 0.1, 0.05
 _TRACE = 1e-4
 
 
 def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
-    """Yield drag, linear drift and branches of three frequencies."""
+    """Yield drag, drifts along a straight line and of three time constants, and branches of three frequencies."""
     at = carrier(model.rig)
     present = {part.kind for part in model.rig.parts}
     present |= {kind for kind, name in _CLASSES.items() if not hasattr(mechanisms, name)}
@@ -43,8 +44,15 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     if "sensor_drift" not in present:
         found = _slope(model, runs, [run.recording.time() / run.recording.duration for run in runs])
         drift = mechanisms.SensorDrift(name="sensor_drift", span=found)
-        yield Candidate(mechanism="sensor_drift", parts=(drift,), variant="linear",
-                        knobs=(Knob(drift.name, "span", size, factor=False),))  # fmt: skip
+        zero = Knob(drift.name, "span", size, factor=False)
+        yield Candidate(mechanism="sensor_drift", parts=(drift,), variant="linear", knobs=(zero,))
+        longest = max(run.recording.duration for run in runs)
+        for share in _WARMING:
+            tau = share * longest
+            found = _slope(model, runs, [1 - np.exp(-run.recording.time() / tau) for run in runs])
+            drift = mechanisms.SensorDrift(name="sensor_drift", span=found, time_constant=tau)
+            yield Candidate(mechanism="sensor_drift", parts=(drift,), variant="exponential",
+                            knobs=(zero, Knob(drift.name, "time_constant", 1.0)))  # fmt: skip
     if at is not None and "torsional_mode" not in present:
         for share in _BRANCHES:
             branch = mechanisms.TorsionalMode(

@@ -7,6 +7,7 @@ from math import erfc, log10, pi, sqrt
 
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.motion.course import course_left
+from torquerig.diagnose.motion.evidence import root_mean_square
 from torquerig.diagnose.motion.fitted import FittedMotion
 from torquerig.diagnose.motion.level import BINS, level_off
 from torquerig.diagnose.motion.lines import Line, in_a_line, lines_in, moving
@@ -14,14 +15,30 @@ from torquerig.diagnose.motion.moved import Moved
 from torquerig.diagnose.motion.steps import step_in
 
 _TRACE = 0.005  # of what a model leaves: lines that have less of it are the detail of something else
+_LITTLE = 0.007  # of the rms effort: what nobody models
+_DETAIL = 0.05  # of a line that stood there before: no model of it is right to better
 
 
-def mismatches(model: FittedMotion, runs: Sequence[Moved]) -> tuple[Mismatch, ...]:
-    """Return the places where the model is significantly wrong, largest share of what it leaves first."""
-    found = [_of_line(line, model, runs) for line in lines_in(model.residuals, runs)]
+def mismatches(
+    model: FittedMotion, runs: Sequence[Moved], *, before: FittedMotion | None = None
+) -> tuple[Mismatch, ...]:
+    """Return the places where the model is significantly wrong, largest share of what it leaves first.
+
+    What is left of a line that ``before`` had there is passed over where it is the detail of what explains the rest.
+    """
+    least = _LITTLE * root_mean_square([run.effort[run.seen] for run in runs if run.seen.any()])
+    had = () if before is None or before is model else lines_in(before.residuals, runs)
+    lines = [line for line in lines_in(model.residuals, runs) if line.amplitude > least and not _detail(line, had)]
+    found = [_of_line(line, model, runs) for line in lines]
     found = [one for one in found if one.share_of_misfit > _TRACE]
     found += [*_of_speed(model, runs), *_of_course(model, runs), *_of_time(model, runs)]
     return tuple(sorted(found, key=lambda one: -one.share_of_misfit))
+
+
+def _detail(line: Line, had: Sequence[Line]) -> bool:
+    """Whether a line is what is left of a far larger one at its place."""
+    there = [one for one in had if one.domain == line.domain and abs(one.at - line.at) <= one.width]
+    return any(line.amplitude < _DETAIL * one.amplitude for one in there)
 
 
 def _of_line(line: Line, model: FittedMotion, runs: Sequence[Moved]) -> Mismatch:

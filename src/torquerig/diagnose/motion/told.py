@@ -22,7 +22,7 @@ _ALIKE = 0.12  # a rival within this share of the winner's gain cannot be told f
 _ORDER_WIDTH = 0.01
 _NAMES: Mapping[str, Mapping[str, tuple[str, str, str]]] = {  # field: name, unit where it turns, unit in a line
     "quadratic_drag": {"coefficient": ("coefficient_Nms2", "N m s^2/rad^2", "N s^2/m^2")},
-    "sensor_drift": {"span": ("span_V", "N m", "N")},
+    "sensor_drift": {"span": ("span_V", "N m", "N"), "time_constant": ("time_constant_s", "s", "s")},
     "torsional_mode": {
         "frequency": ("frequency_Hz", "Hz", "Hz"),
         "inertia": ("inertia_kgm2", "kg m^2", "kg"),
@@ -37,6 +37,7 @@ _VARIANT = {
     "native": "cogging at its native order {order_motor:.0f}",
     "tolerances": "cogging at order {order_motor:.0f} with the orders of unequal teeth and magnets",
     "linear": "a zero that drifts",
+    "exponential": "a zero that settles with {time_constant_s:.3g} s",
 }
 _PLAIN = {
     "stribeck_friction": "dry friction",
@@ -80,13 +81,18 @@ def identifying(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> dict[
         return _cogging(part, final, runs)
     if candidate.mechanism == "mains_interference":
         hum = _stated(final, part.name, "frequency", part.frequency, "Hz")
-        return {
-            "frequency_Hz": hum,
-            "amplitude_V": _stated(final, part.name, "amplitudes", part.amplitudes[0], torque, key=0),
-        }
+        volts = runs[0].channel.unit == "V"
+        size = _stated(final, part.name, "amplitudes", part.amplitudes[0], "V" if volts else torque, key=0,
+                       factor=1 / abs(runs[0].channel.si_per_unit) if volts else 1.0)  # fmt: skip
+        return {"frequency_Hz": hum, "amplitude_V": size}
     answer = {}
     for field, (name, turning, moving) in _NAMES[candidate.mechanism].items():
-        answer[name] = _stated(final, part.name, field, getattr(part, field), moving if line else turning)
+        value, unit, factor = getattr(part, field), moving if line else turning, 1.0
+        if value is None:
+            continue
+        if name.endswith("_V") and runs[0].channel.unit == "V":
+            unit, factor = "V", 1 / abs(runs[0].channel.si_per_unit)
+        answer[name] = _stated(final, part.name, field, value, unit, factor=factor)
     return answer
 
 
