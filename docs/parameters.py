@@ -26,6 +26,13 @@ What a scenario may state under `rig:`. Every part and effect has its `kind:` (t
 may also state `after:`, the part that it is fixed to. A value with a unit is written with a unit of its kind
 (`1.5 kg*cm^2` for `kg*m^2`); the unit shown is the one inside the code, and the bounds are counted in it. A dash as
 unit means a pure number, a name or a list. Equations and their validity: [models.md](models.md).
+
+An effect that sits on something that moves in a line (`at:` or `gear:` names a `slide`, `link` or `force_sensor`) is
+written in N, kg and m where the table has N*m, kg*m^2 and rad: `12 N`, `15 mm/s`, `3 N*s^2/m^2`.
+
+Beside `rig:` stand `scenario:` (a title), `measured:` (the part whose torque is read, or the `imposed_motion` whose
+effort is) and `operating_point:`, with `motor_speed:` or `output_speed:`, `load: {occupancy:, particle_size:}`,
+`profile:` and `duty_cycle:`, `speed_set_point_error_max:` and `slow_speed_wander:`; the shipped scenarios show them.
 """
 
 

@@ -11,8 +11,10 @@ import pytest
 
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
+from torquerig.diagnose.motion.diagnose_motion import diagnose_motion, under_measured_motion
 from torquerig.document import read_document
 from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.signals.files import read_recording
 from torquerig.simulate.linear import matrices
 from torquerig.simulate.lower import lower
 from torquerig.simulate.simulate import simulate
@@ -83,3 +85,31 @@ def test_howto_describe_your_own_rig_prints_the_lines_of_the_shipped_scenario() 
     printed = [line for block in re.findall(r"```yaml\n(.*?)```", page, re.DOTALL) for line in block.splitlines()]
     stated = {line.split("#")[0].rstrip() for line in shipped.splitlines()}
     assert [line for line in printed if line.rstrip() not in stated] == []
+
+
+def test_table_of_howto_diagnose_measured_motion_lacks_its_dry_friction(tmp_path: Path) -> None:
+    """Beside the scenario and the sheet of the page a recording of 4.6 kg on a guide of 20 N, by its own equation."""
+    page, rate = "howto-diagnose-measured-motion.md", 500.0
+    (tmp_path / "table.yaml").write_text(example(page, "table.yaml"), encoding="utf-8")
+    (tmp_path / "run1.yaml").write_text(example(page, "run1.yaml"), encoding="utf-8")
+    time = np.arange(6000) / rate
+    swings = ((0.1, 2 * np.pi * 0.5), (0.02, 2 * np.pi * 1.3))
+    place = sum(a * np.sin(w * time) for a, w in swings)
+    speed = sum(a * w * np.cos(w * time) for a, w in swings)
+    gained = sum(-a * w**2 * np.sin(w * time) for a, w in swings)
+    force = 4.6 * gained + 20.0 * np.tanh(speed / 1e-3) + 0.3 * np.random.default_rng(4).standard_normal(time.size)
+    rows = np.column_stack([time, force / 50, np.round(place / 1e-6)])
+    np.savetxt(tmp_path / "run1.csv", rows, delimiter=",", header="time_s,force_V,scale_count", comments="", fmt="%.8g")
+    made = read_scenario(read_document(tmp_path / "table.yaml"), load_catalog(ROOT / "catalogs"), seed=0)
+    outcome = diagnose_motion(made, [read_recording(tmp_path / "run1.csv")])
+    (finding,) = outcome.diagnosis.findings
+    assert (outcome.diagnosis.verdict, finding.mechanism) == ("missing_physics", "stribeck_friction")
+    assert finding.parameters["coulomb_Nm"].value == pytest.approx(20.0, rel=0.03)
+    assert (finding.parameters["coulomb_Nm"].unit, outcome.runs[0].channel.unit) == ("N", "V")
+
+
+def test_joint_of_howto_diagnose_measured_motion_is_read(tmp_path: Path) -> None:
+    file = tmp_path / "joint.yaml"
+    file.write_text(example("howto-diagnose-measured-motion.md", "joint.yaml"), encoding="utf-8")
+    made = read_scenario(read_document(file), load_catalog(ROOT / "catalogs"), seed=0)
+    assert under_measured_motion(made.rig)

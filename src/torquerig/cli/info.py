@@ -63,7 +63,9 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     try:
         found = best_motor_speed(head, _lines(stream))
     except TorquerigError as error:
-        return stream.run.speed, f"motor speed: not found ({error})"
+        in_a_line = stream.run.speed is None and any(head.find(each) for each in ("position", "velocity"))
+        why = "what moves in a line has none" if in_a_line else error
+        return stream.run.speed, f"motor speed: not found ({why})"
     rpm = found.value * 30 / pi
     spread = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
     whole = stream.samples is not None and stream.samples <= head.samples

@@ -16,7 +16,7 @@ from torquerig.scenario.reading import Scenario
 from torquerig.signals.files import check_target, write_recording
 from torquerig.simulate.simulate import simulate
 from torquerig.simulate.true_lines import with_true_lines
-from torquerig.units import parse_quantity
+from torquerig.units import IN_A_LINE, parse_quantity
 
 DURATION = 10.0  # [s]
 
@@ -56,12 +56,12 @@ def command(
     recording = simulate(made.rig, duration=seconds, seed=seed, wander=wander, scenario=made.title)
     kept = with_true_lines(recording, made.rig, seed=seed, wander=wander) if truth else recording.without_truth()
     written = write_recording(kept, out, overwrite=force)
-    torque = recording.torque()
+    torque, unit = recording.torque(), IN_A_LINE["N*m"] if recording.find("torque") is None else "N*m"
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     click.echo(
         f"{made.rig.run.motor or made.title} at {made.rig.run.speed_rpm or 0.0:.6g} rpm, "
         f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
-        f"mean {torque.mean():.4f} N*m, std {torque.std():.4f} N*m"
+        f"mean {torque.mean():.4f} {unit}, std {torque.std():.4f} {unit}"
     )
     if prove_step:
         click.echo(wrapped(_proof(made, duration=seconds, seed=seed)))

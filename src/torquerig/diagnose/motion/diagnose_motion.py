@@ -222,8 +222,8 @@ def _written(
     for part in after.rig.parts:
         rig = rig.changed(without_peak(part, after.knobs))
     first = next(index for index, run in enumerate(runs) if run.seen.any())
-    for each in neutrals:
-        line = neutral_part(each.line, after.residuals[first], runs[first], rig)
+    for number, each in enumerate(neutrals, start=1):
+        line = neutral_part(each.line, after.residuals[first], runs[first], rig, number=number)
         rig = rig if line is None else rig + line
     for told in of_samples:
         rig += told.part

@@ -47,8 +47,11 @@ def neutral(line: Line, residuals: Sequence[Floats], runs: Sequence[Moved]) -> N
     return Neutral(line=line, before=root_mean_square(before), after=root_mean_square(after))
 
 
-def neutral_part(line: Line, residual: Floats, run: Moved, rig: Rig) -> TorqueRipple | None:
-    """Return the part by which a scenario states a line over the place, as in one run; none for a frequency."""
+def neutral_part(line: Line, residual: Floats, run: Moved, rig: Rig, *, number: int) -> TorqueRipple | None:
+    """Return the part by which a scenario states its ``number``-th line over the place, as in one run.
+
+    None for a frequency.
+    """
     if line.domain != "order":
         return None
     mask, phase = run.seen & even(run), phase_of(run, line)
@@ -56,6 +59,6 @@ def neutral_part(line: Line, residual: Floats, run: Moved, rig: Rig) -> TorqueRi
     held = np.linalg.lstsq(basis[mask], residual[mask], rcond=None)[0]
     size, order = -complex(held[0], -held[1]), line.at * turn_of([run])
     return TorqueRipple(
-        name=f"unexplained_{line.at:.0f}", at=cast("ImposedMotion", imposed_part(rig)).at, group="mechanical",
+        name=f"unexplained_line_{number}", at=cast("ImposedMotion", imposed_part(rig)).at, group="mechanical",
         amplitudes={order: abs(size)}, phases={order: float(np.angle(size))},
     )  # fmt: skip
