@@ -14,7 +14,7 @@ from torquerig.diagnose.motion.tried import Step
 def told(monkeypatch: pytest.MonkeyPatch, *, before: float, after: float, wrong: bool) -> tuple[Any, Any]:
     models = {"before": before, "after": after}
     monkeypatch.setattr(room, "relative_error", lambda model, runs: models[model])
-    monkeypatch.setattr(room, "mismatches", lambda model, runs: ("a place",) if wrong else ())
+    monkeypatch.setattr(room, "mismatches", lambda model, runs, before: ("a place",) if wrong else ())
     monkeypatch.setattr(room, "at_their_ends", lambda model, of: ())
     named = SimpleNamespace(model=SimpleNamespace(), candidate=SimpleNamespace(mechanism="stribeck_friction"))
     named.model = "after"
