@@ -7,6 +7,7 @@ from dataclasses import replace
 from math import pi
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from torquerig.catalog.reading import load_catalog
@@ -146,3 +147,46 @@ def test_to_standard_output_goes_the_json_alone(capsys: pytest.CaptureFixture[st
     assert data["schema"] == "torquerig.diagnosis/1"
     assert data["verdict"] == "adequate"
     assert data["model"] is None
+
+
+def test_check_says_what_would_be_compared_and_writes_nothing(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = sorted(path.name for path in folder.iterdir())
+    main(("diagnose", "good.parquet", "long.parquet", "--scenario", WEAR_RIG, "--check"))
+    out = capsys.readouterr().out
+    assert "good.parquet" in out
+    assert "steady, 1000 rpm, 5 % occupancy, encoder_count" in out
+    assert "motor.inertia" in out
+    assert out.rstrip().endswith("nothing was diagnosed")
+    with pytest.raises(SystemExit) as stopped:
+        main(("diagnose", "pressure.csv", "--scenario", WEAR_RIG, "--check"))
+    assert stopped.value.code == 2
+    assert "pressure_Pa' measures is not known" in capsys.readouterr().err
+    assert sorted(path.name for path in folder.iterdir()) == before
+
+
+MOVED = """
+operating_point: {}
+measured: motion
+rig:
+  table: {kind: slide, mass: {value: 5 kg, rel_sd: 0.1}}
+  motion: {kind: imposed_motion, at: table, channel: position}
+"""
+
+
+def test_check_of_a_measured_motion_tells_effort_and_stroke_in_si(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    time = np.arange(2000) / 500
+    rows = np.column_stack([time, 0.2 * np.sin(4 * time), np.round(0.1 * np.sin(4 * time) / 1e-6)])
+    np.savetxt(tmp_path / "run.csv", rows, delimiter=",", header="time_s,force_V,scale_count", comments="", fmt="%.8g")
+    (tmp_path / "run.yaml").write_text(
+        "channels:\n  force_V: {quantity: force, unit: V, N_per_V: 50}\n"
+        "  scale_count: {quantity: position, unit: count, m_per_count: 1.0e-6}\n"
+    )
+    (tmp_path / "table.yaml").write_text(MOVED)
+    main(("diagnose", str(tmp_path / "run.csv"), "--scenario", str(tmp_path / "table.yaml"), "--check"))
+    out = capsys.readouterr().out
+    assert "force_V, below 50 Hz" in out
+    assert "7.0" in out  # N rms: 50 N/V times 0.2 V over sqrt(2)
+    assert "0.2 m, to 0.40" in out
+    assert "table.mass" in out

@@ -23,6 +23,7 @@ from torquerig.whole_file import whole_file
 if TYPE_CHECKING:
     from torquerig.diagnose.diagnose import Outcome
     from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
+    from torquerig.signals.recording import Recording
 
 _PAGE = "<!-- written by torquerig diagnose -->"
 _MOST_WORKERS = 4  # of their own accord: each holds some 200 MB of its own
@@ -32,7 +33,7 @@ _HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was f
 @click.command("diagnose")
 @click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--scenario", required=True, type=click.Path(path_type=Path), help="The rig's nominal scenario.")
-@click.option("--json", "out", required=True, help="Diagnosis to write; - is standard output.")
+@click.option("--json", "out", default=None, help="Diagnosis to write; - is standard output.")
 @click.option(
     "--report",
     type=click.Path(path_type=Path),
@@ -41,6 +42,7 @@ _HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was f
 )
 @click.option("--model", type=click.Path(path_type=Path), default=None,
               help="Completed scenario to write; beside the JSON when not given.")  # fmt: skip
+@click.option("--check", is_flag=True, help="Only say whether scenario and recordings fit, and what is compared.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Fixes every random number.")
 @click.option(
     "--workers", type=click.IntRange(1), default=None, help="Fits at a time; default: one per core, four at most."
@@ -48,8 +50,8 @@ _HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was f
 @set_option
 @catalog_option
 def command(
-    *, recordings: tuple[Path, ...], scenario: Path, out: str, report: Path | None, model: Path | None, seed: int,
-    workers: int | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, model: Path | None,
+    check: bool, seed: int, workers: int | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Say where RECORDINGS (runs of one rig) and the SCENARIO differ, which effect was left out, and how sure that is.
 
@@ -61,14 +63,17 @@ def command(
     from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
     from torquerig.diagnose.side_by_side import side_by_side
 
+    if check:
+        _check(recordings, scenario, settings, catalogs, seed=seed)
+        return
+    if out is None:
+        raise click.UsageError("Missing option '--json': name the file that the diagnosis goes into, or - to print it.")
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
     written = [(target, _HEAD), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
     check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     document, catalog = edited(scenario, settings), catalog_beside(scenario, catalogs)
     made = read_scenario(document, catalog, seed=seed)
-    read = [read_recording(path) for path in recordings]
-    if len({recording.name for recording in read}) < len(read):
-        raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
+    read = _read(recordings)
     outcome: Outcome | MotionOutcome
     with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
         if under_measured_motion(made.rig):
@@ -95,6 +100,22 @@ def command(
     else:
         with whole_file(Path(out)) as partial:
             partial.write_text(text, encoding="utf-8", newline="\n")
+
+
+def _read(paths: tuple[Path, ...]) -> list[Recording]:
+    read = [read_recording(path) for path in paths]
+    if len({recording.name for recording in read}) < len(read):
+        raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
+    return read
+
+
+def _check(
+    recordings: tuple[Path, ...], scenario: Path, settings: tuple[str, ...], catalogs: tuple[Path, ...], *, seed: int
+) -> None:
+    from torquerig.cli.diagnose_check import checked
+
+    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    click.echo(checked(made, _read(recordings)))
 
 
 def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:

@@ -1,0 +1,63 @@
+"""What ``torquerig diagnose --check`` prints: whether scenario and recordings fit, and what would be compared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+import numpy as np
+
+from torquerig.diagnose.motion.diagnose_motion import under_measured_motion
+from torquerig.diagnose.motion.lines import in_a_line
+from torquerig.diagnose.motion.moved import BAND, moved_runs
+from torquerig.diagnose.rig_under_test import check_recordings, check_rig
+from torquerig.diagnose.sheet_ratio import at_ratio_of
+from torquerig.plain_table import grid, wrapped
+from torquerig.scenario.reading import Scenario
+from torquerig.signals.recording import Recording
+
+_HEAD = ["recording", "samples", "per second", "compared", "rms", "motion"]
+
+
+def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
+    """Return what a diagnosis would compare, in a table.
+
+    Raises
+    ------
+    InputError, RecordingError
+        Where a diagnosis would refuse the scenario or a recording before anything is computed.
+    """
+    moves = under_measured_motion(scenario.rig)
+    rows = _of_motion(scenario, recordings) if moves else _of_speed_loop(scenario, recordings)
+    spreads = sorted(scenario.uncertainties)
+    fitted = f"fitted before anything is called missing: {', '.join(spreads) or 'nothing, no number has a rel_sd'}"
+    return "\n".join([grid([_HEAD, *rows]), wrapped(fitted), "nothing was diagnosed"])
+
+
+def _of_motion(scenario: Scenario, recordings: Sequence[Recording]) -> list[list[str]]:
+    runs, rows = moved_runs(recordings, scenario.rig), []
+    line = in_a_line(runs)
+    for run in runs:
+        effort, stroke = float(np.sqrt(np.mean(run.effort**2))), float(np.ptp(run.position))
+        fastest = float(np.abs(run.speed).max())
+        moved = f"{stroke:.4g} m, to {fastest:.3g} m/s" if line else f"{stroke:.4g} rad, to {fastest:.3g} rad/s"
+        compared = next(name for name, one in run.recording.channels.items() if one is run.channel)
+        rows.append([
+            run.name, f"{run.recording.samples}", f"{run.rate:g}", f"{compared}, below {BAND * run.rate:g} Hz",
+            f"{effort:.4g} {'N' if line else 'N*m'}", moved,
+        ])  # fmt: skip
+    return rows
+
+
+def _of_speed_loop(scenario: Scenario, recordings: Sequence[Recording]) -> list[list[str]]:
+    check_rig(scenario.rig)
+    check_recordings(recordings)
+    rows = []
+    for each in at_ratio_of(recordings, scenario.rig):
+        speed = "no set-point" if each.run.speed is None else f"{each.run.speed * 30 / pi:.5g} rpm"
+        encoder = next((name for name in map(each.find, ("motor_angle", "angle", "tacho")) if name), None)
+        motion = f"{each.run.profile}, {speed}, {each.run.occupancy_percent or 0:g} % occupancy"
+        motion += f", {encoder}" if encoder else ", no encoder"
+        rms = f"{float(np.sqrt(np.nanmean(each.torque() ** 2))):.4g} N*m"
+        rows.append([each.name, f"{each.samples}", f"{each.sample_rate:g}", each.torque_name(), rms, motion])
+    return rows
