@@ -276,3 +276,14 @@ def test_the_command_writes_the_page_and_nothing_else_on_standard_error(
     assert "torquerig diagnose rough.csv --scenario rig.yaml --json diagnosis.json --report diagnosis.html" in page
     assert "out.model.yaml" in page
     assert str(tmp_path) not in page
+
+
+@pytest.mark.parametrize("friction", [0.0, 12.0])
+def test_what_the_samples_show_stands_on_the_page_without_rivals(friction: float) -> None:
+    made = recorded(lambda time, position, speed: friction * np.tanh(speed / 1e-3))
+    limit = 18.0 if friction == 0 else 25.0
+    outcome = diagnosed(made.with_values("force_N", np.clip(made.channels["force_N"].values, -limit, limit)))
+    text = unescape(paged(outcome))
+    assert f"a reading that stops at {limit:g} N, where the motion asks for more" in text
+    assert ("It and what was tried in its place" in text) == (friction > 0)
+    assert "left out of fits and judgement" in text

@@ -35,10 +35,14 @@ ASIDE = (
 _USED = {"split": "fit and held out, by turns", "fit": "fit", "held_out": "held out"}
 
 
-def rivals_tables(outcome: MotionOutcome) -> list[Table]:
-    """Return, for each finding, the hypotheses that were tried in its place and what each leaves."""
-    pairs = zip(outcome.diagnosis.findings, outcome.steps, strict=True)
-    return [_rivals(finding, step, outcome) for finding, step in pairs]
+def rivals_tables(outcome: MotionOutcome) -> list[Table | None]:
+    """Return, for each finding, the hypotheses that were tried in its place and what each leaves.
+
+    None for the first ones, which the samples showed: nothing was tried in their place.
+    """
+    found, seen = outcome.diagnosis.findings, len(outcome.diagnosis.findings) - len(outcome.steps)
+    tried = [_rivals(finding, step, outcome) for finding, step in zip(found[seen:], outcome.steps, strict=True)]
+    return [*([None] * seen), *tried]
 
 
 def _rivals(finding: Finding, step: Step, outcome: MotionOutcome) -> Table:
