@@ -76,7 +76,7 @@ UNITS: dict[str, dict[str, float]] = {
     "force": {"N": 1, "mN": 1e-3, "kN": 1e3, "lbf": 4.4482216152605, "kip": 4448.2216152605},
     "linear stiffness": {"N/m": 1, "N/mm": 1e3, "N/um": 1e6},
     "linear damping": {"N*s/m": 1, "Ns/m": 1},
-    "linear quadratic drag": {"N*s^2/m^2": 1, "N*s2/m2": 1},
+    "linear quadratic drag": {"N*s^2/m^2": 1},
     "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254},
     "voltage": {"V": 1, "mV": 1e-3, "uV": 1e-6, "kV": 1e3},
     "current": {"A": 1, "mA": 1e-3},

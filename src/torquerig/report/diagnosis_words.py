@@ -64,7 +64,10 @@ def verdict_sentence(diagnosis: Diagnosis, left: Sequence[Mismatch], *, yardstic
     """Return the verdict as one sentence; ``left`` is what the completed model still misses."""
     fit, name = diagnosis.fit, yardstick.name
     named = " and ".join(_named(finding) for finding in diagnosis.findings)
-    falls = f"the {name} falls from {yardstick.said(fit.before)} to {yardstick.said(fit.after)}{yardstick.of}"
+    before, after = yardstick.said(fit.before), yardstick.said(fit.after)
+    falls = f"the {name} falls from {before} to {after}{yardstick.of}"
+    if before == after:  # faults of samples, which are kept from fits and judgement
+        falls = f"the {name} is {after}{yardstick.of}, as without"
     if diagnosis.verdict == "adequate":
         return (
             f"Nothing is missing that these recordings can show: with its own numbers fitted, the model's {name} is "

@@ -139,7 +139,8 @@ def backlash(draw: Draw) -> Drawn:
     gap = draw(6, 20)
     part = Backlash(name="hidden", gap=gap * pi / 180 / 60)
     # named soundly, sized poorly from 6 s at 5 kHz: +47 % is seen
-    return Drawn(part=part, parameters={"gap_arcmin": (gap, 0.6)}, plan=TURNING_BACK)
+    # how flanks bounce hangs on the last bits, which processors round their own way: a width may be off by three
+    return Drawn(part=part, parameters={"gap_arcmin": (gap, 2.0)}, plan=TURNING_BACK)
 
 
 def quantization(draw: Draw) -> Drawn:
@@ -196,6 +197,8 @@ def check(outcome: Outcome, name: str, drawn: Drawn) -> None:
     for parameter, (value, part) in drawn.parameters.items():
         assert found.parameters[parameter].value == pytest.approx(value, rel=part), parameter
         assert found.parameters[parameter].low <= found.parameters[parameter].value <= found.parameters[parameter].high
+        if name == "backlash":  # and its interval says so
+            assert found.parameters[parameter].low <= value <= found.parameters[parameter].high
     # what drifts has come to rest in the part held out, and a model fitted to a constant serves there as well
     assert made.fit.after < 1.1 * made.fit.before
     assert made.fit.after < 3.5

@@ -16,7 +16,7 @@ from torquerig.diagnose.looking.waves import Waves
 
 _SAME = 4e-3  # [s] so near to a blow one that the lines make is the same
 _AT_ONE_ANGLE = 1e-3  # [s] within which, turn after turn, a wave repeats; how flanks meet hangs on all that was before
-_AGAIN = 3  # blows at one angle of the shaft that no flanks make: two may meet by chance
+_AGAIN, _MOSTLY = 3, 0.75  # blows at one angle, two may meet by chance; share of all blows, where flanks make others
 
 
 @kept
@@ -38,12 +38,13 @@ def flights_beyond_lines(seen: Features) -> int:
 
 
 def _at_one_angle(observed: Observed, blows: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Return which blows come at one angle of the output shaft, in one turn after another."""
+    """Return which blows come at one angle of the output shaft, in one turn after another; none where few do."""
     ratio = abs(observed.run.gear_ratio or 1.0)
     turns = observed.angle[blows] / (2 * np.pi * ratio)
     apart = turns[:, None] - turns[None, :]
     alike = np.abs(apart - np.round(apart)) < _AT_ONE_ANGLE * np.abs(observed.speed[blows]) / (2 * np.pi * ratio)
-    return np.asarray(alike.sum(axis=1) >= _AGAIN)
+    again = np.asarray(alike.sum(axis=1) >= _AGAIN)
+    return again & (again.mean() >= _MOSTLY)
 
 
 def _lines_alone(seen: Features) -> Observed:

@@ -127,9 +127,9 @@ def diagnose_motion(
     after, code = with_codes(_last(before, steps), runs)
     of_samples = tuple(effort_told(faults, after, runs, code=code))
     left = mismatches(after, runs, before=before)
-    missed = mismatches(before, runs) if steps else left
     whole = goes_with(after, runs)
     left = left if whole is None else (*left, whole.mismatch)
+    missed = mismatches(before, runs) if steps else left
     lines = lines_in(after.residuals, runs)[:_NEUTRALS] if left else ()
     neutrals = tuple(neutral(line, after.residuals, runs) for line in lines)
     findings = (*(each.finding for each in of_samples), *(finding(step, after, runs) for step in steps))
