@@ -44,7 +44,7 @@ def _at_one_angle(observed: Observed, blows: NDArray[np.int64]) -> NDArray[np.bo
     apart = turns[:, None] - turns[None, :]
     alike = np.abs(apart - np.round(apart)) < _AT_ONE_ANGLE * np.abs(observed.speed[blows]) / (2 * np.pi * ratio)
     again = np.asarray(alike.sum(axis=1) >= _AGAIN)
-    return again & (again.mean() >= _MOSTLY)
+    return again if again.mean() >= _MOSTLY else np.zeros(again.size, dtype=bool)
 
 
 def _lines_alone(seen: Features) -> Observed:
