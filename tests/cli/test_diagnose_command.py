@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.moved_rigs import CARRIAGE
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
@@ -164,15 +165,6 @@ def test_check_says_what_would_be_compared_and_writes_nothing(folder: Path, caps
     assert sorted(path.name for path in folder.iterdir()) == before
 
 
-MOVED = """
-operating_point: {}
-measured: motion
-rig:
-  table: {kind: slide, mass: {value: 5 kg, rel_sd: 0.1}}
-  motion: {kind: imposed_motion, at: table, channel: position}
-"""
-
-
 def test_check_of_a_measured_motion_tells_effort_and_stroke_in_si(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -183,10 +175,10 @@ def test_check_of_a_measured_motion_tells_effort_and_stroke_in_si(
         "channels:\n  force_V: {quantity: force, unit: V, N_per_V: 50}\n"
         "  scale_count: {quantity: position, unit: count, m_per_count: 1.0e-6}\n"
     )
-    (tmp_path / "table.yaml").write_text(MOVED)
+    (tmp_path / "table.yaml").write_text(CARRIAGE)
     main(("diagnose", str(tmp_path / "run.csv"), "--scenario", str(tmp_path / "table.yaml"), "--check"))
     out = capsys.readouterr().out
     assert "force_V, below 50 Hz" in out
     assert "7.0" in out  # N rms: 50 N/V times 0.2 V over sqrt(2)
     assert "0.2 m, to 0.40" in out
-    assert "table.mass" in out
+    assert "carriage.mass" in out

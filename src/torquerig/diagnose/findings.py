@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from torquerig.diagnose.advising.next_run import next_run
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.chain import Chain, Progress, best_chain, rest_of
-from torquerig.diagnose.choosing.confidence import confidence_of, rivals_of
+from torquerig.diagnose.choosing.confidence import SEEN_IN_SAMPLES, confidence_of, rivals_of
 from torquerig.diagnose.choosing.convincing import share_of
 from torquerig.diagnose.choosing.equivalence import equivalents
 from torquerig.diagnose.choosing.identifying import identifying
@@ -26,7 +26,6 @@ from torquerig.diagnose.sentences import explanation
 _MOST_RIVALS = 3
 _TURNING_LINES = frozenset({"gear_mesh", "cogging", "commutation_ripple", "blade_pass"})
 _OF_ONE_SIZE = _TURNING_LINES | {"pwm_aliasing"}  # lines that nothing but the speed and the load change
-_SEEN_IN_SAMPLES = 0.98  # confidence
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +111,7 @@ def faults_found(faults: SampleFindings, case: Case, *, gain: float) -> list[Fin
         parameters = identifying(candidate, model, case)
         said = explanation(candidate.mechanism, parameters, share=1.0, rivals=(), gain=0.0)
         finding = Finding(
-            mechanism=candidate.mechanism, variant="", explanation=said, confidence=_SEEN_IN_SAMPLES,
+            mechanism=candidate.mechanism, variant="", explanation=said, confidence=SEEN_IN_SAMPLES,
             parameters=parameters, gain=gain,
         )  # fmt: skip
         answer.append(finding)

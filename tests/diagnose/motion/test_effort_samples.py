@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tests import moved_rigs
 from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.diagnose.motion.effort_samples import code_of, effort_faults
+from torquerig.errors import RecordingError
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -59,6 +60,11 @@ def test_a_drive_that_gives_no_more_than_its_limit_clips_nothing() -> None:
     outcome = diagnosed(made)
     assert named(outcome) == []
     assert outcome.diagnosis.verdict == "adequate"
+
+
+def test_a_reading_that_hardly_leaves_its_limit_is_refused_with_a_sentence() -> None:
+    with pytest.raises(RecordingError, match=r"run\.csv: \d+ samples of its effort are left beside those at a limit"):
+        diagnosed(carriage(lambda force: np.clip(force, -0.3, 0.3)))
 
 
 def test_moments_without_signal_are_named_and_left_out() -> None:

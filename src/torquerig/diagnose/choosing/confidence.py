@@ -10,6 +10,7 @@ from torquerig.diagnose.choosing.explained import gained_at_its_places
 from torquerig.diagnose.choosing.revising import Accepted
 from torquerig.diagnose.choosing.trial import Trial
 
+SEEN_IN_SAMPLES = 0.98  # of a fault that stands in the samples themselves, before any model
 LEAST = 0.6  # below it neither of two names was right in 1200 blind trials, from 0.6 to 0.7 three of three
 # of a logistic curve over `terms`; made by `python -m proof.confidence_fit` on blind trials of the seeds 21 to 23
 COEFFICIENTS = (1.23, 0.37, 1.67, -2.18)

@@ -24,6 +24,7 @@ from torquerig.diagnose.looking.bands import BANDS_PER_OCTAVE
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import BY_CHANCE, CLEARLY, UNDRIVEN
 from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
+from torquerig.diagnose.looking.moments_of import moments_of
 from torquerig.diagnose.looking.places import SAME_ORDER, Place
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
@@ -143,8 +144,7 @@ def _bands(features: Features, misfit: Misfit, total: float, places: int) -> Ite
     out = np.abs(residual) > BAND
     if np.mean(robust_squares(residual)) > _MEAN_SQUARE:
         out |= np.abs(residual) > 0.6 * BAND
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], out, [False]]).astype(int)))
-    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for start, stop in moments_of(out):
         part = slice(start, stop)
         worst = float(np.abs(residual[part]).max())
         if stop - start < _BAND_RUN and worst < _ALONE:

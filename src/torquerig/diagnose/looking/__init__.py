@@ -16,6 +16,7 @@ hum             where the mains stands                 impacts      beats of a r
 copied          samples written twice                  without_tones   a run less its lines of fixed frequency
 short_spectra   how a spectrum changes in time         gain_moments   all of it by one factor
 sweeps          lines that sweep at a steady speed     kernel       their compiled loop
+moments_of      where something goes on, from flags
 flights         flanks that part and meet              near_zero    how long the torque stays near zero
 angle_jumps     a measured angle that jumps            flights_beyond_lines   flights that no waves make
 as_well_known   a simulated run with its angle known no better than the recording's

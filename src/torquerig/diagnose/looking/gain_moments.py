@@ -13,6 +13,7 @@ from math import exp
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.moments_of import moments_of
 from torquerig.diagnose.looking.robust_spread import spread_about_zero
 from torquerig.diagnose.looking.short_spectra import OVERLAP, ShortSpectra, closest_half, short_spectra
 from torquerig.signals.recording import Recording
@@ -97,8 +98,7 @@ def _apart(spectra: ShortSpectra) -> Iterator[tuple[int, int]]:
     near = spectra.over_spread(series, _EDGE, normal=closest_half)
     for sign in (1.0, -1.0):
         apart = sign * near > _STILL_APART
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], apart, [False]]).astype(int)))
-        for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        for start, stop in moments_of(apart):
             if stop - start >= 2 * _TRIMMED + _FEWEST and (sign * clear[start:stop] > _CLEAR).any():
                 yield start, stop
 

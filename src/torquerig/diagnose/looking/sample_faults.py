@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.moments_of import moments_of
 from torquerig.diagnose.looking.robust_spread import spread_about_median, spread_about_zero
 from torquerig.diagnose.looking.strong_alias import without_tone
 from torquerig.signals.recording import Recording
@@ -158,9 +159,8 @@ def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: f
     if quiet > _QUIET * _noise_of(np.diff(volts))[0]:
         return found
     half = 0.5 * float(np.median([stop - start for start, stop, _ in found]))
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], np.abs(volts - level) < quiet, [False]]).astype(int)))
-    pairs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
-    others = [(start, stop, level) for start, stop in pairs if stop - start >= max(half, _shortest(rate))]
+    still = moments_of(np.abs(volts - level) < quiet)
+    others = [(start, stop, level) for start, stop in still if stop - start >= max(half, _shortest(rate))]
     return sorted([*found, *(each for each in others if not any(_meet(each, other) for other in found))])
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+from torquerig.diagnose.looking.moments_of import moments_of
 from torquerig.signals.recording import Recording
 
 _AT_LIMIT = 0.9995  # of it
@@ -33,9 +34,8 @@ def rebuilt(recording: Recording, *, limit: float) -> Recording:
         return recording
     reach = max(2, round(_SLOPE * recording.sample_rate))
     stuck |= np.convolve(stuck, np.ones(2 * reach + 1), "same") > reach  # what returns for a moment is one with it
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], stuck, [False]]).astype(int)))
     answer = volts.copy()
-    for start, stop in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for start, stop in moments_of(stuck):
         first, last = start - 1, stop
         if first < reach or last + reach >= volts.size:
             continue

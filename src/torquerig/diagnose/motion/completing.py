@@ -24,6 +24,7 @@ from torquerig.rig.rig import Rig
 MOST_EFFECTS = 3
 _ALONE = 8  # evaluations while the model's own numbers are held
 _AS_CLOSE = 0.05  # of the rms residual: what a simpler variant may leave more
+_FROM_STATED = 3  # hypotheses that are fitted with all numbers free, where these begin as stated
 _WORTHWHILE = 0.25  # of the best gain alone: less is not caught up by fitting all numbers
 _ROOMS = (friction, friction_peak, gap, cogging, hum, others)
 
@@ -85,7 +86,8 @@ def _tried(model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[M
         key = (one.candidate.mechanism, one.candidate.variant)
         if key not in alone or one.gain > alone[key].gain:
             alone[key] = one
-    worth = list(alone.values()) if bent else _worthwhile(list(alone.values()))
+    every = sorted(alone.values(), key=lambda one: -one.fall)
+    worth = every[:_FROM_STATED] if bent else _worthwhile(every)
     found = [*of_each(freed, worth), *(one for one in alone.values() if one not in worth)]
     return _ranked(found, model, runs)
 

@@ -14,13 +14,12 @@ from torquerig.diagnose.diagnosis import Diagnosis, HeldOut, Mismatch, UsedRecor
 from torquerig.diagnose.fitting.knobs import Knob, nuisance_knobs
 from torquerig.diagnose.motion.believed import believed
 from torquerig.diagnose.motion.completing import completed
-from torquerig.diagnose.motion.effort_samples import effort_faults
 from torquerig.diagnose.motion.effort_told import Told, effort_told, limit_is_the_readings, with_codes
 from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, residuals_of
 from torquerig.diagnose.motion.friction import viscous_at, without_peak
 from torquerig.diagnose.motion.goes_with import goes_with
 from torquerig.diagnose.motion.lines import in_a_line, lines_in
-from torquerig.diagnose.motion.moved import STRETCHES, Moved, effort_of, imposed_part, moved_runs
+from torquerig.diagnose.motion.moved import STRETCHES, Moved, faults_in, imposed_part, moved_runs
 from torquerig.diagnose.motion.neutral import Neutral, neutral, neutral_part
 from torquerig.diagnose.motion.objections import lacks_viscous
 from torquerig.diagnose.motion.places import mismatches
@@ -116,14 +115,13 @@ def diagnose_motion(
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
     knobs = (*knobs, *knobs_of_the_sign(rig, knobs))
     progress("following the motion")
-    faults = effort_faults(recordings, [effort_of(each) for each in recordings])
-    runs = moved_runs(recordings, rig, held_out=held_out, faults=faults)
-    before, steps, refused = _completed(rig, runs, knobs, progress)
-    if faults.limit is not None and not limit_is_the_readings(faults, _last(before, steps), runs):
-        progress("once more: what the effort stops at is the drive's limit")
-        faults = effort_faults(recordings, [effort_of(each) for each in recordings], limits=False)
+    for limits in (True, False):
+        faults = faults_in(recordings, limits=limits)
         runs = moved_runs(recordings, rig, held_out=held_out, faults=faults)
         before, steps, refused = _completed(rig, runs, knobs, progress)
+        if faults.limit is None or limit_is_the_readings(faults, _last(before, steps), runs):
+            break
+        progress("once more: what the effort stops at is the drive's limit")
     after, code = with_codes(_last(before, steps), runs)
     of_samples = tuple(effort_told(faults, after, runs, code=code))
     left = mismatches(after, runs, before=before)

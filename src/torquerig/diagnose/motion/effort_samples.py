@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.moments_of import moments_of
 from torquerig.diagnose.looking.sample_faults import Dropouts, FlatTops, bridged, dropouts, flat_tops, moments_lost
 from torquerig.signals.recording import Channel, Recording
 
@@ -59,7 +60,7 @@ def effort_faults(recordings: Sequence[Recording], channels: Sequence[Channel], 
     whole = [bridged(each, some) for each, some in zip(seen, moments, strict=True)]
     limit = flat_tops(whole, full_range=np.inf, code=_least_code(whole)) if limits else None
     standing = tuple(_standing(each, limit) for each in whole)
-    mended = [bridged(each, _moments(mask)) for each, mask in zip(whole, standing, strict=True)]
+    mended = [bridged(each, moments_of(mask)) for each, mask in zip(whole, standing, strict=True)]
     spoilt = tuple(_widened(mask | _within(some, mask.size)) for mask, some in zip(standing, moments, strict=True))
     return EffortFaults(tuple(each.channels[_NAME].values for each in mended), limit, lost, standing, spoilt)
 
@@ -88,11 +89,6 @@ def _standing(recording: Recording, limit: FlatTops | None) -> Mask:
     if limit is None or recording.name not in limit.runs:
         return np.zeros(values.size, dtype=bool)
     return np.asarray(np.abs(values) >= (1 - 1e-3) * limit.limit)
-
-
-def _moments(mask: Mask) -> list[tuple[int, int]]:
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def _within(moments: Sequence[tuple[int, int]], samples: int) -> Mask:

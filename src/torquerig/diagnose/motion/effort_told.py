@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from torquerig import mechanisms
+from torquerig.diagnose.choosing.confidence import SEEN_IN_SAMPLES
 from torquerig.diagnose.diagnosis import Finding, Stated
 from torquerig.diagnose.motion.effort_samples import EffortFaults, code_of
 from torquerig.diagnose.motion.evidence import root_mean_square
@@ -16,7 +17,6 @@ from torquerig.diagnose.motion.fitted import FittedMotion, residuals_of
 from torquerig.diagnose.motion.moved import Moved
 from torquerig.rig.part import Part
 
-_SEEN = 0.98  # confidence
 _BEYOND = 2.0  # times what the model leaves elsewhere, by which the motion asks for more than the limit
 _OF_THE_NOISE = 0.5  # of the median square that the model leaves of the samples as they were recorded
 _OF_THE_EFFORT = 0.04  # of its rms: finer codes are any converter's
@@ -68,7 +68,7 @@ def effort_told(
 
 def _finding(name: str, said: str, stated: Mapping[str, tuple[float, float, str]]) -> Finding:
     return Finding(
-        mechanism=name, variant="", explanation=f"The model lacks {said}.", confidence=_SEEN, gain=0.0,
+        mechanism=name, variant="", explanation=f"The model lacks {said}.", confidence=SEEN_IN_SAMPLES, gain=0.0,
         parameters={
             key: Stated(value=value, low=value * (1 - spread), high=value * (1 + spread), unit=unit)
             for key, (value, spread, unit) in stated.items()

@@ -123,6 +123,11 @@ def moved(
     inner[edge:-edge] = True
     if spoilt is not None:
         inner &= ~spoilt
+        if inner.sum() < 0.5 * _FEWEST:
+            raise RecordingError(
+                f"{recording.name}: {inner.sum()} samples of its effort are left beside those at a limit or without "
+                "signal; leave this recording out, or record it within the range"
+            )
     effort = channel.in_si() if mended is None else replace(channel, values=mended).in_si()
     seen = _parted(recording.samples) if held_out is None else np.full(recording.samples, not held_out)
     return Moved(
@@ -147,11 +152,16 @@ def moved_runs(
     unknown = set(held_out) - {recording.name for recording in recordings}
     if unknown:
         raise InputError(f"no recording is called {sorted(unknown)[0]!r}; name one of the recordings to hold out")
-    found = effort_faults(recordings, [effort_of(each) for each in recordings]) if faults is None else faults
+    found = faults_in(recordings) if faults is None else faults
     return tuple(
         moved(one, part, held_out=one.name in held_out if held_out else None, mended=mended, spoilt=spoilt)
         for one, mended, spoilt in zip(recordings, found.efforts, found.spoilt, strict=True)
     )
+
+
+def faults_in(recordings: Sequence[Recording], *, limits: bool = True) -> EffortFaults:
+    """Return the faults of the recordings' efforts; without ``limits`` a level that they stop at is the drive's."""
+    return effort_faults(recordings, [effort_of(each) for each in recordings], limits=limits)
 
 
 def low_passed(values: Floats, band: float = BAND) -> Floats:

@@ -81,19 +81,24 @@ def identifying(step: Step, final: FittedMotion, runs: Sequence[Moved]) -> dict[
         return _cogging(part, final, runs)
     if candidate.mechanism == "mains_interference":
         hum = _stated(final, part.name, "frequency", part.frequency, "Hz")
-        volts = runs[0].channel.unit == "V"
-        size = _stated(final, part.name, "amplitudes", part.amplitudes[0], "V" if volts else torque, key=0,
-                       factor=1 / abs(runs[0].channel.si_per_unit) if volts else 1.0)  # fmt: skip
+        unit, factor = _as_read(runs, torque)
+        size = _stated(final, part.name, "amplitudes", part.amplitudes[0], unit, key=0, factor=factor)
         return {"frequency_Hz": hum, "amplitude_V": size}
     answer = {}
     for field, (name, turning, moving) in _NAMES[candidate.mechanism].items():
         value, unit, factor = getattr(part, field), moving if line else turning, 1.0
         if value is None:
             continue
-        if name.endswith("_V") and runs[0].channel.unit == "V":
-            unit, factor = "V", 1 / abs(runs[0].channel.si_per_unit)
+        if name.endswith("_V"):
+            unit, factor = _as_read(runs, unit)
         answer[name] = _stated(final, part.name, field, value, unit, factor=factor)
     return answer
+
+
+def _as_read(runs: Sequence[Moved], unit: str) -> tuple[str, float]:
+    """Return volts, and how many one of ``unit`` is, where the effort was read in volts; else the unit itself."""
+    channel = runs[0].channel
+    return ("V", 1 / abs(channel.si_per_unit)) if channel.unit == "V" else (unit, 1.0)
 
 
 def _friction(part: Any, final: FittedMotion, torque: str, line: bool) -> dict[str, Stated]:
