@@ -12,7 +12,7 @@ from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.motion import cogging, friction, friction_peak, gap, hum, others
 from torquerig.diagnose.motion.evidence import gained, root_mean_square, samples_that_count
-from torquerig.diagnose.motion.fitted import FittedMotion, at_their_ends, fitted
+from torquerig.diagnose.motion.fitted import FittedMotion, fitted
 from torquerig.diagnose.motion.moved import Moved
 from torquerig.diagnose.motion.objections import LEAST_FALL, first_that_holds
 from torquerig.diagnose.motion.pairs import pair_that_holds
@@ -24,7 +24,6 @@ from torquerig.rig.rig import Rig
 MOST_EFFECTS = 3
 _ALONE = 8  # evaluations while the model's own numbers are held
 _AS_CLOSE = 0.05  # of the rms residual: what a simpler variant may leave more
-_FROM_STATED = 3  # hypotheses that are fitted with all numbers free, where these begin as stated
 _WORTHWHILE = 0.25  # of the best gain alone: less is not caught up by fitting all numbers
 _ROOMS = (friction, friction_peak, gap, cogging, hum, others)
 
@@ -63,21 +62,18 @@ def _proposals(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate
 def _tried(model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[Moved]) -> list[Tried]:
     """Return every hypothesis fitted, best first: alone, then of each name and variant the best start with all.
 
-    Alone all numbers of the model are held but those that stood in for the hypothesis; where some went as far as they
-    may, all are held where the scenario states them.
+    Alone all numbers of the model are held but those that stood in for the hypothesis.
     """
-    bent = bool(at_their_ends(model, of=own))  # its numbers stand in for what is missing: begin where they are stated
-    first, positions = (base, 0 * model.positions) if bent else (model.rig, model.positions)
 
     def held(candidate: Candidate) -> Tried:
         loose = [knob for knob in own if knob.field in candidate.loosens]
-        made = fitted(candidate.added_to(first), runs, (*candidate.knobs, *loose), evaluations=_ALONE)
+        made = fitted(candidate.added_to(model.rig), runs, (*candidate.knobs, *loose), evaluations=_ALONE)
         return _weighed(candidate, made, model, runs)
 
     def freed(one: Tried) -> Tried:
         parts = tuple(one.model.rig.part(part.name) for part in one.candidate.parts)
         placed = replace(one.candidate, parts=parts)
-        start = np.concatenate([positions, np.zeros(len(placed.knobs))])
+        start = np.concatenate([model.positions, np.zeros(len(placed.knobs))])
         made = fitted(placed.added_to(base), runs, (*own, *placed.knobs), start=start)
         return replace(_weighed(placed, made, model, runs), freed=True)
 
@@ -86,8 +82,7 @@ def _tried(model: FittedMotion, base: Rig, own: Sequence[Knob], runs: Sequence[M
         key = (one.candidate.mechanism, one.candidate.variant)
         if key not in alone or one.gain > alone[key].gain:
             alone[key] = one
-    every = sorted(alone.values(), key=lambda one: -one.fall)
-    worth = every[:_FROM_STATED] if bent else _worthwhile(every)
+    worth = _worthwhile(list(alone.values()))
     found = [*of_each(freed, worth), *(one for one in alone.values() if one not in worth)]
     return _ranked(found, model, runs)
 
