@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -56,10 +57,7 @@ def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
     time = span.time()
     reference = _set_point(rig, span)
     demands = [_demand(rig, drive, span, time) for drive in lowered.drive_terms]
-    loads = loads_as_planned(
-        rig.run, [_torque(term, span, time) for term in lowered.load_terms], lowered.load_terms,
-        settling=span.settling, samples=span.samples, rate=span.rate,
-    )  # fmt: skip
+    loads = given_torques(rig, lowered.load_terms, span)
     return Terms(
         inverse_inertia=np.append(1 / lowered.inertia, 0.0),
         waves=lowered.waves,
@@ -77,6 +75,15 @@ def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
         bristles=lowered.bristles,
         angle_loads=lowered.angle_loads,
     )
+
+
+def given_torques(rig: Rig, terms: Sequence[Load | AppliedTorque], span: Span) -> list[NDArray[np.float64]]:
+    """Return what each load and applied torque gives at every sample [N m], as the run plans it."""
+    time = span.time()
+    return loads_as_planned(
+        rig.run, [_torque(term, span, time) for term in terms], terms,
+        settling=span.settling, samples=span.samples, rate=span.rate,
+    )  # fmt: skip
 
 
 def start(rig: Rig, lowered: Lowered, terms: Terms) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

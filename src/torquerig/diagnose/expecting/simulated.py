@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.expecting.added_signals import zero_of
+from torquerig.diagnose.expecting.chance_of_load import ChanceOfLoad
 from torquerig.diagnose.expecting.expectation import Expectation, amplitude_variance, expected
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features, features
@@ -110,9 +111,34 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
     """Return the expected features of every run from its simulated copies."""
 
     def of_run(row: int) -> Expectation:
-        return _mean(rig, seen[row], [_features(copy, seen[row]) for copy in copies[row]])
+        return _mean(rig, seen[row], copies[row])
 
     return tuple(of_each(of_run, range(len(seen))))
+
+
+def _mean(rig: Rig, seen: Features, copies: Sequence[Observed]) -> Expectation:
+    spread = expected(rig, seen)
+    looks = [_features(copy, seen) for copy in copies]
+    if seen.turning is not None:
+        # a copy whose motor is held fast does not turn back, and has no blocks
+        beside = [_beside_the_twin(rig, look) for look in looks if look.turning is not None]
+        return replace(spread, turning=spread.turning + np.mean(beside, axis=0)) if beside else spread
+    looks = [look for look in looks if look.turning is None]
+    if not looks:  # all of them turned back, as a torque too large for the drive makes them
+        return spread
+    chances = [ChanceOfLoad.of(rig, look.observed) for look in looks]
+    quiet = [_features(chance.quieted(look.observed), seen) for chance, look in zip(chances, looks, strict=True)]
+    power = spread.power
+    if seen.power.size:
+        usual = [chance.usual(look, spread) for chance, look in zip(chances, looks, strict=True)]
+        power = _mean_power(usual, otherwise=power)
+    return replace(
+        spread,
+        power=power,
+        amplitude=_amplitude(seen, quiet, (1 - spread.load_share) * spread.power),
+        variance=amplitude_variance(seen, power),
+        level=_level(rig, seen, quiet),
+    )
 
 
 def _features(copy: Observed, seen: Features) -> Features:
@@ -121,28 +147,28 @@ def _features(copy: Observed, seen: Features) -> Features:
     return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
 
 
-def _mean(rig: Rig, seen: Features, copies: Sequence[Features]) -> Expectation:
-    spread = expected(rig, seen)
-    if seen.turning is not None:
-        # a copy whose motor is held fast does not turn back, and has no blocks
-        beside = [_beside_the_twin(rig, copy) for copy in copies if copy.turning is not None]
-        return replace(spread, turning=spread.turning + np.mean(beside, axis=0)) if beside else spread
-    copies = [copy for copy in copies if copy.turning is None]
-    if not copies:  # all of them turned back, as a torque too large for the drive makes them
-        return spread
-    power = _mean_power(copies, spread.power) if seen.power.size else spread.power
-    sizes = [np.abs(copy.amplitude) ** 2 for copy in copies]
-    chance = amplitude_variance(seen, power)
+def _amplitude(seen: Features, quiet: Sequence[Features], beneath: Floats) -> Floats:
+    """Return the amplitude of each line [N m] in each stretch, the power taken off that noise adds to a regressed one.
+
+    ``beneath`` is the density that they stand in but for the load's by the twin, where the copies do not show theirs.
+    """
+    if seen.power.size:
+        beneath = _mean_power([copy.power for copy in quiet], otherwise=beneath)
+    squares = [np.abs(copy.amplitude) ** 2 - 2 * amplitude_variance(copy, beneath) for copy in quiet]
     if seen.observed.steady:
-        every = np.concatenate(sizes)
+        every = np.concatenate(squares)
         shown = np.isfinite(every)
-        mean = (np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1))[None, :]
-        twin = Twin(rig.at(seen.observed.run))
-        level = zero_of(twin, seen) + np.mean([(copy.level - zero_of(twin, copy)).mean() for copy in copies])
-    else:
-        mean, level = np.mean(sizes, axis=0), np.mean([copy.level for copy in copies], axis=0)
-    amplitude = np.sqrt(np.maximum(np.nan_to_num(mean) - 2 * chance, 0.0))
-    return replace(spread, power=power, amplitude=amplitude, variance=chance, level=level)
+        mean = np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1)
+        squares = [np.tile(mean, (len(seen.stretches), 1))]
+    return np.asarray(np.sqrt(np.maximum(np.nan_to_num(np.mean(squares, axis=0)), 0.0)))
+
+
+def _level(rig: Rig, seen: Features, quiet: Sequence[Features]) -> Floats:
+    """Return the mean torque of each part [N m]; a steady run's is the same all along but for its zero."""
+    if not seen.observed.steady:
+        return np.asarray(np.mean([copy.level for copy in quiet], axis=0))
+    twin = Twin(rig.at(seen.observed.run))
+    return np.asarray(zero_of(twin, seen) + np.mean([(copy.level - zero_of(twin, copy)).mean() for copy in quiet]))
 
 
 def _beside_the_twin(rig: Rig, copy: Features) -> Floats:
@@ -157,7 +183,7 @@ def _beside_the_twin(rig: Rig, copy: Features) -> Floats:
     return blocks.without_lines(blocks.torque - slow)
 
 
-def _mean_power(copies: Sequence[Features], otherwise: Floats) -> Floats:
+def _mean_power(of_copies: Sequence[Floats], *, otherwise: Floats) -> Floats:
     """Mean over the copies; where lines leave no bin, what the twin says."""
-    mean = np.mean([copy.power for copy in copies], axis=0)
+    mean = np.mean(of_copies, axis=0)
     return np.asarray(np.where(np.isfinite(mean), mean, otherwise))

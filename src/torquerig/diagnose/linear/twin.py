@@ -219,6 +219,10 @@ class Twin:
         """Turns of each node per turn of the motor, without sign."""
         return {node: abs(ratio) for node, ratio in self._ratios.items()}
 
+    def direction(self, node: str) -> float:
+        """Return 1 where a node turns forward with the motor, -1 where it turns backward."""
+        return 1.0 if self._ratios[node] > 0 else -1.0
+
     @cached_property
     def forward(self) -> bool:
         """Whether the sensor turns the way of the motor; else it reads a torque that drives as negative."""
