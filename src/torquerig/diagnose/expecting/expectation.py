@@ -161,7 +161,7 @@ def expected(rig: Rig, seen: Features) -> Expectation:
         power_tolerance=tolerance,
         amplitude_tolerance=doubtful,
         amplitude=shown.amplitude,
-        variance=amplitude_variance(seen, _floor(seen, power)),
+        variance=amplitude_variance(seen, floor_of(seen, power)),
         level=level,
         level_variance=_level_variance(twin, seen, shown.amplitude),
     )
@@ -226,7 +226,7 @@ def _noise(rig: Rig, seen: Features) -> Floats:
     return power
 
 
-def _floor(seen: Features, power: Floats) -> Floats:
+def floor_of(seen: Features, power: Floats) -> Floats:
     """Return the density that lines stand in: as measured, or a model lacking a line would raise its noise for it."""
     if seen.power.size != power.size:
         return power

@@ -11,10 +11,8 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.expecting.added_signals import zero_of
 from torquerig.diagnose.expecting.chance_of_load import ChanceOfLoad
-from torquerig.diagnose.expecting.expectation import Expectation, amplitude_variance, expected
-from torquerig.diagnose.linear.twin import Twin
+from torquerig.diagnose.expecting.expectation import Expectation, amplitude_variance, expected, floor_of
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, speed_of
 from torquerig.diagnose.looking.saturated import rebuilt
@@ -132,12 +130,13 @@ def _mean(rig: Rig, seen: Features, copies: Sequence[Observed]) -> Expectation:
     if seen.power.size:
         usual = [chance.usual(look, spread) for chance, look in zip(chances, looks, strict=True)]
         power = _mean_power(usual, otherwise=power)
+    squares, level = _beyond(rig, seen, quiet)
     return replace(
         spread,
         power=power,
-        amplitude=_amplitude(seen, quiet, (1 - spread.load_share) * spread.power),
-        variance=amplitude_variance(seen, power),
-        level=_level(rig, seen, quiet),
+        amplitude=np.sqrt(np.maximum(spread.amplitude**2 + squares, 0.0)),
+        variance=amplitude_variance(seen, floor_of(seen, power)),
+        level=spread.level + level,
     )
 
 
@@ -147,28 +146,35 @@ def _features(copy: Observed, seen: Features) -> Features:
     return features(copy, seen.places, held=None if whole else seen.held, unknown=seen.unknown)
 
 
-def _amplitude(seen: Features, quiet: Sequence[Features], beneath: Floats) -> Floats:
-    """Return the amplitude of each line [N m] in each stretch, the power taken off that noise adds to a regressed one.
+def _beyond(rig: Rig, seen: Features, quiet: Sequence[Features]) -> tuple[Floats, Floats]:
+    """Return by how much the squares of the lines and the mean torque of quiet copies differ from what the twin says.
 
-    ``beneath`` is the density that they stand in but for the load's by the twin, where the copies do not show theirs.
+    Stretch by stretch, of a steady run over all of them: which place shows a line that stands beside another, and where
+    a zero has drifted to, differs from stretch to stretch, and the twin knows it.
+
+    Returns
+    -------
+    squares : ndarray, shape (stretches, places) or (places,)
+        [(N m)^2].
+    level : ndarray, shape (parts,) or ()
+        [N m].
     """
+    twins = [expected(rig, copy) for copy in quiet]
+    beneath = [(1 - twin.load_share) * twin.power for twin in twins]
     if seen.power.size:
-        beneath = _mean_power([copy.power for copy in quiet], otherwise=beneath)
-    squares = [np.abs(copy.amplitude) ** 2 - 2 * amplitude_variance(copy, beneath) for copy in quiet]
-    if seen.observed.steady:
-        every = np.concatenate(squares)
-        shown = np.isfinite(every)
-        mean = np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1)
-        squares = [np.tile(mean, (len(seen.stretches), 1))]
-    return np.asarray(np.sqrt(np.maximum(np.nan_to_num(np.mean(squares, axis=0)), 0.0)))
-
-
-def _level(rig: Rig, seen: Features, quiet: Sequence[Features]) -> Floats:
-    """Return the mean torque of each part [N m]; a steady run's is the same all along but for its zero."""
+        power = _mean_power([copy.power for copy in quiet], otherwise=beneath[0])
+        beneath = [power] * len(quiet)
+    squares = [
+        np.abs(copy.amplitude) ** 2 - 2 * amplitude_variance(copy, floor) - twin.amplitude**2
+        for copy, floor, twin in zip(quiet, beneath, twins, strict=True)
+    ]
+    levels = [copy.level - twin.level for copy, twin in zip(quiet, twins, strict=True)]
     if not seen.observed.steady:
-        return np.asarray(np.mean([copy.level for copy in quiet], axis=0))
-    twin = Twin(rig.at(seen.observed.run))
-    return np.asarray(zero_of(twin, seen) + np.mean([(copy.level - zero_of(twin, copy)).mean() for copy in quiet]))
+        return np.nan_to_num(np.mean(squares, axis=0)), np.asarray(np.mean(levels, axis=0))
+    every = np.concatenate(squares)
+    shown = np.isfinite(every)
+    mean = np.where(shown, every, 0.0).sum(axis=0) / np.maximum(shown.sum(axis=0), 1)
+    return np.asarray(mean), np.asarray(np.mean(np.concatenate(levels)))
 
 
 def _beside_the_twin(rig: Rig, copy: Features) -> Floats:

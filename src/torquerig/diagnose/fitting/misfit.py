@@ -173,10 +173,13 @@ def _steady_lines(seen: Features, model: Expectation) -> Floats:
     shown = np.isfinite(seen.amplitude)
     count = np.maximum(shown.sum(axis=0), 1)
     power = np.where(shown, np.abs(seen.amplitude) ** 2, 0.0).sum(axis=0) / count
-    chance = 2 * model.variance.mean(axis=0)
-    size, expected = np.sqrt(np.maximum(power - chance, 0.0)), model.amplitude.mean(axis=0)
+    # where two lines stand side by side, another place may show one of them in the next stretch
+    chance, meant = (
+        np.where(shown, each, 0.0).sum(axis=0) / count for each in (2 * model.variance, model.amplitude**2)
+    )
+    size, expected = np.sqrt(np.maximum(power - chance, 0.0)), np.sqrt(meant)
     tolerance = np.hypot(LINE_TOLERANCE, _smearing(seen))
-    beyond = np.broadcast_to(model.amplitude_tolerance, model.amplitude.shape).mean(axis=0)
+    beyond = np.where(shown, model.amplitude_tolerance, 0.0).sum(axis=0) / count
     bent = NONLINEARITY * min(expected.max(initial=0.0), size.max(initial=0.0))
     spread = np.sqrt(chance / count + tolerance**2 * size * expected + beyond**2 + bent**2)
     return np.asarray(np.where(shown.any(axis=0), (size - expected) / spread, 0.0))

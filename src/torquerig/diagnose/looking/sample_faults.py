@@ -31,6 +31,7 @@ _STANDS = 0.5  # share of the steps that are none where codes are coarse
 _TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, which would not elsewhere
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
+_TAIL = 3.0  # times what nine in ten samples without signal keep below: all of them
 _QUIET = 0.5  # of the noise: what keeps within so much of a level for a millisecond holds no signal
 _SWAYS = 0.05  # of the way to the level, by which a hum that the cable picks up may move it
 
@@ -140,22 +141,25 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
 
     A strong alias goes on while the signal is lost, and makes jumps of its own: what is left without it is asked too,
-    and believed where it shows more.
+    and believed where it shows more. Where the signal passes near the level, it jumps there or back by little.
     """
     found, without = _gaps(volts, rate), without_tone(volts, rate)
-    return found if without is None else _with_quiet_ones(without, max(found, _gaps(without, rate), key=len), rate)
+    if without is None:
+        return _with_quiet_ones(volts, found, rate)
+    return _with_quiet_ones(without, max(found, _gaps(without, rate), key=len), rate)
 
 
 def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: float) -> list[tuple[int, int, float]]:
     """Return the moments found and others at their level, as quiet and half as long, that no jump leads into.
 
-    What is left of a tone keeps values from repeating exactly, but noise does not keep so near to a level so long.
+    A converter's own noise, or what is left of a tone, keeps values from repeating exactly, but the signal's noise does
+    not keep so near to a level so long.
     """
     if not found:
         return []
     level = float(np.median([each[2] for each in found]))
     inside = np.concatenate([np.abs(volts[start + 1 : stop - 1] - level) for start, stop, _ in found])
-    quiet = 2 * float(np.quantile(inside, 0.9))
+    quiet = _TAIL * float(np.quantile(inside, 0.9))
     if quiet > _QUIET * _noise_of(np.diff(volts))[0]:
         return found
     half = 0.5 * float(np.median([stop - start for start, stop, _ in found]))
