@@ -33,7 +33,8 @@ class AddedSignals:
     """Density in each band, level in each part, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m].
 
     ``impacts`` is the amplitude [N m] that impacts without slip would give the line at each place, ``ringing`` the
-    part of ``power`` that rings after them: beside its resonance no two modes are alike.
+    part of ``power`` that rings after them: beside its resonance no two modes are alike. ``carried`` is the density that
+    their lines would have in each band if the shafts carried them to the sensor.
     """
 
     power: Floats
@@ -42,6 +43,7 @@ class AddedSignals:
     codes: tuple[float, ...] = ()
     impacts: Floats | float = 0.0
     ringing: Floats | float = 0.0
+    carried: Floats | float = 0.0
 
 
 def added_signals(twin: Twin, seen: Features) -> AddedSignals:
@@ -53,6 +55,7 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
     codes: list[float] = []
     struck: Floats | float = 0.0
     ringing: Floats | float = 0.0
+    carried: Floats | float = 0.0
     for stage in twin.rig.stages():
         if isinstance(stage, Tone):
             tones += [
@@ -63,9 +66,10 @@ def added_signals(twin: Twin, seen: Features) -> AddedSignals:
             codes.append(stage.step * unit)
         elif isinstance(stage, Ringing):
             struck = np.hypot(struck, _struck(stage, twin, seen))
+            carried = carried + _struck_between(stage, twin, seen)
     for _, rung in rung_by(twin, seen):
         power, ringing = power + rung, ringing + rung
-    return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing)
+    return AddedSignals(power, zero_of(twin, seen), tuple(tones), tuple(codes), struck, ringing, carried)
 
 
 def rung_by(twin: Twin, seen: Features) -> Iterator[tuple[Ringing, Floats]]:
@@ -103,6 +107,18 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
             lone = np.sqrt(2 * float(density[0]) * each * revolutions)
             answer[column] = by_zone[0] * lone * _carried(stage, at)
     return answer
+
+
+def _struck_between(stage: Ringing, twin: Twin, seen: Features) -> Floats:
+    """Density in each band of the multiples that may stand in it, beyond what their ring has there, shape (bands,)."""
+    spacing = stage.order * stage.turns * abs(seen.observed.mean_speed) / (2 * pi)
+    if not (seen.power.size and spacing):
+        return np.zeros(seen.band.size)
+    low, high = seen.band_edges
+    lines = np.floor(high * (1 + _SLOWED) / spacing) - np.ceil(low * (1 - _SLOWED) / spacing) + 1
+    better = np.array([_carried(stage, at) ** 2 - 1 for at in seen.band.tolist()])
+    density = stage.density(seen.band, spacing) * twin.amplifier_power(seen.band)
+    return np.asarray(density * better * np.maximum(lines, 0.0) * spacing / seen.width)
 
 
 def _carried(stage: Ringing, at: float) -> float:

@@ -148,7 +148,8 @@ def expected(rig: Rig, seen: Features) -> Expectation:
     beside = (skirts(twin, seen) if seen.observed.steady else np.zeros(power.size)) + sides
     power = power + beside
     flank = np.where(added.ringing < _FLANK * np.max(added.ringing, initial=0.0), added.ringing, 0.0)
-    tolerance = np.hypot(beside / power, _RINGING_SHAPE * flank / power)
+    shape = np.hypot(_RINGING_SHAPE * flank / power, np.log1p(added.carried / power))
+    tolerance = np.hypot(beside / power, shape)
     doubtful = np.hypot(added.impacts, shown.doubt)
     for step in added.codes:
         doubtful = np.hypot(doubtful, rounded_lines(step, dither=float(np.sqrt(np.trapezoid(power, seen.band)))))

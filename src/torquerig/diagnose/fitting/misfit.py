@@ -182,7 +182,7 @@ def _steady_lines(seen: Features, model: Expectation) -> Floats:
     beyond = np.where(shown, model.amplitude_tolerance, 0.0).sum(axis=0) / count
     bent = NONLINEARITY * min(expected.max(initial=0.0), size.max(initial=0.0))
     spread = np.sqrt(chance / count + tolerance**2 * size * expected + beyond**2 + bent**2)
-    return np.asarray(np.where(shown.any(axis=0), (size - expected) / spread, 0.0))
+    return np.asarray((size - expected) / np.where(shown.any(axis=0), spread, np.inf))
 
 
 def _moving_lines(seen: Features, model: Expectation) -> Floats:
