@@ -33,8 +33,8 @@ class AddedSignals:
     """Density in each band, level in each part, tones as (frequency [Hz], amplitude [N m]), steps of codes [N m].
 
     ``impacts`` is the amplitude [N m] that impacts without slip would give the line at each place, ``ringing`` the
-    part of ``power`` that rings after them: beside its resonance no two modes are alike. ``carried`` is the density that
-    their lines would have in each band if the shafts carried them to the sensor.
+    part of ``power`` that rings after them: beside its resonance no two modes are alike. ``carried`` is the density
+    that their lines would have in each band if the shafts carried them to the sensor.
     """
 
     power: Floats

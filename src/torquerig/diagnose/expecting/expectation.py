@@ -229,9 +229,9 @@ def _noise(rig: Rig, seen: Features) -> Floats:
 
 def floor_of(seen: Features, power: Floats) -> Floats:
     """Return the density that lines stand in: as measured, or a model lacking a line would raise its noise for it."""
-    if seen.power.size != power.size:
+    if seen.floor.size != power.size:
         return power
-    return np.asarray(np.where(np.isfinite(seen.power), seen.power, power))
+    return np.asarray(np.where(np.isfinite(seen.floor), seen.floor, power))
 
 
 def amplitude_variance(seen: Features, power: Floats) -> Floats:

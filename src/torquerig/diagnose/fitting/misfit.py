@@ -28,6 +28,7 @@ TURNING_FLOOR = 0.015  # [N m]
 _UNMEASURED_ANGLE = 0.015
 _GATHERED = 0.08  # steady lines are gathered over their smeared width and lose little [1]
 _ALL_STRAYED = 50.0  # logarithm [1]: nothing coherent is left
+_REBUILT = 0.7  # [1] of the density's logarithm: a cubic over a hit at its limit is lower than the hit
 BEND = 4.0  # residuals beyond this count by their size, no longer by their square
 
 
@@ -98,7 +99,7 @@ def misfit(seen: Features, model: Expectation) -> Misfit:
     if seen.turning is not None and model.turning is not None:
         return _turning(seen.turning, model.turning, model.turning_tolerance)
     if seen.power.size:
-        excess = np.nan_to_num(np.log(seen.power / model.power))
+        excess = _band_excess(seen, model)
         beyond = np.square(model.power_tolerance) + np.where(excess < 0, DIP_TOLERANCE * model.load_share, 0.0) ** 2
         spread = np.sqrt(1 / seen.count + BAND_TOLERANCE**2 + beyond)
         gain = _load_gain(excess, spread, model)
@@ -119,6 +120,16 @@ def called_chance(model: Expectation) -> Floats:
     What a likelihood charges for a wide guess, which misses little and foretells little.
     """
     return np.asarray(np.log1p(model.level_variance / LEVEL_FLOOR**2))
+
+
+def _band_excess(seen: Features, model: Expectation) -> Floats:
+    """Return the logarithm of measured over expected density in each band, 0 where lines leave nothing.
+
+    Of a run with rebuilt moments, whose ends ring through the spectrum, only what the model has too much.
+    """
+    if not seen.observed.rebuilt:
+        return np.nan_to_num(np.log(seen.power / model.power))
+    return np.minimum(np.nan_to_num(np.log(seen.floor / model.power)) + _REBUILT, 0.0)
 
 
 def _load_gain(excess: Floats, spread: Floats, model: Expectation) -> float:

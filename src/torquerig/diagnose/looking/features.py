@@ -54,6 +54,8 @@ class Features:
     power : ndarray, shape (bands,)
         Mean one-sided density [(N m)^2/Hz] of what the lines leave, NaN where they leave nothing and in all bands of a
         run with rebuilt moments; empty where the speed moves.
+    floor : ndarray, shape (bands,)
+        The same as measured, of a run with rebuilt moments too: what its lines stand in, and what no model may exceed.
     count : ndarray, shape (bands,)
         Independent values behind each ``power``.
     width : ndarray, shape (bands,)
@@ -83,6 +85,7 @@ class Features:
     acceleration: Floats
     band: Floats
     power: Floats
+    floor: Floats
     count: Floats
     width: Floats
     turning: Turning | None = None
@@ -187,7 +190,7 @@ def features(
         reach=np.array([look.reach for look in looks]), beneath=np.array([look.beneath for look in looks]),
         level=np.array(levels), unknown=tuple(unknown),
         speed=speeds, duration=duration, acceleration=(speeds[:, -1] - speeds[:, 0]) / duration,
-        band=floor.middle, power=power, count=floor.count, width=floor.width,
+        band=floor.middle, power=power, floor=floor.power, count=floor.count, width=floor.width,
     )  # fmt: skip
 
 
@@ -198,9 +201,9 @@ def _turning_features(
     return Features(
         observed=observed, held=held, stretches=(), parts=(), places=tuple(places),
         amplitude=np.zeros((0, len(places)), dtype=complex), level=np.zeros(0), speed=np.zeros((0, POINTS)),
-        duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, count=floor.count,
-        width=floor.width, turning=turning(without_tones(observed, places), places, held=held, unknown=unknown),
-        unknown=tuple(unknown),
+        duration=np.zeros(0), acceleration=np.zeros(0), band=floor.middle, power=floor.power, floor=floor.power,
+        count=floor.count, width=floor.width, unknown=tuple(unknown),
+        turning=turning(without_tones(observed, places), places, held=held, unknown=unknown),
     )  # fmt: skip
 
 
