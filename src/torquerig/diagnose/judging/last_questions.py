@@ -5,7 +5,7 @@ from __future__ import annotations
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.judging.load_over_time import load_over_time
-from torquerig.diagnose.judging.numbers_at_limits import number_at_limit
+from torquerig.diagnose.judging.numbers_far_off import number_far_off
 from torquerig.diagnose.judging.one_gain import one_gain
 from torquerig.diagnose.judging.slow_rhythm import slow_rhythm
 from torquerig.diagnose.judging.spread_lines import spread_line
@@ -16,4 +16,4 @@ def last_question(case: Case) -> tuple[str, Mismatch] | None:
     told = spread_line(case) or slow_rhythm(case)
     if told is not None:
         return "", told
-    return one_gain(case) or load_over_time(case) or number_at_limit(case)
+    return one_gain(case) or load_over_time(case) or number_far_off(case)

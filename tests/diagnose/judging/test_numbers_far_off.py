@@ -12,7 +12,7 @@ import pytest
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import LIMIT
 from torquerig.diagnose.fitting.knobs import HARDLY_ANY, Knob, turned
-from torquerig.diagnose.judging.numbers_at_limits import number_at_limit
+from torquerig.diagnose.judging.numbers_far_off import number_far_off
 from torquerig.mechanisms import ParticleLoad
 from torquerig.scenario.reading import Scenario
 
@@ -31,11 +31,11 @@ def case_at(wear_rig: Scenario, *positions: float) -> Case:
 
 @pytest.mark.parametrize("positions", [(0.0, 0.0), (5.2, -5.2), (-6.5, 3.0)])
 def test_a_wrong_number_is_no_missing_physics(positions: tuple[float, float], wear_rig: Scenario) -> None:
-    assert number_at_limit(case_at(wear_rig, *positions)) is None
+    assert number_far_off(case_at(wear_rig, *positions)) is None
 
 
 def test_a_level_at_its_limit_is_told_with_the_runs_that_have_it(wear_rig: Scenario) -> None:
-    found = number_at_limit(case_at(wear_rig, 1.0, LIMIT))
+    found = number_far_off(case_at(wear_rig, 1.0, LIMIT))
     assert found is not None
     sentence, mismatch = found
     assert "load.mean_by_occupancy_percent.21 would have to be 5.39" in sentence
@@ -45,8 +45,16 @@ def test_a_level_at_its_limit_is_told_with_the_runs_that_have_it(wear_rig: Scena
     assert mismatch.p_value < 1e-10
 
 
+@pytest.mark.parametrize("inertia", [0.0, 6.5])
+def test_a_number_of_the_load_need_not_be_at_its_limit(inertia: float, wear_rig: Scenario) -> None:
+    found = number_far_off(case_at(wear_rig, inertia, 6.2))
+    assert found is not None
+    assert "further off" not in found[0]
+    assert "6.2 of its spreads" in found[0]
+
+
 def test_any_other_number_is_of_all_runs(wear_rig: Scenario) -> None:
-    found = number_at_limit(case_at(wear_rig, -LIMIT, 0.0))
+    found = number_far_off(case_at(wear_rig, -LIMIT, 0.0))
     assert found is not None
     assert "wear_part.inertia" in found[0]
     assert found[1].recordings == ("at0", "at21")
@@ -62,4 +70,4 @@ def test_how_slowly_a_load_varies_whose_hits_nobody_knows_may_be_anything(wear_r
         model = SimpleNamespace(knobs=(slow,), positions=at, rig=turned(stated, (slow,), at))
         case = SimpleNamespace(**{**vars(case_at(wear_rig, 0.0, 0.0)), "model": model, "nominal": stated,
                                   "nominal_with_accepted": lambda stated=stated: stated})  # fmt: skip
-        assert (number_at_limit(cast("Case", case)) is not None) == told
+        assert (number_far_off(cast("Case", case)) is not None) == told
