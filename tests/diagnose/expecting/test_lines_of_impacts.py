@@ -72,3 +72,26 @@ def test_impacts_that_slip_stand_so_much_further_beside_their_multiples(
     seen = features(by_hand(np.sin(angle), angle, rate=RATE), (place,), held=None)
     rig = (wear_rig.rig + part).at(replace(wear_rig.rig.run, speed=SPEED))
     assert bool(np.asarray(added_signals(Twin(rig), seen).impacts)[0]) is theirs
+
+
+def test_bands_hold_what_shafts_may_carry_of_the_multiples_in_them(
+    wear_rig: Scenario, by_hand: Callable[..., Observed]
+) -> None:
+    """As much as the line at a place on the multiple would have, spread over the band; the ring's own part apart."""
+    part = BearingDefect(
+        name="bearing", at="wear_part", order_output=IMPACTS, ring_frequency=RING, damping=DAMPING, amplitude=SIZE
+    )
+    angle = SPEED * np.arange(int(RATE * LENGTH)) / RATE
+    place = order(9 * IMPACTS / RATIO)
+    seen = features(by_hand(struck(0.0), angle, rate=RATE), (place,), held=None)
+    added = added_signals(Twin((wear_rig.rig + part).at(replace(wear_rig.rig.run, speed=SPEED))), seen)
+    carried, low = np.asarray(added.carried), place.frequency(SPEED)
+    band = int(np.argmin(np.abs(np.log(seen.band / low))))
+    better = (RING / low) ** 4
+    line = 0.5 * float(np.asarray(added.impacts)[0]) ** 2 / seen.width[band]
+    assert carried[band] == pytest.approx(line * (1 - 1 / better), rel=0.1)
+    spacing = place.frequency(SPEED) / 9
+    edges = np.array(seen.band_edges) / spacing
+    between = (np.floor(edges[1] * 1.01) < edges[0] * 0.99) & (edges[0] > 1)
+    assert between.any()
+    assert not carried[between].any()

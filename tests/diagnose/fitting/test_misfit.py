@@ -137,6 +137,33 @@ def test_an_order_that_sweeps_across_a_fixed_line_is_told_from_it(by_hand: Calla
     assert np.isnan(one.amplitude[:, 1]).all()
 
 
+def test_a_line_counts_where_a_stretch_shows_it(seen: Features, wear_rig: Scenario) -> None:
+    """Where another stands beside it, its place is shown in some stretches, and the model has it there alone too."""
+    half, model = seen.amplitude.copy(), with_line(seen, wear_rig, 0.3)
+    half[::2] = np.nan
+    there = np.where(np.isfinite(half), model.amplitude, 0.0)
+    for given in (model, replace(model, amplitude=there)):
+        assert abs(float(misfit(replace(seen, amplitude=half), given).lines[0])) < 1.0
+    nowhere = replace(seen, amplitude=np.full(seen.amplitude.shape, np.nan + 0j))
+    assert misfit(nowhere, model).lines.tolist() == [0.0]
+
+
+def test_of_a_run_with_rebuilt_moments_only_what_a_model_has_too_much_counts(
+    seen: Features, wear_rig: Scenario
+) -> None:
+    model = expected(wear_rig.rig.at(seen.observed.run), seen)
+    model = replace(model, power=seen.power.copy(), load_share=np.ones(seen.power.size), load_doubt=0.0)
+    flat = replace(seen, observed=replace(seen.observed, rebuilt=True), power=np.full(seen.power.shape, np.nan))
+
+    def bands(by: float) -> np.ndarray:
+        return misfit(flat, replace(model, power=by * model.power)).bands
+
+    assert not bands(1.0).any()
+    assert not bands(0.1).any(), "the ends of the moments ring through the spectrum"
+    assert not bands(1.5).any(), "what is rebuilt is lower than what was cut off"
+    assert np.median(bands(60.0)[seen.band > 50]) < -2.0
+
+
 @pytest.mark.parametrize(("doubt", "left", "paid"), [(0.0, 0.5, 0.0), (0.4, 0.0, 1.25)], ids=["loaded", "idle"])
 def test_the_power_of_an_idle_load_may_be_off_as_a_whole_at_a_price(
     doubt: float, left: float, paid: float, seen: Features, wear_rig: Scenario

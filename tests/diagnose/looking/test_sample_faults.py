@@ -304,3 +304,14 @@ def test_moments_that_no_jump_leads_into_are_found_by_their_quiet(clean: Recordi
     found = gaps(np.round((volts + tone) / CODE) * CODE, rate)
     assert [(start, stop) for start, stop, _ in found] == [pytest.approx(each, abs=6) for each in lost]
     assert [level for _, _, level in found] == pytest.approx([0.0] * 4, abs=1e-3)
+
+
+def test_moments_near_the_level_that_they_fall_to_are_lost_where_others_are(clean: Recording) -> None:
+    """An idle rig's torque passes zero, where a lost signal jumps once or not at all; the converter's noise goes on."""
+    rng, rate, samples = np.random.default_rng(4), clean.sample_rate, clean.samples
+    volts = 0.6 * np.sin(2 * np.pi * 0.5 * np.arange(samples) / rate) + 0.007 * rng.standard_normal(samples)
+    lost = [(2_400, 2_422), (4_990, 5_012), (9_870, 9_892), (12_400, 12_422)]
+    for start, stop in lost:
+        volts[start:stop] = 0.4 * CODE * rng.standard_normal(stop - start)
+    found = gaps(np.round(volts / CODE) * CODE, rate)
+    assert [(start, stop) for start, stop, _ in found] == [pytest.approx(each, abs=2) for each in lost]

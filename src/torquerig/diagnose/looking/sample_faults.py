@@ -31,7 +31,7 @@ _STANDS = 0.5  # share of the steps that are none where codes are coarse
 _TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, which would not elsewhere
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
-_TAIL = 3.0  # times what nine in ten samples without signal keep below: all of them
+_TAIL = 2.1  # times what 99 of 100 samples without signal keep within: all of them
 _QUIET = 0.5  # of the noise: what keeps within so much of a level for a millisecond holds no signal
 _SWAYS = 0.05  # of the way to the level, by which a hum that the cable picks up may move it
 
@@ -159,13 +159,17 @@ def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: f
         return []
     level = float(np.median([each[2] for each in found]))
     inside = np.concatenate([np.abs(volts[start + 1 : stop - 1] - level) for start, stop, _ in found])
-    quiet = _TAIL * float(np.quantile(inside, 0.9))
+    quiet = _TAIL * float(np.quantile(inside, 0.99))
     if quiet > _QUIET * _noise_of(np.diff(volts))[0]:
         return found
     half = 0.5 * float(np.median([stop - start for start, stop, _ in found]))
     still = moments_of(np.abs(volts - level) < quiet)
-    others = [(start, stop, level) for start, stop in still if stop - start >= max(half, _shortest(rate))]
-    return sorted([*found, *(each for each in others if not any(_meet(each, other) for other in found))])
+    for start, stop in still:
+        if stop - start >= max(half, _shortest(rate)):
+            pieces = [(start, stop, level), *(each for each in found if _meet(each, (start, stop, level)))]
+            whole = (min(first for first, _, _ in pieces), max(last for _, last, _ in pieces), level)
+            found = [*(each for each in found if each not in pieces), whole]
+    return sorted(found)
 
 
 def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
