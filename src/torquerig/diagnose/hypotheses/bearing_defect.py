@@ -23,7 +23,8 @@ def propose(case: Case) -> Iterator[Candidate]:
     if at is None:
         return
     turns = Twin(case.nominal).turns[case.nominal.node(at)]
-    for impact in impact_orders(case.runs, case.seen[0].places):
+    own = [place for place in case.seen[0].places if place not in case.seen[0].unknown]
+    for impact in impact_orders(case.runs, own):
         ranked: list[tuple[float, Candidate]] = []
         for amplitude, octaves in product(_AMPLITUDES, _ASIDE):
             part = mechanisms.BearingDefect(
