@@ -105,7 +105,7 @@ METRIC = (
     "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque, "
     "values, flights where a gap is in question), each in units of its own spread and robust (pseudo-Huber beyond 4), "
     "against simulations of the model, where a gap is in question in the phases that the fitted stretches show; more "
-    "by twice the logarithm of what it calls chance in the slow torque over what the scenario does; about 1 for a true "
+    "by twice the logarithm of what it calls chance in the slow torque over what the scenario does; below 1 for a true "
     "model, lower is better"
 )
 

@@ -87,7 +87,8 @@ def held_out_table(runs: Sequence[Compared]) -> Table:
     return Table(
         caption="Mean square of the residuals on held-out stretches, run by run, against one simulation of each model",
         head=head, rows=tuple(rows),
-        note="About 1 for a true model. The figures of the diagnosis take all runs together and two simulations each.",
+        note="Below 1 for a true model. The figures of the diagnosis take all runs together, and two simulations each "
+        "where a gap is in question.",
     )  # fmt: skip
 
 

@@ -31,7 +31,7 @@ class Side:
 
     @property
     def mean_square(self) -> float:
-        """Mean of the squares of the robust residuals, about 1 for a true model."""
+        """Mean of the squares of the robust residuals, below 1 for a true model."""
         residuals = self.misfit.all()
         return float(np.mean(robust_squares(residuals))) if residuals.size else 0.0
 
