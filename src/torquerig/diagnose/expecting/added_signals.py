@@ -76,8 +76,10 @@ def rung_by(twin: Twin, seen: Features) -> Iterator[tuple[Ringing, Floats]]:
     """Yield each mode that impacts ring, and the density that it leaves in each band of a run [(N m)^2/Hz]."""
     for stage in twin.rig.stages():
         if isinstance(stage, Ringing):
-            impacts = stage.order * stage.turns * abs(seen.observed.mean_speed) / (2 * pi)
-            yield stage, stage.density_between(*seen.band_edges, impacts) * twin.amplifier_power(seen.band)
+            yield (
+                stage,
+                stage.density_between(*seen.band_edges, _impacts(stage, seen)) * twin.amplifier_power(seen.band),
+            )
 
 
 def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
@@ -109,9 +111,14 @@ def _struck(stage: Ringing, twin: Twin, seen: Features) -> Floats:
     return answer
 
 
+def _impacts(stage: Ringing, seen: Features) -> float:
+    """Return how many impacts there are a second [Hz]."""
+    return float(stage.order * stage.turns * abs(seen.observed.mean_speed) / (2 * pi))
+
+
 def _struck_between(stage: Ringing, twin: Twin, seen: Features) -> Floats:
     """Density in each band of the multiples that may stand in it, beyond what their ring has there, shape (bands,)."""
-    spacing = stage.order * stage.turns * abs(seen.observed.mean_speed) / (2 * pi)
+    spacing = _impacts(stage, seen)
     if not (seen.power.size and spacing):
         return np.zeros(seen.band.size)
     low, high = seen.band_edges

@@ -16,6 +16,7 @@ from torquerig.diagnose.expecting.expectation import Expectation, amplitude_vari
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed, speed_of
 from torquerig.diagnose.looking.saturated import rebuilt
+from torquerig.diagnose.looking.turning import turns_back
 from torquerig.diagnose.side_by_side import of_each
 from torquerig.rig.part import PlacedStage
 from torquerig.rig.parts import TorqueSensor
@@ -116,19 +117,23 @@ def expected_from(rig: Rig, seen: Sequence[Features], copies: Sequence[Sequence[
 
 def _mean(rig: Rig, seen: Features, copies: Sequence[Observed]) -> Expectation:
     spread = expected(rig, seen)
-    looks = [_features(copy, seen) for copy in copies]
+    turning = [turns_back(copy) for copy in copies]
     if seen.turning is not None:
         # a copy whose motor is held fast does not turn back, and has no blocks
-        beside = [_beside_the_twin(rig, look) for look in looks if look.turning is not None]
+        looks = [_features(copy, seen) for copy, back in zip(copies, turning, strict=True) if back]
+        beside = [_beside_the_twin(rig, look) for look in looks]
         return replace(spread, turning=spread.turning + np.mean(beside, axis=0)) if beside else spread
-    looks = [look for look in looks if look.turning is None]
-    if not looks:  # all of them turned back, as a torque too large for the drive makes them
+    copies = [copy for copy, back in zip(copies, turning, strict=True) if not back]
+    if not copies:  # all of them turned back, as a torque too large for the drive makes them
         return spread
-    chances = [ChanceOfLoad.of(rig, look.observed) for look in looks]
-    quiet = [_features(chance.quieted(look.observed), seen) for chance, look in zip(chances, looks, strict=True)]
+    chances = [ChanceOfLoad.of(rig, copy) for copy in copies]
+    quiet = [_features(chance.quieted(copy), seen) for chance, copy in zip(chances, copies, strict=True)]
     power = spread.power
     if seen.power.size:
-        usual = [chance.usual(look, spread) for chance, look in zip(chances, looks, strict=True)]
+        usual = [
+            chance.usual(_features(copy, seen), spread) if chance.drawn else still.power
+            for chance, copy, still in zip(chances, copies, quiet, strict=True)
+        ]
         power = _mean_power(usual, otherwise=power)
     squares, level = _beyond(rig, seen, quiet)
     return replace(

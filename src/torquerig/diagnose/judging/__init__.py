@@ -11,6 +11,6 @@ chance         how probable a residual is             share_explained  how much 
 withdrawn      why what was found is not believed
 changing       what drifts in all steady runs         scattered_levels  slow torque that follows no course
 last_questions what no single place shows             one_gain    all lines change by one factor
-numbers_far_off  numbers that no fit takes further  load_over_time  loads that change or let go
+numbers_far_off  numbers that stand in for more      load_over_time  loads that change or let go
 forgiven_bands  those filled by what has a spectrum of its own
 """
