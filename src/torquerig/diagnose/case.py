@@ -65,6 +65,8 @@ class Candidate:
         Whether laws that differ, or noise, look like it, so that what no fit has seen does not bear a small gain out.
     within : mapping of str to (float, float)
         95 % intervals of fields of its first part that no knob fits, in the part's units.
+    below : mapping of str to float
+        What fitted fields of its parts must stay below to be told from these recordings, in the parts' units.
     """
 
     mechanism: str
@@ -81,6 +83,7 @@ class Candidate:
     slow: bool = False
     resembled: bool = False
     within: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    below: Mapping[str, float] = field(default_factory=dict)
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

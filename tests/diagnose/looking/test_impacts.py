@@ -55,4 +55,4 @@ def test_what_is_as_strong_as_the_order_itself_is_no_side_line_of_it(below: floa
     for multiple in range(1, 8):
         at = round(multiple * 0.859 / step)
         log[at - 1 : at + 2] = 6.0 - (below if multiple % 2 else 0.0)
-    assert _fundamental([_Beats(log, step)], 1.718, KNOWN) == pytest.approx(told)
+    assert _fundamental([_Beats(log, step, 100.0)], 1.718, KNOWN) == pytest.approx(told)

@@ -58,11 +58,14 @@ def proposers(case: Case, *, among: Collection[str] | None = None) -> tuple[Prop
 
 
 def is_possible(candidate: Candidate, rig: Rig) -> bool:
-    """Whether the numbers that a fit gave a candidate in ``rig`` are such as can be."""
+    """Whether the numbers that a fit gave a candidate in ``rig`` are such as can be, and as its runs can show."""
+    fitted = [rig.part(part.name) for part in candidate.parts]
+    if any(getattr(part, field, 0.0) >= most for field, most in candidate.below.items() for part in fitted):
+        return False
     if candidate.mechanism not in CLASSES:
         return True
     asked = getattr(import_module(f"{__name__}.{candidate.mechanism}"), "possible", None)
-    return asked is None or all(asked(rig.part(part.name)) for part in candidate.parts)
+    return asked is None or all(asked(part) for part in fitted)
 
 
 def told_loosely(candidate: Candidate) -> Mapping[str, float]:

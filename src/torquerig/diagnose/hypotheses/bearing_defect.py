@@ -15,6 +15,7 @@ from torquerig.diagnose.looking.impacts import impact_orders
 _AMPLITUDES = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0)  # [N m]
 _ASIDE = (-0.4, -0.2, 0.0, 0.2, 0.4)  # octaves that the mode may stand off the middle of the band that beats
 _DAMPING = 0.05
+_SAMPLED = 0.45  # of the sample rate: a band that goes on to its half is a click, and no mode that rings
 
 
 def propose(case: Case) -> Iterator[Candidate]:
@@ -23,6 +24,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     if at is None:
         return
     turns = Twin(case.nominal).turns[case.nominal.node(at)]
+    below = {"ring_frequency": _SAMPLED * min(run.rate for run in case.runs)}
     own = [place for place in case.seen[0].places if place not in case.seen[0].unknown]
     for impact in impact_orders(case.runs, own):
         ranked: list[tuple[float, Candidate]] = []
@@ -36,6 +38,6 @@ def propose(case: Case) -> Iterator[Candidate]:
                 Knob(part.name, "ring_frequency", 0.2),
                 Knob(part.name, "damping", 0.7),
             )
-            candidate = Candidate(mechanism="bearing_defect", parts=(part,), knobs=knobs)
+            candidate = Candidate(mechanism="bearing_defect", parts=(part,), knobs=knobs, below=below)
             ranked.append((case.misfit_of(candidate.added_to(case.model.rig)), candidate))
         yield min(ranked, key=lambda item: item[0])[1]

@@ -6,15 +6,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from torquerig import mechanisms
-from torquerig.diagnose.case import Candidate, Case, left_line, line_factor
+from torquerig.diagnose.case import Candidate, Case, left_line, line_factor, missed_lines
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.hypotheses.motor_orders import BY_SKIRTS
-from torquerig.diagnose.looking.peaks import Peak
-from torquerig.diagnose.looking.places import SAME_ORDER, WHOLE_ORDER, order
+from torquerig.diagnose.looking.places import SAME_ORDER, WHOLE_ORDER, Place, order
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 
-_STRONGEST = 5
+_STRONGEST, _MISSED = 5, 2  # of the left lines, and of the rig's own
 _MAIN = (6, 12)  # field orders of a six-step drive
 _UNBALANCED = (1, 2)  # those of phases that are not alike
 _SKIRTED, _OF_FIRST = 0.05, 0.25  # [1] depth at which one that shows no line is started, its second harmonic to it
@@ -32,38 +31,42 @@ def propose(case: Case) -> Iterator[Candidate]:
 
     Currents, their offsets and unequal gains all turn with the field: p, 2p and the multiples of 6p; other multiples
     pay, orders that no current has pay more, and so does 12p where no line at 6p leads it. An unsteady load leaves
-    noise beside twice the order too, where a second harmonic stands out as no line: that is asked apart.
+    noise beside twice the order too, where a second harmonic stands out as no line: that is asked apart. So are the
+    rig's own lines at such orders that the model misses: one that grows with the load is no line of its own.
     """
     motors = case.nominal.parts_of(Motor)
     if motors:
         yield from _by_its_skirts(case, motors[0])
-    for peak in _of_the_motor(case, motors[0]) if motors else []:
-        if abs(peak.place.at - round(peak.place.at)) < WHOLE_ORDER:
+    for place in _of_the_motor(case, motors[0]) if motors else []:
+        if abs(place.at - round(place.at)) < WHOLE_ORDER:
             part = mechanisms.CommutationRipple(
-                name="commutation_ripple", at=motors[0].name, order_motor=float(round(peak.place.at)), depth=_START
+                name="commutation_ripple", at=motors[0].name, order_motor=float(round(place.at)), depth=_START
             )
-            part = replace(part, depth=_START * line_factor(case, case.model.rig + part, peak.place))
+            part = replace(part, depth=_START * line_factor(case, case.model.rig + part, place))
             part, harmonics = _with_harmonics(case, part)
             of_lines = Candidate(
                 mechanism="commutation_ripple",
                 parts=(part,),
                 knobs=(Knob(part.name, "depth", 1.0), *harmonics),
-                place=peak.place,
-                price=_price(motors[0], peak.place.at),
+                place=place,
+                price=_price(motors[0], place.at),
             )
             yield of_lines
             if not harmonics and of_lines.price == 0:
                 yield _with_second(of_lines, part)
 
 
-def _of_the_motor(case: Case, motor: Motor) -> list[Peak]:
-    """Return the strongest left lines of an order, and of the weaker ones those that stand where a field's may.
+def _of_the_motor(case: Case, motor: Motor) -> list[Place]:
+    """Return the strongest left lines of an order, and of the weaker and the missed ones those where a field's may be.
 
     Coarse codes make more lines than anyone tries.
     """
-    lines = [peak for peak in case.left if peak.place.domain == "order"]
-    own = [peak for peak in lines[_STRONGEST:] if motor.pole_pairs and _price(motor, peak.place.at) < _NO_HARMONIC]
-    return [*lines[:_STRONGEST], *own]
+    lines = [peak.place for peak in case.left if peak.place.domain == "order"]
+    others = [*lines[_STRONGEST:], *missed_lines(case)[:_MISSED]]
+    return [
+        *lines[:_STRONGEST],
+        *(place for place in others if motor.pole_pairs and _price(motor, place.at) < _NO_HARMONIC),
+    ]
 
 
 def _by_its_skirts(case: Case, motor: Motor) -> Iterator[Candidate]:

@@ -21,6 +21,7 @@ _CLEAR = 8.0  # summed log power over the local floor, for each run; 29 clean ri
 _HARMONICS = 3
 _RESOLVED = 2.5  # steps of the spectrum: half the main lobe of a Hann window and half a step
 _MOST_PARTS, _BETWEEN = 5, 2.0  # mean log power at the other multiples of a lower order; 0.2 by chance
+_CLEARLY = 1.15  # times as clear at one rate as at one order
 _AS_STRONG = 0.7  # of log power below the order's own multiples: rings that come and go leave a quarter, 1.4 below
 
 
@@ -51,7 +52,7 @@ def impact_orders(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Imp
         score = np.sum([beat.score(orders) for beat in beats], axis=0)
         best = int(np.argmax(score))
         at = _fundamental(beats, float(orders[best]), known)
-        if score[best] > _CLEAR * len(steady) and not _of_family(at, known):
+        if score[best] > _CLEAR * len(steady) and not (_of_family(at, known) or _keeps_its_rate(beats, at)):
             found.append(Impact(at, centre, float(score[best])))
         centre *= 2**_OCTAVES
     found.sort(key=lambda impact: -impact.clearness)
@@ -69,16 +70,31 @@ def _from_family(at: Floats, known: Sequence[Place]) -> Floats:
     return np.asarray(np.abs(at / spacing - np.round(at / spacing)) * spacing)
 
 
+def _keeps_its_rate(beats: Sequence[_Beats], at: float) -> bool:
+    """Whether runs of other speeds beat at the rate that the order has in one of them, and not at the order."""
+    turning = float(np.sum([beat.near(at) for beat in beats]))
+    rates = [at * beat.speed for beat in beats]
+    return any(sum(beat.near(rate / beat.speed) for beat in beats) > _CLEARLY * turning for rate in rates)
+
+
 @dataclass(frozen=True)
 class _Beats:
-    """Log power of a squared envelope over its local floor, at multiples of ``step`` [1/rev of the motor]."""
+    """Log power of a squared envelope over its local floor, at multiples of ``step`` [1/rev of the motor].
+
+    ``speed`` is the motor's mean [rad/s].
+    """
 
     log: Floats
     step: float
+    speed: float
 
     def at(self, orders: Floats) -> Floats:
         """Return the log power at each order, 0 beyond."""
         return np.asarray(np.interp(orders / self.step, np.arange(self.log.size), self.log, right=0.0))
+
+    def near(self, order: float) -> float:
+        """Return the largest score within what the spectrum resolves of an order."""
+        return float(self.score(order + self.step * np.linspace(-_RESOLVED, _RESOLVED, 11)).max())
 
     def score(self, orders: Floats) -> Floats:
         """Return the log power summed over the first harmonics of each order."""
@@ -94,7 +110,7 @@ def _beats(run: Observed, centre: float) -> _Beats:
     power = np.abs(np.fft.rfft((np.interp(even, angle, envelope) - envelope.mean()) * np.hanning(envelope.size))) ** 2
     step = 2 * pi / abs(float(angle[-1] - angle[0]))
     size = int(_ORDERS[1] * (_HARMONICS + 1) / step)
-    return _Beats(np.log(np.maximum(_over_floor(power[:size]), 1.0)), step)
+    return _Beats(np.log(np.maximum(_over_floor(power[:size]), 1.0)), step, abs(run.mean_speed))
 
 
 def _fundamental(beats: Sequence[_Beats], at: float, known: Sequence[Place]) -> float:

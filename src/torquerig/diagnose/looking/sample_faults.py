@@ -31,6 +31,7 @@ _STANDS = 0.5  # share of the steps that are none where codes are coarse
 _TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, which would not elsewhere
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
+_AT_ZERO = 1.0  # of the steps' sigma, by which noise that goes on keeps near zero: its middle, half of that
 _TAIL = 2.1  # times what 99 of 100 samples without signal keep within: all of them
 _QUIET = 0.5  # of the noise: what keeps within so much of a level for a millisecond holds no signal
 _SWAYS = 0.05  # of the way to the level, by which a hum that the cable picks up may move it
@@ -201,7 +202,7 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         moved = spread_about_zero(np.diff(inside))
         bent = float(np.median(np.abs(np.diff(inside, n=2))))  # a hum moves on evenly
         sway = float(np.median(np.abs(inside - level)))
-        still = sway < 3 * sigma and (moved < _STILL * sigma or abs(level) < sigma)
+        still = (sway < 3 * sigma and moved < _STILL * sigma) or (sway < _AT_ZERO * sigma and abs(level) < sigma)
         sways = sway < _SWAYS * abs(level - outside) and bent < _STILL * bends
         if away and (still or sways) and np.ptp(inside) < abs(level - outside):
             found.append((start, stop, level))
