@@ -160,6 +160,6 @@ def _refused(start: Beginning, told: Believed) -> str:
         ),
         own_line=told.sought.lines_of_one_size
         and any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
-        everywhere=missed_everywhere(told.after, told.held, by=FAR),
+        everywhere=missed_everywhere(told.after, told.held, by=FAR), gap=told.after.has(MECHANISM),
         flights_told=flown and told.after.has(MECHANISM) and not any(of_flights(each) for each in told.left),
     )  # fmt: skip

@@ -15,9 +15,11 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.search import Tried, extended, trials, unexplained
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
+from torquerig.diagnose.looking.places import SAME_ORDER, Place
 from torquerig.diagnose.side_by_side import of_each
 
 _RIVALS = 0.02  # of an effect's gain
+_BESIDE_ANOTHER = 0.25  # of what another gains at the same line
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -51,7 +53,8 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
             continue
         others = _without(first, kept, at)
         final = kept[-1].trial.model
-        if others.model.cost - final.cost < LEAST_GAIN + PER_KNOB * len(kept[at].trial.candidate.knobs):
+        needed = max(_of_the_same_line(kept, at), LEAST_GAIN + PER_KNOB * len(kept[at].trial.candidate.knobs))
+        if others.model.cost - final.cost < needed:
             kept = [*kept[:at], *kept[at + 1 :]]
             kept[-1] = replace(kept[-1], trial=_as_last(kept, others.model))  # the one without what is gone
             before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
@@ -67,6 +70,20 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
         kept[at] = replace(kept[at], again=Accepted(before=others, trial=beside, tried=tried))
         at += 1
     return tuple(kept)
+
+
+def _of_the_same_line(kept: Sequence[Accepted], at: int) -> float:
+    """Return what an effect must take away beside later ones that stand at its line; 0 where none does.
+
+    How two sources of one line add up depends on phases that nobody knows, so that a second one always helps.
+    """
+    place = kept[at].trial.candidate.place
+    later = [each.trial for each in kept[at + 1 :] if place is not None and _alike(each.trial.candidate.place, place)]
+    return max((_BESIDE_ANOTHER * each.gain for each in later), default=0.0)
+
+
+def _alike(one: Place | None, other: Place) -> bool:
+    return one is not None and one.domain == other.domain and abs(one.at - other.at) < SAME_ORDER
 
 
 def _gain(trial: Trial, without: Calibrated, final: Calibrated) -> float:

@@ -10,12 +10,14 @@ import numpy as np
 from torquerig.diagnose.case import BENT, Candidate, Case
 from torquerig.diagnose.choosing.explained import explained_share
 from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
-from torquerig.diagnose.fitting.calibration import calibrated
+from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
+from torquerig.diagnose.fitting.knobs import turned
 from torquerig.diagnose.fitting.profiled import profiled_cost
 
 _FINALISTS, _OTHERS = 5, 3  # at most, and of those that do not move the slow torque alike at least
 _WORTHWHILE = 0.25  # of the best screened gain: less is not caught up by fitting all numbers
 _NEAR_BY = 20.0  # by which a rival may gain less of the same line with the model held: the numbers that bend decide it
+_STOOD_IN = 3.0  # spreads of a number that may stand in for what would loosen it
 _DERIVATIVES, _LOOSE_DERIVATIVES = 2, 3
 
 
@@ -87,6 +89,33 @@ def given_way_to(case: Case, tried: Sequence[Trial]) -> list[Trial]:
             if trial.gain + candidate.price > candidate.promised and trial.gain >= best.gain:
                 answer[candidate.mechanism] = trial
     return [*answer.values()]
+
+
+def stood_in_for(case: Case, tried: Sequence[Trial], last: Sequence[Trial]) -> list[Trial]:
+    """Return those for which numbers of the model that they loosen have been bent too far, and that are not ``last``.
+
+    What bending cost is no misfit, so that they gain nothing where the model is held; the best of each mechanism begins
+    as it was proposed, beside the numbers as the scenario has them.
+    """
+    pairs = zip(case.model.knobs, case.model.positions.tolist(), strict=True)
+    bent = {knob.field for knob, at in pairs if abs(at) > _STOOD_IN}
+    answer = {trial.candidate.mechanism: trial for trial in reversed(tried) if bent.intersection(trial.candidate.loosens)}
+    for trial in last:
+        answer.pop(trial.candidate.mechanism, None)
+    model = _unbent(case) if answer else case.model
+    return [
+        replace(trial, model=replace(model, rig=trial.candidate.added_to(model.rig))) for trial in answer.values()
+    ]
+
+
+def _unbent(case: Case) -> Calibrated:
+    """Return the model with the scenario's numbers as the scenario has them, and those of what was found as fitted."""
+    found = {part.name for candidate in case.accepted for part in candidate.parts}
+    own = np.array([knob.part in found for knob in case.model.knobs], dtype=bool)
+    positions = np.where(own, case.model.positions, 0.0)
+    return replace(
+        case.model, rig=turned(case.nominal_with_accepted(), case.model.knobs, positions), positions=positions
+    )
 
 
 def _repeated(trial: Trial, others: Sequence[Trial]) -> bool:

@@ -13,7 +13,7 @@ from torquerig.diagnose.case import BENT, Case, line_residuals
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
 from torquerig.diagnose.choosing.possible import can_be
-from torquerig.diagnose.choosing.screening import finalists, given_way_to, screened
+from torquerig.diagnose.choosing.screening import finalists, given_way_to, screened, stood_in_for
 from torquerig.diagnose.choosing.told_by_lines import spared
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
@@ -63,6 +63,7 @@ def trials(
     of_sources = of_each(lambda propose: [screened(case, candidate) for candidate in propose(case)], last_first)
     tried = sorted((trial for each in reversed(of_sources) for trial in each), key=lambda trial: -trial.gain)
     last = [*finalists(tried), *given_way_to(case, tried)]
+    last += stood_in_for(case, tried, last)
     near = _NEAR * to_beat
     fitted = _one_of_a_kind(sorted(_fitted(case, last, near=near), key=lambda trial: -trial.gain))
     best = [trial for trial in fitted[:_POLISHED] if trial.gain > LEAST_GAIN or _of_line(trial, fitted[0])]

@@ -22,7 +22,7 @@ _HARMONICS = 4
 _BESIDE_THE_FIELD = 100.0  # no current of the motor turns so: what else it may be is likelier, if not by far the worse
 _NO_HARMONIC = 20.0  # balanced phases have torque at 6p and its multiples alone, offsets of current p, unequal gains 2p
 _TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
-_DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a factor of two
+_DEEPEST = 0.7  # of the motor's torque: six steps leave half of it at most (Carlson 1992)
 TOLD_LOOSELY = {"depth": -1.0}  # at one speed no better than what the rig passes on at the line's frequency
 
 

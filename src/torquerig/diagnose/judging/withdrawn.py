@@ -14,6 +14,7 @@ _ITS_PLACES = 0.9  # of what is missed where it acts: what else the rig lacks is
 _LARGE_REST = 1 / 3  # of all that was missing: what takes away more is there, whatever stays beside it
 _QUARTER = 0.25  # of it, where the model misses far more than chance all over
 _FAR_OFF = 5.0  # beyond chance, per feature: where so much stays, no place stands out only as each is forgiven much
+_BEYOND_ALL = 100.0  # beyond chance, per feature: a model so wrong says nothing of what it explains but half
 _MOST_OF_IT = 2 / 3  # of all that was missing: a line that takes less, of several that stay, may be one of theirs
 _PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
 _PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
@@ -50,7 +51,7 @@ def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
     flights_told: bool = False, turning_lines: bool = False, own_line: bool = False, combined: bool = False,
-    everywhere: bool = False,
+    everywhere: bool = False, gap: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -84,9 +85,11 @@ def why_withdrawn(
         Whether all that was found makes lines that may be made of two of the rig's own.
     everywhere : bool
         Whether the completed model misses far more than chance, though no place of it stands out.
+    gap : bool
+        Whether a gap was found: not all that ends in blows is one, and most of what slips stays beside it.
     """
     missing, rest = fit.before - 1, fit.after - 1
-    elsewhere = bool(left) and not resembled and _clearly_there(fit)
+    elsewhere = bool(left) and not (resembled or gap) and _clearly_there(fit)
     against = (
         (drifts_in_all, _NO_ZERO),
         (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
@@ -98,7 +101,7 @@ def why_withdrawn(
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
-        (left and rest > _LARGE_REST * missing and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
+        (left and rest > min(_LARGE_REST * missing, _BEYOND_ALL) and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
         (everywhere and not (left or samples_too) and rest > _QUARTER * missing, LEAVES_A_REST),
         (not (left or samples_too) and rest > max(_LARGE_REST * missing, _FAR_OFF), LEAVES_A_REST),
     )

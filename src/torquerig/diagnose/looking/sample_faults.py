@@ -32,6 +32,7 @@ _TO_ZERO = 2.5  # of such codes within a sample, to zero and back: three do, whi
 _REPEATED = 0.2  # share of the steps that are none
 _STILL = 0.5  # of the noise may be left where nothing is measured
 _AT_ZERO = 1.0  # of the steps' sigma, by which noise that goes on keeps near zero: its middle, half of that
+_FLAT, _OF_PLATEAUS = 0.25, 0.2  # of the smaller jump a plateau moves by; of all plateaus, those at the level are few
 _TAIL = 2.1  # times what 99 of 100 samples without signal keep within: all of them
 _QUIET = 0.5  # of the noise: what keeps within so much of a level for a millisecond holds no signal
 _SWAYS = 0.05  # of the way to the level, by which a hum that the cable picks up may move it
@@ -181,7 +182,8 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     its level, and at least half of the noise is gone, or the level is zero. Where the noise is gone a hum may still
     move it a little. A signal that goes on at another level is not lost. Where such moments are found, others at the
     same level count that begin and end without a jump. Where noise covers many codes, a signal that repeats one value
-    twenty times and more needs no jump at all.
+    twenty times and more needs no jump at all. One that goes from plateau to plateau, few of them at that level, is
+    held or pulsed over and over, and not lost.
     """
     steps = np.diff(volts)
     sigma, code = _noise_of(steps)
@@ -189,7 +191,7 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     coarse = sigma < _ONE_CODE * code and np.mean(steps == 0) > _STANDS
     jumps = np.flatnonzero(np.abs(steps) > (_TO_ZERO if coarse else _JUMP) * sigma) + 1
     found, bends = list[tuple[int, int, float]](), float(np.median(np.abs(np.diff(steps))))
-    last, within = 0, _ONE_LEVEL * sigma
+    last, within, plateaus = 0, _ONE_LEVEL * sigma, 0
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
         if start < last or not _shortest(rate) <= stop - start <= 0.2 * rate:
             continue
@@ -199,6 +201,7 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         jumped = min(volts[start] - volts[start - 1], volts[stop - 1] - volts[stop], key=lambda step: step / way) / way
         least = (_TO_ZERO if coarse and abs(level) < 0.5 * code else _JUMP) * sigma
         away = abs(level - outside) > least and jumped > _AT_ONCE
+        plateaus += bool(np.ptp(inside) < _FLAT * np.abs(steps[[start - 1, stop - 1]]).min())
         moved = spread_about_zero(np.diff(inside))
         bent = float(np.median(np.abs(np.diff(inside, n=2))))  # a hum moves on evenly
         sway = float(np.median(np.abs(inside - level)))
@@ -211,7 +214,7 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
         low, high = float(volts.min()), float(volts.max())
         still_long = _standing(volts, max(_REPEATS, _shortest(rate)))
         found = [each for each in still_long if low < each[2] < high]  # at its limit a signal is not lost
-    if not found or not _at_one_level([level for _, _, level in found], within=within):
+    if len(found) < _OF_PLATEAUS * plateaus or not _at_one_level([level for _, _, level in found], within=within):
         return []
     if fine:
         level = float(np.median([each[2] for each in found]))
@@ -253,9 +256,10 @@ def _meet(one: tuple[int, int, float], other: tuple[int, int, float]) -> bool:
 
 
 def _at_one_level(levels: Sequence[float], *, within: float) -> bool:
-    """Whether most moments stand at one level: impacts that ring end where they happen to."""
-    away = np.abs(np.array(levels) - np.median(levels)) if levels else np.zeros(1)
-    return bool(np.mean(away < within) > 0.7)
+    """Whether most moments stand at one level: impacts that ring end where they happen to. False where there is none."""
+    if not levels:
+        return False
+    return bool(np.mean(np.abs(np.array(levels) - np.median(levels)) < within) > 0.7)
 
 
 def moments_lost(recording: Recording) -> list[tuple[int, int]]:
