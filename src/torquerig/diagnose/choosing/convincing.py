@@ -38,6 +38,7 @@ _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
 # it must gain, and half of that on what no fit has seen
 _AGAIN_BY_ITSELF, _TWICE = 75.0, 2.0
 _OF_WRONG = 0.1  # of what is wrong: beside a load that steps in one run, a drift takes up a little in the others
+_NO_WORSE, _OF_RECORDINGS = -0.25, 0.5  # of a gain that bent numbers make: what no fit has seen may lose; it is most of it
 _ANY_WIDTH = 25.0  # between the bounds of an interval that covers all gaps that are tried, 1.5 to 45 arcmin
 _MEAN_SQUARE = 3.0  # of the levels of a run: what moves the slow torque alone must leave it right in every run
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
@@ -69,7 +70,9 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
         return False
     again = _gained_again(case, trial, held)
     if again is not None and again < 0:
-        return False
+        if again < _NO_WORSE or not _by_numbers_alone(case, trial):
+            return False
+        again = None
     if by_lines:
         return True
     alone = not (trial.candidate.description or any(_may_leave(each, trial) for each in earlier))
@@ -91,6 +94,11 @@ def _out_of_question(case: Case, trial: Trial, earlier: Sequence[Trial]) -> bool
         return True
     # such an effect beside noise that was described takes up what its description leaves
     return (_mode(trial) or _of_any_width(trial)) and any(each.candidate.description for each in earlier)
+
+
+def _by_numbers_alone(case: Case, trial: Trial) -> bool:
+    """Whether most of the gain is that numbers of the model come back which were bent: no recording can tell that."""
+    return misfit_sum(case.model.misfits) - misfit_sum(trial.model.misfits) < _OF_RECORDINGS * trial.gain
 
 
 def _falls_clearly(case: Case, trial: Trial) -> bool:
