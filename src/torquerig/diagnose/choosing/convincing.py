@@ -29,8 +29,8 @@ _OF_RINGING = 0.4  # what looks like modes or a low-pass beside impacts: how the
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 # a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less;
-# what noise resembles gains there all that it would need (of 150 clean rigs none has a mode that gains more than 16)
-_WHOLE, _AGAIN, _LESS = 0.9, 0.5, 0.5
+# what noise resembles gains there nearly all that it would need (of 150 clean rigs none has a mode that gains over 16)
+_WHOLE, _AGAIN, _LESS, _NEARLY = 0.9, 0.5, 0.5, 0.7
 # one that gains so much, and as much on what no fit has seen, may leave more at its places: clean rigs reach 55
 _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
 # where nothing stands out before it: half of its places, if what no fit has seen gains more than on a clean rig (53 at
@@ -79,7 +79,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     trusted, share = (again or 0.0) if alone else 0.0, share_of(case, trial)
     if trusted and not _falls_clearly(case, trial):
         return trial.gain > _TWICE * least and trusted * trial.gain > _AGAIN * least
-    again_enough = trusted * trial.gain > least if trial.candidate.resembled else trusted > _AGAIN
+    again_enough = trusted * trial.gain > _NEARLY * least if trial.candidate.resembled else trusted > _AGAIN
     borne_out = share > _WHOLE and again_enough
     beside_more = _mode(trial) and excess(case) > 2 * trial.gain  # what else is wrong with the shafts moves their modes
     enough = max(_enough(case, trial, trusted), _WHOLE if beside_more else 0.0)
