@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Candidate
-from torquerig.diagnose.choosing.possible import can_be
+from torquerig.diagnose.choosing.possible import can_be, price_of_odd_numbers
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.mechanisms import CommutationRipple, TorsionalMode
+from torquerig.mechanisms import BearingDefect, CommutationRipple, TorsionalMode
 from torquerig.rig.part import Part
 from torquerig.scenario.reading import Scenario
 
@@ -49,3 +49,27 @@ def test_other_numbers_are_judged_as_they_are(wear_rig: Scenario) -> None:
     knob = Knob("mode", "damping_ratio", 1.0)
     candidate = Candidate(mechanism="torsional_mode", parts=(part,), knobs=(knob,))
     assert not can_be(candidate, fitted(wear_rig, part, knob, spread=3.0))
+
+
+@pytest.mark.parametrize(("depth", "odd"), [(1.35, True), (0.9, False), (0.4, False)])
+def test_a_ripple_deeper_than_drives_make_gives_way_to_another_name(
+    depth: float, odd: bool, wear_rig: Scenario
+) -> None:
+    """Six steps leave half of the torque; 0.9 exp(-1.96 0.19) is 0.62 of it, which a fit may have made of half."""
+    part, knob = CommutationRipple(name="ripple", order_motor=84.0, depth=depth), Knob("ripple", "depth", 1.0)
+    candidate = Candidate(mechanism="commutation_ripple", parts=(part,), knobs=(knob,))
+    assert bool(price_of_odd_numbers(candidate, fitted(wear_rig, part, knob, spread=0.19))) is odd
+
+
+@pytest.mark.parametrize(("ring", "possible"), [(1500.0, True), (20_000.0, False)])
+def test_a_band_that_goes_on_to_half_the_sample_rate_is_no_mode(
+    ring: float, possible: bool, wear_rig: Scenario
+) -> None:
+    part = BearingDefect(
+        name="bearing", at="wear_part", order_output=3.08, ring_frequency=ring, damping=0.05, amplitude=0.1
+    )
+    knob = Knob("bearing", "ring_frequency", 0.2)
+    candidate = Candidate(
+        mechanism="bearing_defect", parts=(part,), knobs=(knob,), below={"ring_frequency": 0.45 * 25_000.0}
+    )
+    assert can_be(candidate, fitted(wear_rig, part, knob, spread=0.1)) is possible

@@ -40,3 +40,13 @@ def test_lines_of_coarse_codes_hide_no_ripple(with_lines_left: Callable[..., Cas
     assert order(42.0) in tried
     assert order(61.0) not in tried, "weak, and beside the field"
     assert order(42.2) not in tried
+
+
+@pytest.mark.parametrize(("own", "asked"), [(14.0, True), (24.0, False)])
+def test_a_line_of_the_rigs_own_may_hide_a_ripple(
+    own: float, asked: bool, with_lines_left: Callable[..., Case], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Unequal gains of a drive stand at 2p, where the rig has a line already: the model misses it under load."""
+    monkeypatch.setattr(commutation_ripple, "missed_lines", lambda case: [order(own)])
+    tried = [each.place for each in commutation_ripple.propose(with_lines_left())]
+    assert (order(own) in tried) is asked

@@ -152,3 +152,19 @@ def test_what_leaves_a_model_far_off_all_over_has_missed_something(
     after: float, everywhere: bool, left: Any, gone: bool
 ) -> None:
     assert bool(why_withdrawn(fit(4.9, after, 0.95), left, everywhere=everywhere)) is gone
+
+
+@pytest.mark.parametrize(("gap", "stays"), [(False, True), (True, False)])
+def test_what_ends_in_blows_is_no_gap_where_most_of_what_is_wrong_stays(gap: bool, stays: bool) -> None:
+    """A shaft that slips in its clamp strikes as flanks do, and the spectrum of its ringing is another."""
+    held = replace(fit(10.6, 9.1, 0.95), improvement=(0.14, 0.02, 0.27))
+    assert bool(why_withdrawn(held, SOMEWHERE, gap=gap)) is not stays
+
+
+@pytest.mark.parametrize(
+    ("after", "explained", "stays"), [(800.0, 0.77, False), (800.0, 0.9, True), (60.0, 0.77, True)]
+)
+def test_a_model_that_is_wrong_beyond_measure_names_nothing_by_half(
+    after: float, explained: float, stays: bool
+) -> None:
+    assert bool(why_withdrawn(fit(4500.0, after, explained), SOMEWHERE)) is not stays

@@ -56,3 +56,11 @@ def test_what_is_as_strong_as_the_order_itself_is_no_side_line_of_it(below: floa
         at = round(multiple * 0.859 / step)
         log[at - 1 : at + 2] = 6.0 - (below if multiple % 2 else 0.0)
     assert _fundamental([_Beats(log, step, 100.0)], 1.718, KNOWN) == pytest.approx(told)
+
+
+@pytest.mark.parametrize("same_rate", [False, True])
+def test_impacts_that_keep_their_rate_at_every_speed_are_no_bearings(same_rate: bool, by_hand: ByHand) -> None:
+    """A telephone beats 217 times a second however fast the shaft turns, and clear runs of one speed outvote others."""
+    orders = [3.0777 * (130.0 / (100.0 + 10.0 * seed) if same_rate else 1.0) for seed in (3, 3, 6)]
+    runs = [struck(by_hand, each, seed=seed) for each, seed in zip(orders, (3, 3, 6), strict=True)]
+    assert bool(impact_orders(runs, KNOWN)) is not same_rate

@@ -267,6 +267,27 @@ def test_a_moment_that_begins_and_ends_without_a_jump_is_lost_all_the_same(clean
     assert gaps(with_volts(clean, volts).channels["torque_V"].values, rate) == []
 
 
+def test_what_is_held_over_and_over_is_not_lost_where_two_plateaus_meet_a_level(clean: Recording) -> None:
+    """A telemetry that repeats each value for 3 ms goes from plateau to plateau, each as still as a lost signal."""
+    volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
+    long = round(3e-3 * rate)
+    held = np.repeat(volts[::long], long)[: volts.size]
+    held += CODE * np.random.default_rng(2).integers(-3, 4, volts.size)
+    held[100 * long : 101 * long] = held.max() + 0.5
+    assert gaps(with_volts(clean, held).channels["torque_V"].values, rate) == []
+
+
+def test_noise_that_stays_at_zero_is_lost_only_as_quiet_as_noise(clean: Recording) -> None:
+    """Between the pulses of a telephone an idle reading passes zero now and then, and its shafts go on."""
+    volts, rate = clean.channels["torque_V"].values, clean.sample_rate
+    noise = 0.01 * np.random.default_rng(2).standard_normal(volts.size)
+    idle = 0.03 * np.sin(2 * np.pi * 97.0 * np.arange(volts.size) / rate) + noise
+    for start in range(1000, volts.size - 600, 900):
+        idle[start : start + 2] += 0.6
+        idle[start + 104 : start + 106] += 0.6
+    assert gaps(with_volts(clean, idle).channels["torque_V"].values, rate) == []
+
+
 @pytest.mark.parametrize("share", [0.45, 0.7])
 def test_a_signal_that_stands_at_its_limit_for_half_the_time_is_not_lost(share: float, clean: Recording) -> None:
     """Most samples then share their value with the one before, and the noise is that of those that do not."""

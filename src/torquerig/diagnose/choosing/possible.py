@@ -7,10 +7,11 @@ import numpy as np
 from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.knobs import turned
-from torquerig.diagnose.hypotheses import is_possible, told_loosely
+from torquerig.diagnose.hypotheses import is_likely, is_possible, told_loosely
 from torquerig.rig.rig import Rig
 
 _95 = 1.96
+_ODD = 20.0  # as much as two names for one line may differ by where neither is told
 
 
 def can_be(candidate: Candidate, model: Calibrated) -> bool:
@@ -20,6 +21,12 @@ def can_be(candidate: Candidate, model: Calibrated) -> bool:
     too large, or too small, by no more than chance is no reason to give the name to a rival.
     """
     return is_possible(candidate, model.rig) or is_possible(candidate, _at_their_ends(candidate, model))
+
+
+def price_of_odd_numbers(candidate: Candidate, model: Calibrated) -> float:
+    """Return what a candidate pays for fitted numbers that rigs hardly have, loosely told ones at their ends."""
+    usual = is_likely(candidate, model.rig) or is_likely(candidate, _at_their_ends(candidate, model))
+    return 0.0 if usual else _ODD
 
 
 def _at_their_ends(candidate: Candidate, model: Calibrated) -> Rig:

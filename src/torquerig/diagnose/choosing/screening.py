@@ -99,13 +99,13 @@ def stood_in_for(case: Case, tried: Sequence[Trial], last: Sequence[Trial]) -> l
     """
     pairs = zip(case.model.knobs, case.model.positions.tolist(), strict=True)
     bent = {knob.field for knob, at in pairs if abs(at) > _STOOD_IN}
-    answer = {trial.candidate.mechanism: trial for trial in reversed(tried) if bent.intersection(trial.candidate.loosens)}
+    answer = {
+        trial.candidate.mechanism: trial for trial in reversed(tried) if bent.intersection(trial.candidate.loosens)
+    }
     for trial in last:
         answer.pop(trial.candidate.mechanism, None)
     model = _unbent(case) if answer else case.model
-    return [
-        replace(trial, model=replace(model, rig=trial.candidate.added_to(model.rig))) for trial in answer.values()
-    ]
+    return [replace(trial, model=replace(model, rig=trial.candidate.added_to(model.rig))) for trial in answer.values()]
 
 
 def _unbent(case: Case) -> Calibrated:

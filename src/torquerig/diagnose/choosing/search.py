@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.case import BENT, Case, line_residuals
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, gap_is_possible, simulated_model
 from torquerig.diagnose.choosing.opened_gap import flanks_fly
-from torquerig.diagnose.choosing.possible import can_be
+from torquerig.diagnose.choosing.possible import can_be, price_of_odd_numbers
 from torquerig.diagnose.choosing.screening import finalists, given_way_to, screened, stood_in_for
 from torquerig.diagnose.choosing.told_by_lines import spared
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
@@ -75,9 +75,13 @@ def trials(
             fitted += _gap(case)
         except SimulationError:
             gap_failed = True
-    fitted = [spared(case, trial) for trial in fitted if can_be(trial.candidate, trial.model)]
+    fitted = [_odds_paid(spared(case, trial)) for trial in fitted if can_be(trial.candidate, trial.model)]
     fitted.sort(key=lambda trial: -trial.gain)
     return Tried(tuple(fitted), tuple(tried), gap_failed)
+
+
+def _odds_paid(trial: Trial) -> Trial:
+    return replace(trial, gain=trial.gain - price_of_odd_numbers(trial.candidate, trial.model))
 
 
 def _of_line(trial: Trial, best: Trial) -> bool:

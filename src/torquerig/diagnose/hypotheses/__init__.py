@@ -20,11 +20,12 @@ Beside the classes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from importlib import import_module
 
 from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
+from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
 
 Propose = Callable[[Case], Iterator[Candidate]]
@@ -62,9 +63,19 @@ def is_possible(candidate: Candidate, rig: Rig) -> bool:
     fitted = [rig.part(part.name) for part in candidate.parts]
     if any(getattr(part, field, 0.0) >= most for field, most in candidate.below.items() for part in fitted):
         return False
+    return _asked("possible", candidate, fitted)
+
+
+def is_likely(candidate: Candidate, rig: Rig) -> bool:
+    """Whether they are such as rigs have: what is not gives way to another name for as much."""
+    return _asked("likely", candidate, [rig.part(part.name) for part in candidate.parts])
+
+
+def _asked(what: str, candidate: Candidate, fitted: Sequence[Part]) -> bool:
+    """Return what the candidate's mechanism says of its fitted parts; True where it says nothing."""
     if candidate.mechanism not in CLASSES:
         return True
-    asked = getattr(import_module(f"{__name__}.{candidate.mechanism}"), "possible", None)
+    asked = getattr(import_module(f"{__name__}.{candidate.mechanism}"), what, None)
     return asked is None or all(asked(part) for part in fitted)
 
 

@@ -22,7 +22,8 @@ _HARMONICS = 4
 _BESIDE_THE_FIELD = 100.0  # no current of the motor turns so: what else it may be is likelier, if not by far the worse
 _NO_HARMONIC = 20.0  # balanced phases have torque at 6p and its multiples alone, offsets of current p, unequal gains 2p
 _TWELFTH_ALONE = 3.0  # six steps make the sixth field order first, so few rigs show the twelfth without it
-_DEEPEST = 0.7  # of the motor's torque: six steps leave half of it at most (Carlson 1992)
+_DEEPEST = 1.0  # of the motor's torque: six steps leave half of it at most (Carlson 1992), told to a factor of two
+_DEEP = 0.7  # beyond half and what fits tell
 TOLD_LOOSELY = {"depth": -1.0}  # at one speed no better than what the rig passes on at the line's frequency
 
 
@@ -118,3 +119,8 @@ def _with_harmonics(case: Case, part: mechanisms.CommutationRipple) -> tuple[mec
 def possible(part: Part) -> bool:
     """Whether a ripple could be: no drive turns its torque round within a turn."""
     return isinstance(part, mechanisms.CommutationRipple) and part.depth < _DEEPEST
+
+
+def likely(part: Part) -> bool:
+    """Whether a ripple is one that drives make; one that passes what six steps leave is not, but for a bad fit."""
+    return isinstance(part, mechanisms.CommutationRipple) and part.depth < _DEEP

@@ -101,7 +101,10 @@ def why_withdrawn(
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
-        (left and rest > min(_LARGE_REST * missing, _BEYOND_ALL) and (again or fit.explained < LEAST_SHARE), LEAVES_A_REST),
+        (
+            left and rest > min(_LARGE_REST * missing, _BEYOND_ALL) and (again or fit.explained < LEAST_SHARE),
+            LEAVES_A_REST,
+        ),
         (everywhere and not (left or samples_too) and rest > _QUARTER * missing, LEAVES_A_REST),
         (not (left or samples_too) and rest > max(_LARGE_REST * missing, _FAR_OFF), LEAVES_A_REST),
     )

@@ -256,7 +256,7 @@ def _meet(one: tuple[int, int, float], other: tuple[int, int, float]) -> bool:
 
 
 def _at_one_level(levels: Sequence[float], *, within: float) -> bool:
-    """Whether most moments stand at one level: impacts that ring end where they happen to. False where there is none."""
+    """Whether most moments, of some, stand at one level: impacts that ring end where they happen to."""
     if not levels:
         return False
     return bool(np.mean(np.abs(np.array(levels) - np.median(levels)) < within) > 0.7)
