@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +13,7 @@ from torquerig.diagnose.choosing import convincing as judging
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import Calibrated
-from torquerig.diagnose.fitting.misfit import Misfit
+from torquerig.diagnose.fitting.misfit import Misfit, misfit_sum
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging import leftover
 from torquerig.diagnose.judging.leftover import detail_of
@@ -213,7 +213,13 @@ def judged_again(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Callabl
         monkeypatch.setattr(judging, "share_of", lambda *_: share)
         monkeypatch.setattr(judging, "misfits_of", lambda rig, held: held)
         of_before = iter([True, False])
-        monkeypatch.setattr(judging, "misfit_sum", lambda _: 200.0 if next(of_before, False) else 200.0 - held_gain)
+
+        def missed(misfits: Sequence[Misfit]) -> float:
+            if misfits:
+                return misfit_sum(misfits)
+            return 200.0 if next(of_before, False) else 200.0 - held_gain
+
+        monkeypatch.setattr(judging, "misfit_sum", missed)
         return judging.convincing(case, effect, earlier=(), held=())
 
     return judged
@@ -228,9 +234,21 @@ def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
     effect = trial(wear_rig.rig, "blade_pass", *[1.0] * 41, before=before)
     assert judged_again(before, effect, share=share, held_gain=held_gain) is named
     alike = replace(effect, candidate=replace(effect.candidate, resembled=True))
-    assert not judged_again(before, alike, share=share, held_gain=held_gain)
-    enough_by_itself = held_gain + 20.0 > 40.0
+    assert not judged_again(before, alike, share=share, held_gain=held_gain - 5.0)
+    enough_by_itself = held_gain + 20.0 > 0.7 * 40.0
     assert judged_again(before, alike, share=share, held_gain=held_gain + 20.0) is (enough_by_itself and share > 0.9)
+
+
+@pytest.mark.parametrize(("bent", "held_gain", "named"), [(7.0, -8.0, True), (7.0, -30.0, False), (0.0, -8.0, False)])
+def test_numbers_that_come_back_are_told_by_no_recording(
+    bent: float, held_gain: float, named: bool, wear_rig: Scenario, judged_again: Callable[..., bool]
+) -> None:
+    """A line of the rig's own, bent far up, foretells blades at its order as well as blades do."""
+    before = model(wear_rig.rig, *[1.0] * 40, 1.0 if bent else 8.0)
+    before = replace(before, cost=before.cost + bent**2)
+    effect = trial(wear_rig.rig, "blade_pass", *[1.0] * 41, before=before)
+    effect = replace(effect, gain=before.cost - effect.model.cost)
+    assert judged_again(before, effect, share=1.0, held_gain=held_gain) is named
 
 
 @pytest.mark.parametrize(

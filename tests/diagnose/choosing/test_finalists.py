@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, cast
 
+import numpy as np
 import pytest
 
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate
@@ -91,3 +92,21 @@ def test_numbers_bent_too_far_to_come_back_are_begun_as_the_scenario_has_them(mo
     )
     (found,) = screening.given_way_to(case, [Trial(cast(Any, candidate), cast(Any, None), -7.0)])
     assert (found.model.rig, found.gain) == ("scenario + low-pass", 200.0 - screening.PER_KNOB)
+
+
+@pytest.mark.parametrize(("viscous", "asked"), [(5.0, True), (1.0, False)])
+def test_what_the_scenarios_numbers_stood_in_for_is_begun_as_it_was_proposed(
+    viscous: float, asked: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Friction bent by five of its spreads may be a drag; where drag is fitted anyway, or none is bent, no more."""
+    monkeypatch.setattr(screening, "replace", lambda held, **changes: SimpleNamespace(**{**vars(held), **changes}))
+    monkeypatch.setattr(screening, "turned", lambda rig, knobs, positions: (rig, positions.tolist()))
+    knobs = (SimpleNamespace(part="wear_part", field="viscous"), SimpleNamespace(part="drift", field="span"))
+    model = SimpleNamespace(knobs=knobs, positions=np.array([viscous, 2.0]), rig="fitted")
+    found = SimpleNamespace(parts=(SimpleNamespace(name="drift"),))
+    case = cast(Any, SimpleNamespace(model=model, accepted=(found,), nominal_with_accepted=lambda: "scenario"))
+    candidate = SimpleNamespace(mechanism="drag", loosens=SLOW_TORQUE, added_to=lambda rig: (rig, "drag"))
+    drag = cast(Any, SimpleNamespace(candidate=candidate, gain=-3.0))
+    begun = screening.stood_in_for(case, [drag], [])
+    assert [each.model.rig for each in begun] == [(("scenario", [0.0, 2.0]), "drag")] * asked
+    assert screening.stood_in_for(case, [drag], [drag]) == []

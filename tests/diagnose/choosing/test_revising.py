@@ -15,6 +15,7 @@ from torquerig.diagnose.choosing.search import Tried
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.knobs import Knob
+from torquerig.diagnose.looking.places import order
 from torquerig.mechanisms import MainsInterference, PwmAliasing, QuadraticDrag
 from torquerig.rig.part import Part
 from torquerig.rig.rig import Rig
@@ -96,3 +97,22 @@ def test_only_what_explained_some_of_an_effect_may_take_its_place(
     alone = [replace(accepted[0], tried=Tried((accepted[0].trial,), ())), accepted[1]]
     assert [each.trial for each in revised(first, alone)] == [each.trial for each in accepted]
     assert len(asked) == 1, "nothing explained any of it: nobody is asked"
+
+
+@pytest.mark.parametrize(("second", "kept"), [(2000.0, 1), (900.0, 2)])
+def test_of_two_sources_of_one_line_the_first_needs_more_to_stay(
+    second: float, kept: int, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Their phases leave open how they add up, so that a second source helps wherever it stands."""
+    monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: fitted(rig, knobs))
+    monkeypatch.setattr(revising, "trials", lambda case, **_: Tried((), ()))
+    rig, knobs = wear_rig.rig, tuple[Knob, ...]()
+    first = case = Case(nominal=rig, runs=(), seen=(), model=fitted(rig, ()), left=())
+    accepted: list[Accepted] = []
+    for name, gain in zip(NEEDED, (300.0, second), strict=True):
+        own = replace(candidate(name), place=order(84.0))
+        rig, knobs = own.added_to(rig), (*knobs, *own.knobs)
+        trial = Trial(own, fitted(rig, knobs), gain)
+        accepted.append(Accepted(before=case, trial=trial, tried=Tried((trial,), ())))
+        case = revising.with_all(first, accepted)
+    assert len(revised(first, accepted)) == kept

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.errors import SimulationError
-from torquerig.mechanisms import Cogging, QuadraticDrag
+from torquerig.mechanisms import BearingDefect, Cogging, QuadraticDrag
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
@@ -30,6 +31,9 @@ from torquerig.signals.recording import Recording
 
 # its own ripple turns the motor by 56 * 0.6 N m / (J omega^2) of a radian, enough for a line at twice the order
 STRONG = Cogging(name="cogging", slots=12, pole_pairs=7, further={56: 0.6})
+BEARING = BearingDefect(
+    name="bearing", at="wear_part", order_output=8.08, ring_frequency=1650.0, damping=0.03, amplitude=0.5
+)
 SPEED = 158.0  # [rpm] where order 56 meets the wear part's mode
 
 
@@ -145,3 +149,17 @@ def test_a_run_misses_its_mean_torque_once(domain: str, axis: str, same: bool) -
 
     assert by_simulation._same(at(-10.0), at(400.0)) is same
     assert by_simulation._same(at(-10.0), at(-11.0))
+
+
+def test_a_few_of_a_bearings_rings_look_like_flights(
+    wear_rig: Scenario, record: Callable[..., Recording], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of 27 impacts a second six may; of a rig without a bearing they are flights."""
+    monkeypatch.setattr(by_simulation, "flights_beyond_lines", lambda features: 6)
+    monkeypatch.setattr(by_simulation, "flights_counted", lambda run: 0)
+    monkeypatch.setattr(by_simulation, "without_tones", lambda run, places: run)
+    plain = case_of(wear_rig.rig, record(wear_rig.rig, 5, rpm=1000.0, duration=12.0, occupancy=0.0))
+    struck = replace(plain, model=replace(plain.model, rig=wear_rig.rig + BEARING))
+    copies = [[run] for run in plain.runs]
+    assert by_simulation._flies_more(plain, copies)
+    assert not by_simulation._flies_more(struck, copies)
