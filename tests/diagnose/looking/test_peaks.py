@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import pi
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
 from torquerig.diagnose.looking.lines_left import lines_left
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.peaks import peaks
+from torquerig.diagnose.looking.peaks import Peak, _as_a_whole, peaks
 from torquerig.diagnose.looking.places import Place, frequency, order
 from torquerig.scenario.reading import Scenario
 
@@ -113,3 +115,22 @@ def test_a_harmonic_that_an_unmeasured_angle_shifts_stands_on_its_order(
         runs.append(by_hand(noise(seed) + wave, angle, rate=RATE, name=f"{rpm:g}", measured=False))
     found = [peak.place.at for peak in lines_left(runs, [], rig=wear_rig.rig)]
     assert max(found) == pytest.approx(told)
+
+
+@pytest.mark.parametrize(
+    ("hertz", "power", "smearing", "whole"),
+    [(996.7, 1.0, 0.012, True), (996.7, 3.0, 0.012, False), (1020.0, 1.0, 0.012, False), (996.7, 1.0, 0.0, False)],
+)
+def test_an_order_that_was_followed_stands_out_as_far_as_a_side_line_of_it(
+    hertz: float, power: float, smearing: float, whole: bool
+) -> None:
+    """The floor beside order 60 is its own skirt; in time a sway leaves a side line at 996.7 Hz with half its size."""
+    observed = SimpleNamespace(name="run1", smearing=smearing, mean_speed=2 * np.pi * 993.4 / 60.0)
+    spectrum = SimpleNamespace(
+        observed=observed, power=lambda place: 4.0 if place.domain == "order" else power, excess=lambda _: 0.0
+    )
+    turning = Peak(order(60.0), excess=611.0, runs=("run1",), speeds=1)
+    tone = Peak(frequency(hertz), excess=763.0, runs=("run1",), speeds=1)
+    excess = _as_a_whole(turning, [turning, tone], cast(Any, [spectrum]))
+    assert excess == (763.0 if whole else 611.0)
+    assert _as_a_whole(tone, [turning, tone], cast(Any, [spectrum])) == 763.0

@@ -24,6 +24,7 @@ LEADING = 150.0  # power over the floor of a line that a shaft is better followe
 _NEIGHBOURS, _NEAREST = 60, 15  # bins either way that make the local floor, and that of a resonance
 _MOST = 40
 SHIFTED = 0.25  # of the width over which an unmeasured angle smears a line: how far off its peak may stand
+_TWICE = 2.0  # the power of a side line
 _LOWEST = 3.0  # [Hz] slower than this the load's own drift rules
 # of half the sample rate: an alias may stand anywhere below it; an order so high is made by the resampling
 _TOP_FREQUENCY, TOP_ORDER = 0.995, 0.92
@@ -56,19 +57,26 @@ class Peak:
 
 @dataclass(frozen=True)
 class _Spectrum:
-    """Power over the local floor of one run: over motor orders and over frequency."""
+    """Power over the local floor of one run, over motor orders and over frequency, and the powers themselves."""
 
     observed: Observed
     by_order: Floats
     order_step: float
     by_frequency: Floats
     frequency_step: float
+    turned: Floats
+    direct: Floats
 
     def excess(self, place: Place) -> float:
         """Largest excess within a bin of the place, or within what an unmeasured angle shifts it; 0 outside."""
-        values, step = (
-            (self.by_order, self.order_step) if place.domain == "order" else (self.by_frequency, self.frequency_step)
-        )
+        return self._largest(place, self.by_order if place.domain == "order" else self.by_frequency)
+
+    def power(self, place: Place) -> float:
+        """Largest power there."""
+        return self._largest(place, self.turned if place.domain == "order" else self.direct)
+
+    def _largest(self, place: Place, values: Floats) -> float:
+        step = self.order_step if place.domain == "order" else self.frequency_step
         at = round(place.at / step)
         reach = max(1, round(SHIFTED * self.observed.smearing * at)) if place.domain == "order" else 1
         return float(values[max(at - reach, 0) : at + reach + 1].max(initial=0.0)) if 0 < at < values.size else 0.0
@@ -91,6 +99,7 @@ def peaks(runs: Sequence[Observed], known: Sequence[Place]) -> tuple[Peak, ...]:
                   for at in _tops(spectrum.by_frequency)]  # fmt: skip
         candidates.update((place, None) for place in found if place.frequency(speed) > _LOWEST)
     judged = [_judged(place, spectra) for place in candidates]
+    judged = [replace(peak, excess=_as_a_whole(peak, judged, spectra)) for peak in judged]
     judged.sort(key=lambda peak: (-peak.speeds, -round(peak.excess, 1), peak.place.domain == "frequency"))
     accepted: list[Peak] = []
     tones = [place for place in known if place.domain == "frequency"]
@@ -122,6 +131,8 @@ def _spectrum(run: Observed, known: Sequence[Place]) -> _Spectrum:
         2 * pi / abs(float(angle[-1] - angle[0])) * (rest.size - 1) / rest.size,
         over_floor(direct, below=_TOP_FREQUENCY),
         run.rate / rest.size,
+        turned,
+        direct,
     )
 
 
@@ -171,6 +182,31 @@ def _judged(place: Place, spectra: Sequence[_Spectrum]) -> Peak:
             speeds.append(speed)
     top = max((spectrum.excess(place) for spectrum in spectra), default=0.0)
     return Peak(place, top, tuple(spectrum.observed.name for spectrum in shown), len(speeds))
+
+
+def _as_a_whole(peak: Peak, others: Sequence[Peak], spectra: Sequence[_Spectrum]) -> float:
+    """Return the excess of an order, no less than that of a side line at a fixed frequency, of which it is the whole.
+
+    An angle that was followed in the torque gathers what an uneven speed scatters over time, and stands in a floor that
+    it has raised itself: in time a single side line may stand out further, of less than half the power.
+    """
+    if peak.place.domain != "order" or peak.excess < LEADING:
+        return peak.excess
+    whole = peak.excess
+    for other in others:
+        if other.place.domain == "frequency" and other.excess > whole and other.speeds <= peak.speeds:
+            shown = [each for each in spectra if each.observed.name in other.runs and each.observed.smearing]
+            if len(shown) == len(other.runs) and all(_scattered(other.place, peak.place, each) for each in shown):
+                whole = other.excess
+    return whole
+
+
+def _scattered(tone: Place, turning: Place, spectrum: _Spectrum) -> bool:
+    """Whether a tone stands where an unmeasured angle spreads an order, with less than half of its power."""
+    speed, smearing = spectrum.observed.mean_speed, spectrum.observed.smearing
+    at = turning.frequency(speed)
+    near = abs(tone.frequency(speed) - at) < smearing * at
+    return near and spectrum.power(turning) > _TWICE * spectrum.power(tone)
 
 
 def _skirt(peak: Peak, known: Sequence[Place], accepted: Sequence[Peak], spectra: Sequence[_Spectrum]) -> bool:
