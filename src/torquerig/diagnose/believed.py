@@ -156,7 +156,7 @@ def _refused(start: Beginning, told: Believed) -> str:
         samples_too=bool(start.untrue or start.faults.untrue), again=told.why == LEAVES_A_REST,
         turning_lines=told.sought.turning_lines,
         combined=told.sought.turning_lines and may_be_combined(
-            told.after, told.left, [each.trial.candidate for each in accepted]
+            told.after, told.left or told.missed, [each.trial.candidate for each in accepted]
         ),
         own_line=told.sought.lines_of_one_size
         and any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),

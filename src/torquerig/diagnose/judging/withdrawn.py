@@ -42,6 +42,10 @@ _COMBINED = (
     "fitted, and withdrawn: its order is the sum or the difference of two of the rig's own that are larger, and the "
     "model stays wrong elsewhere: something that bends makes such lines"
 )
+_COMBINED_AT_MOST = (
+    "fitted, and withdrawn: its order is the sum or the difference of two of the rig's own that are larger, and what "
+    "no fit has seen may be predicted as well without it"
+)
 _SEVERAL = 2  # runs, or lines
 _WHOLE = 0.02  # [1/rev] so near an order is whole
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
@@ -97,6 +101,7 @@ def why_withdrawn(
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
         (own_line, _ITS_OWN_LINE),
         (left and combined, _COMBINED),
+        (combined and fit.improvement[1] < 0, _COMBINED_AT_MOST),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
         (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
