@@ -23,12 +23,20 @@ class Seen:
 
 
 @dataclass(frozen=True)
+class Fits:
+    """A model that misses no line of its own."""
+
+    misfits: tuple[()] = ()
+
+
+@dataclass(frozen=True)
 class Bare:
     """Of a case what proposals without a left line ask for."""
 
     nominal: Rig
     seen: tuple[Seen, ...]
     left: tuple[Peak, ...] = field(default=())
+    model: Fits = field(default_factory=Fits)
 
 
 @pytest.mark.parametrize(("shown", "asked"), [((7.0,), [42.0, 84.0]), ((7.0, 42.0), [84.0]), ((42.0, 84.0), [])])
