@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
 import pytest
 
+from torquerig.diagnose.fitting.misfit import Misfit
 from torquerig.diagnose.hypotheses import cogging
 from torquerig.diagnose.hypotheses.commutation_ripple import _by_its_skirts, propose
 from torquerig.diagnose.looking.peaks import Peak
@@ -20,13 +22,14 @@ from torquerig.scenario.reading import Scenario
 class Seen:
     places: tuple[Place, ...]
     unknown: tuple[Place, ...] = ()
+    turning: None = None
 
 
 @dataclass(frozen=True)
 class Fits:
     """A model that misses no line of its own."""
 
-    misfits: tuple[()] = ()
+    misfits: tuple[Misfit, ...]
 
 
 @dataclass(frozen=True)
@@ -36,7 +39,12 @@ class Bare:
     nominal: Rig
     seen: tuple[Seen, ...]
     left: tuple[Peak, ...] = field(default=())
-    model: Fits = field(default_factory=Fits)
+
+    @property
+    def model(self) -> Fits:
+        """The model as fitted."""
+        none = np.zeros(0)
+        return Fits(tuple(Misfit(none, np.zeros(len(seen.places)), none) for seen in self.seen))
 
 
 @pytest.mark.parametrize(("shown", "asked"), [((7.0,), [42.0, 84.0]), ((7.0, 42.0), [84.0]), ((42.0, 84.0), [])])
