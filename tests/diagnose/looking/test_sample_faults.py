@@ -267,13 +267,14 @@ def test_a_moment_that_begins_and_ends_without_a_jump_is_lost_all_the_same(clean
     assert gaps(with_volts(clean, volts).channels["torque_V"].values, rate) == []
 
 
-def test_what_is_held_over_and_over_is_not_lost_where_two_plateaus_meet_a_level(clean: Recording) -> None:
-    """A telemetry that repeats each value for 3 ms goes from plateau to plateau, each as still as a lost signal."""
-    volts, rate = clean.channels["torque_V"].values.copy(), clean.sample_rate
+def test_what_is_held_over_and_over_is_not_lost_where_some_plateaus_share_a_level(clean: Recording) -> None:
+    """A telemetry that renews its value every 3 ms jumps to each, and one in 22 stands still at the lowest."""
+    rate, size, rng = clean.sample_rate, clean.channels["torque_V"].values.size, np.random.default_rng(2)
     long = round(3e-3 * rate)
-    held = np.repeat(volts[::long], long)[: volts.size]
-    held += CODE * np.random.default_rng(2).integers(-3, 4, volts.size)
-    held[100 * long : 101 * long] = held.max() + 0.5
+    plateau = np.arange(size) // long
+    held = (0.3 * rng.random(size // long + 1) + np.arange(size // long + 1) % 2)[plateau]
+    held += CODE * rng.integers(-3, 4, size)
+    held[plateau % 22 == 21] = -0.6
     assert gaps(with_volts(clean, held).channels["torque_V"].values, rate) == []
 
 

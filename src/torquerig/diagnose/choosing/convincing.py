@@ -38,10 +38,8 @@ _MUCH, _AS_WELL, _MORE_THAN_HALF = 100.0, 0.9, 0.55
 # it must gain, and half of that on what no fit has seen
 _AGAIN_BY_ITSELF, _TWICE = 75.0, 2.0
 _OF_WRONG = 0.1  # of what is wrong: beside a load that steps in one run, a drift takes up a little in the others
-_NO_WORSE, _OF_RECORDINGS = (
-    -0.25,
-    0.5,
-)  # of a gain that bent numbers make: what no fit has seen may lose; it is most of it
+_OF_RECORDINGS = 0.5  # of a gain: where recordings bear less of it, it is numbers that come back ...
+_NO_WORSE = -0.25  # ... and what no fit has seen may lose so much of it
 _ANY_WIDTH = 25.0  # between the bounds of an interval that covers all gaps that are tried, 1.5 to 45 arcmin
 _MEAN_SQUARE = 3.0  # of the levels of a run: what moves the slow torque alone must leave it right in every run
 _PROMISING_GAIN, _PROMISING_SHARE = 0.3, 0.5  # of the misfit, of its places
