@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.misfit import Misfit, misfit_sum
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.diagnose.looking.features import Features
+from torquerig.diagnose.looking.from_zero import from_zero
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import SAME_ORDER, Place, order
@@ -154,6 +156,11 @@ class Case:
         """Return the misfit sum of another rig, with what no twin can hold as it stands in the model."""
         corrections = self.model.corrections or None
         return misfit_sum(misfits_of(rig, self.seen, corrections))
+
+    @cached_property
+    def from_zero(self) -> tuple[Features, ...]:
+        """The runs, what drifts in the model taken out of their torque."""
+        return tuple(from_zero(features, self.model.rig) for features in self.seen)
 
     def has(self, mechanism: str) -> bool:
         """Whether a mechanism was added already."""

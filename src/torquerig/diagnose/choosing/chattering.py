@@ -36,7 +36,7 @@ def told_by_chatter(fits: GapFits) -> FittedGap | None:
 
 def unexplained(case: Case, model: Calibrated) -> list[float]:
     """Return the mean square residual of each run in which flanks may part [1]."""
-    pairs = zip(case.seen, model.misfits, strict=True)
+    pairs = zip(case.from_zero, model.misfits, strict=True)
     return [float(np.mean(misfit.all() ** 2)) for features, misfit in pairs if flanks_may_part(features)]
 
 

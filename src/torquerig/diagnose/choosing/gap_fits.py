@@ -18,6 +18,7 @@ from torquerig.diagnose.fitting.calibration import MOST_DERIVATIVES, Calibrated,
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flight_statistics import chance_of_blows
 from torquerig.diagnose.looking.flights import blows
+from torquerig.diagnose.looking.from_zero import undrifted
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
 from torquerig.rig.rig import Rig
@@ -42,7 +43,8 @@ class FittedGap:
 
 def left_alone(case: Case, base: Rig) -> Calibrated:
     """Return ``base`` fitted to what a gap leaves alone: loaded runs, and the slow torque of all."""
-    untouched = [_slow_part(features) if flanks_may_part(features) else features for features in case.seen]
+    parting = [flanks_may_part(features) for features in case.from_zero]
+    untouched = [_slow_part(each) if parts else each for each, parts in zip(case.seen, parting, strict=True)]
     return calibrated(base, untouched, case.model.knobs, start=np.zeros(len(case.model.knobs)))
 
 
@@ -74,7 +76,7 @@ class GapFits:
     def around(self, gap: float, *, derivatives: int = MOST_DERIVATIVES) -> FittedGap:
         """Return the fit around a gap [rad], by so many sets of derivatives at the most."""
         parted, copies = self._simulated(gap)
-        scatter = [_scatter(features, own) for features, own in zip(self.case.seen, copies, strict=True)]
+        scatter = [_scatter(*each) for each in zip(self.case.from_zero, copies, self._rigs, strict=True)]
         corrections = between(parted, self._closed, scatter=scatter)
         return FittedGap(opened(self.case, gap), self._fitted(self._alone.positions, corrections, derivatives))
 
@@ -103,10 +105,11 @@ def _slow_part(seen: Features) -> Features:
     return replace(seen.without(seen.places), power=np.full(seen.power.shape, np.nan))
 
 
-def _scatter(seen: Features, copies: Sequence[Observed]) -> float:
+def _scatter(seen: Features, copies: Sequence[Observed], rig: Rig) -> float:
     """Return what the numbers of blows in the run and in its copies leave of its density's logarithm to chance [1]."""
     if not flanks_may_part(seen):
         return 0.0
     there = len(blows(seen.untoned))
-    here = sum(len(blows(without_tones(copy, seen.places), held=None)) for copy in copies)
+    still = [undrifted(copy, rig) for copy in copies]
+    here = sum(len(blows(without_tones(copy, seen.places), held=None)) for copy in still)
     return chance_of_blows(there, here)

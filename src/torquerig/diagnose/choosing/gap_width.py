@@ -22,6 +22,7 @@ from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.looking.as_well_known import as_well_known
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flight_statistics import flight_misfit, flight_statistics, longest_flight
+from torquerig.diagnose.looking.from_zero import without_drift
 from torquerig.diagnose.looking.near_zero import near_zero_misfit, near_zero_stays
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
@@ -87,8 +88,9 @@ class _WithGaps:
 
     def __init__(self, case: Case, rigs: Sequence[Rig]) -> None:
         self.case = case
-        parting = [row for row, features in enumerate(case.seen) if flanks_may_part(features)]
-        self.seen, self.rigs = [case.seen[row] for row in parting], [rigs[row] for row in parting]
+        parting = [row for row, features in enumerate(case.from_zero) if flanks_may_part(features)]
+        self.seen = [case.from_zero[row] for row in parting]
+        self.rigs = [without_drift(rigs[row]) for row in parting]
         self.told = [self._statistics(features.untoned) for features in self.seen]
         self._turns = max(1, round(_AT_A_TIME * len(parting)))
 

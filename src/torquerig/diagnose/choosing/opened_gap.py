@@ -19,7 +19,7 @@ _UNLOADED = 0.01  # share of samples below zero torque beyond which flanks part
 
 def flanks_fly(case: Case) -> bool:
     """Whether the recordings show more flights than a rig without a gap."""
-    return sum(flights_beyond_lines(features) for features in case.seen) >= CLEARLY
+    return sum(flights_beyond_lines(features) for features in case.from_zero) >= CLEARLY
 
 
 def flanks_may_part(seen: Features) -> bool:

@@ -187,7 +187,7 @@ def _turning(features: Features, misfit: Misfit, total: float, places: int) -> I
 
 def _flights(case: Case) -> Iterator[Mismatch]:
     """Flights of flanks, which no model without a gap has."""
-    shown = {features.observed.name: flights_beyond_lines(features) for features in case.seen}
+    shown = {features.observed.name: flights_beyond_lines(features) for features in case.from_zero}
     number = sum(shown.values())
     if number < CLEARLY or case.model.corrections:
         return

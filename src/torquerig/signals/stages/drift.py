@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 
@@ -41,7 +42,10 @@ class Drift:
         """Return ``recording`` with the drift on its torque channel."""
         if self.span == 0:
             return recording
-        name, time = recording.torque_name(), recording.time()
+        name, course = recording.torque_name(), self.course(recording.time(), recording.duration)
+        return recording.with_values(name, recording.channels[name].values + course)
+
+    def course(self, time: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
+        """Return the drift, in the unit of the torque channel, at times [s] of a recording of a duration [s]."""
         tau = self.time_constant
-        course = time / recording.duration if tau is None else -np.expm1(-time / tau)
-        return recording.with_values(name, recording.channels[name].values + self.span * course)
+        return self.span * np.asarray(time / duration if tau is None else -np.expm1(-time / tau))
