@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import convincing as judging
+from torquerig.diagnose.choosing import opened_gap
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import Calibrated
@@ -17,6 +20,7 @@ from torquerig.diagnose.fitting.misfit import Misfit, misfit_sum
 from torquerig.diagnose.hypotheses import is_possible
 from torquerig.diagnose.judging import leftover
 from torquerig.diagnose.judging.leftover import detail_of
+from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.null_table import NullTable
 from torquerig.mechanisms import CommutationRipple, StribeckFriction, TorsionalMode
@@ -365,3 +369,21 @@ def test_a_second_effect_of_the_slow_torque_is_trusted_as_a_first_beside_one_tha
     blades = replace(blades, candidate=replace(blades.candidate, loosens=of_earlier, place=order(2.6)))
     case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=before, left=())
     assert judging.convincing(case, drag, earlier=(blades,), held=()) is named
+
+
+@pytest.mark.parametrize(
+    ("flights", "named"), [([0, 5, 9, 6], True), ([0, 0, 20, 0], False), ([0, 3, 3, 2], False)],
+    ids=["many, in three runs", "in one run", "few"],
+)  # fmt: skip
+def test_a_gap_whose_flights_are_seen_may_leave_half(
+    flights: list[int], named: bool, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """How flanks meet is another law's than the model's, and leaves a rest of the chatter; what slips shows one run."""
+    seen = [SimpleNamespace(flown=count) for count in flights]
+    monkeypatch.setattr(opened_gap, "flights_beyond_lines", lambda features: features.flown)
+    before = model(wear_rig.rig, *[10.0] * 40)
+    case = Case(nominal=wear_rig.rig, runs=(), seen=cast("tuple[Features, ...]", tuple(seen)), model=before, left=())
+    gap, mode = (trial(wear_rig.rig, name, *[6.2] * 40, before=before) for name in ("backlash", "torsional_mode"))
+    assert 0.45 < judging.share_of(case, gap) < 0.55
+    assert judging.convincing(case, gap, earlier=(), held=()) is named
+    assert not judging.convincing(case, mode, earlier=(), held=())

@@ -8,15 +8,17 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.case import Case
+from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import chattering, gap_fits, gap_trial
 from torquerig.diagnose.choosing.chattering import _of_like  # the choice itself, without simulations
 from torquerig.diagnose.choosing.gap_fits import FittedGap, GapFits
 from torquerig.diagnose.choosing.gap_trial import fitted_gap
-from torquerig.diagnose.choosing.opened_gap import ARCMIN, opened
+from torquerig.diagnose.choosing.opened_gap import ARCMIN, flanks_may_part, opened
 from torquerig.diagnose.diagnose import diagnose
 from torquerig.diagnose.fitting.calibration import Calibrated
-from torquerig.mechanisms import Backlash
+from torquerig.diagnose.looking.features import features
+from torquerig.diagnose.looking.observed import Observed
+from torquerig.mechanisms import Backlash, Quantization
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
 
@@ -93,3 +95,28 @@ def test_gaps_whose_chatter_is_far_from_the_recordings_are_fitted_roughly_only(
     assert fitted_gap(case, known_rig.rig) is None
     assert len(made) == fits
     assert made[:4] == [1] * 4
+
+
+@pytest.mark.parametrize("coarse", [False, True])
+def test_chatter_is_told_beside_other_effects_and_not_under_coarse_codes(
+    coarse: bool, known_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rig = known_rig.rig + Quantization(name="quantization", step=0.05) if coarse else known_rig.rig
+    blades = Candidate(mechanism="blade_pass", parts=(), knobs=())
+    case = Case(nominal=rig, runs=(), seen=(), model=_costing(0.0, known_rig), left=(), accepted=(blades,))
+    found = FittedGap(opened(case, GAP), _costing(0.0, known_rig))
+    monkeypatch.setattr(gap_fits, "calibrated", lambda *_, **__: _costing(0.0, known_rig))
+    monkeypatch.setattr(gap_trial, "width", lambda *_: None)
+    monkeypatch.setattr(gap_trial, "told_by_chatter", lambda _: found)
+    monkeypatch.setattr(GapFits, "_simulated", lambda *_: ((), []))
+    assert fitted_gap(case, rig) is (None if coarse else found)
+
+
+@pytest.mark.parametrize(("below", "part"), [(0.001, False), (0.005, True)])
+def test_flanks_may_part_where_a_few_samples_in_a_thousand_come_near_zero(
+    below: float, part: bool, by_hand: Callable[..., Observed]
+) -> None:
+    torque = np.full(20_000, 0.3)
+    torque[:: round(1 / below)] = 0.0
+    angle = 80.0 * np.arange(torque.size) / 5000.0
+    assert flanks_may_part(features(by_hand(torque, angle), [])) is part

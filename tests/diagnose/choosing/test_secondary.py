@@ -15,7 +15,7 @@ from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simula
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.places import Place, frequency, order
-from torquerig.mechanisms import QuadraticDrag, SensorBandwidth
+from torquerig.mechanisms import Backlash, QuadraticDrag, SensorBandwidth, SensorDrift
 
 RATIO = 5.0
 DRAG = QuadraticDrag(name="quadratic_drag", coefficient=1e-3)
@@ -44,6 +44,14 @@ def test_small_is_told_beside_what_moves_the_shafts(earlier: tuple[float, Place 
 
 def test_what_the_sensor_lets_pass_is_no_part_of_what_moves_the_shafts() -> None:
     assert not small_beside(trial(100.0, part=CUTOFF), [trial(10_000.0)])
+
+
+def test_a_gap_is_no_part_of_a_zero_that_drifts() -> None:
+    gap = Backlash(name="backlash", gear="gearbox", gap=1e-3)
+    drift = SensorDrift(name="sensor_drift", span=1.0, time_constant=2.0)
+    assert not small_beside(trial(100.0, part=gap), [trial(10_000.0, part=drift)])
+    assert small_beside(trial(100.0, part=gap), [trial(10_000.0, part=drift), trial(10_000.0)])
+    assert small_beside(trial(100.0), [trial(10_000.0, part=drift)])
 
 
 @pytest.mark.parametrize(

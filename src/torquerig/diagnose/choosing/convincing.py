@@ -9,6 +9,7 @@ import numpy as np
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
+from torquerig.diagnose.choosing.opened_gap import flanks_fly_for_sure
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
 from torquerig.diagnose.choosing.told_by_lines import told_by_lines
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
@@ -136,8 +137,10 @@ def _enough(case: Case, trial: Trial, again: float) -> float:
     """Return which share of its places an effect must explain: less where the model then fits as a whole.
 
     Less, too, where it gains much, for itself and of all that is wrong, and ``again`` on what no fit has seen, as a
-    share of that gain.
+    share of that gain; and of a gap whose flights are seen, since how its flanks meet is another law's.
     """
+    if trial.candidate.mechanism == "backlash" and trial.gain > _VERY_LARGE and flanks_fly_for_sure(case):
+        return _HALF
     count = feature_count(trial.model)
     well = count * (1.0 if trial.gap is None else WELL)
     fits = trial.model.cost < well or missed_alone(trial.model.misfits) < _AMPLY * count

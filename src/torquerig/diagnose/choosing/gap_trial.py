@@ -30,13 +30,13 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     """Return the gap whose simulations come nearest to the recordings, and the model fitted around it.
 
     None where neither flights nor stays near zero tell one, and chatter leaves a run unexplained where flanks may part,
-    or another effect than a slow one is in the model, or coarse codes are: what those leave may look like chatter. A gap that the
-    scenario states has the stated width where nothing tells another.
+    or coarse codes are in the model, which may look like chatter. A gap that the scenario states has the stated width
+    where nothing tells another.
     """
     alone = left_alone(case, base)
     rigs = simulated_rigs(case, alone)
     told = width(case, rigs)
-    if told is None and not case.stated_gap and _may_look_like_chatter(case):
+    if told is None and not case.stated_gap and case.nominal.parts_of(mechanisms.Quantization):
         return None
     fits = GapFits(case, base, alone, rigs)
     if told is not None:
@@ -45,12 +45,6 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     if case.stated_gap:
         return fits.around(case.stated_gap)
     return told_by_chatter(fits)
-
-
-def _may_look_like_chatter(case: Case) -> bool:
-    """Whether the model has coarse codes, or something was added to it that is more than slow."""
-    coarse = bool(case.nominal.parts_of(mechanisms.Quantization))
-    return coarse or any(not effect.slow for effect in case.accepted)
 
 
 def simulated_model(candidate: Candidate, model: Calibrated) -> Calibrated:

@@ -22,11 +22,14 @@ _AGAIN = 1 / 3  # of what a trial gains: it gains so much beside simulations of 
 def small_beside(trial: Trial, earlier: Sequence[Trial]) -> bool:
     """Whether an effect takes so little beside an earlier one of the shafts that it may be a part of that.
 
-    One of the sensor without a place of its own (what it lets pass, where its zero is) may not: shafts make lines.
+    One of the sensor without a place of its own (what it lets pass, where its zero is) may not: shafts make lines. Nor
+    may a gap be a part of a zero that drifts, which makes no flanks part.
     """
+    gap = any(part.kind == "backlash" for part in trial.candidate.parts)
+    drifted = gap and all(_of_the_sensor(one.candidate) for one in earlier)
     of_shafts = [one for one in earlier if (at := one.candidate.place) is None or at.domain == "order"]
     small = any(trial.gain < _SMALL * one.gain for one in of_shafts)
-    return small and not _of_the_sensor(trial.candidate)
+    return small and not (drifted or _of_the_sensor(trial.candidate))
 
 
 def _of_the_sensor(candidate: Candidate) -> bool:
