@@ -11,11 +11,11 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing import secondary
-from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
+from torquerig.diagnose.choosing.secondary import hump_of_a_tone, small_beside, stands_in_simulations
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.looking.places import Place, frequency, order
-from torquerig.mechanisms import Backlash, QuadraticDrag, SensorBandwidth, SensorDrift
+from torquerig.mechanisms import Backlash, MainsInterference, QuadraticDrag, SensorBandwidth, SensorDrift, TorsionalMode
 
 RATIO = 5.0
 DRAG = QuadraticDrag(name="quadratic_drag", coefficient=1e-3)
@@ -52,6 +52,26 @@ def test_a_gap_is_no_part_of_a_zero_that_drifts() -> None:
     assert not small_beside(trial(100.0, part=gap), [trial(10_000.0, part=drift)])
     assert small_beside(trial(100.0, part=gap), [trial(10_000.0, part=drift), trial(10_000.0)])
     assert small_beside(trial(100.0), [trial(10_000.0, part=drift)])
+
+
+@pytest.mark.parametrize(
+    ("at", "gain", "hump"), [(49.9, 100.0, True), (249.7, 100.0, True), (149.9, 100.0, False), (49.9, 1000.0, False),
+                             (49.0, 100.0, False)],
+    ids=["at the hum", "at its fifth", "at none of its lines", "too much for a hump", "beside it"],
+)  # fmt: skip
+def test_a_small_mode_at_a_hum_is_the_hump_of_what_wanders(at: float, gain: float, hump: bool) -> None:
+    hum = MainsInterference(name="hum", frequency=49.97, amplitudes=(0.01, 0.0, 0.0, 0.0, 0.1))
+    mode = TorsionalMode(name="mode", frequency=at, inertia=3e-4, damping_ratio=0.01)
+    found = replace_model(trial(gain, part=mode), mode)
+    assert hump_of_a_tone(found, [trial(10_000.0, frequency(249.85), hum)]) is hump
+    assert not hump_of_a_tone(found, [])
+    assert not hump_of_a_tone(found, [trial(10_000.0, order(12.6))])
+
+
+def replace_model(found: Trial, part: Any) -> Trial:
+    """Return a trial whose fitted rig is one part."""
+    model = SimpleNamespace(rig=SimpleNamespace(parts=(part,)), corrections=())
+    return cast(Trial, SimpleNamespace(gain=found.gain, candidate=found.candidate, model=model))
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import Calibrated
-from torquerig.diagnose.hypotheses import sensor_drift
+from torquerig.diagnose.hypotheses import sensor_drift, stribeck_friction
 from torquerig.diagnose.looking.features import features
 from torquerig.diagnose.looking.mean_steps import edges, mean_steps, without_steps
 from torquerig.diagnose.looking.observed import Observed
@@ -119,15 +119,16 @@ def test_it_is_told_and_mended_before_any_fit(clean: Recording, wear_rig: Scenar
 
 
 @pytest.mark.parametrize("stepping", [False, True])
-def test_a_drift_pays_for_what_a_step_that_was_not_seen_would_gain(
+def test_a_drift_and_a_friction_pay_for_what_a_step_that_was_not_seen_would_gain(
     stepping: bool, wear_rig: Scenario, by_hand: Callable[..., Observed]
 ) -> None:
     time = np.arange(60_000) / RATE
     run = replace(by_hand(0.1 * np.exp(-time), 100 * time, rate=RATE, name="run"), stepping=stepping)
     model = Calibrated(wear_rig.rig, (), np.zeros(0), np.zeros((0, 0)), (), 0.0)
     case = Case(nominal=wear_rig.rig, runs=(run,), seen=(features(run, []),), model=model, left=())
-    prices = {candidate.price for candidate in sensor_drift.propose(case)}
-    assert prices == ({300.0} if stepping else {0.0})
+    for propose in (sensor_drift.propose, stribeck_friction.propose):
+        prices = {candidate.price for candidate in propose(case)}
+        assert prices == ({300.0} if stepping else {0.0})
 
 
 def test_many_steps_are_told_and_left_in(clean: Recording, wear_rig: Scenario) -> None:

@@ -141,7 +141,7 @@ def test_it_is_told_in_words(clean: list[Recording], wear_rig: Scenario) -> None
         assert "1.5 N m apart, within a sample" in sentence
         assert place.domain == "time"
     assert found.untrue[0][1].at == pytest.approx(FLIPS[0][0] / RATE)
-    assert not found.stepping
+    assert found.stepping, "a jump that was not seen stays in the mean"
 
 
 def test_it_is_found_beside_a_bearing_that_rings(clean: list[Recording]) -> None:

@@ -11,6 +11,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
 from torquerig.diagnose.choosing.opened_gap import flanks_fly_for_sure
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
+from torquerig.diagnose.choosing.secondary import hump_of_a_tone
 from torquerig.diagnose.choosing.told_by_lines import told_by_lines
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, Trial
 from torquerig.diagnose.fitting.calibration import misfits_of
@@ -92,7 +93,7 @@ def _out_of_question(case: Case, trial: Trial, earlier: Sequence[Trial]) -> bool
     """Whether it is not to be named, however much it gains."""
     if trial.candidate.description and not mismatches(case):
         return True  # what does not stand out needs no description
-    if _levels_still_wrong(trial):
+    if _levels_still_wrong(trial) or hump_of_a_tone(trial, earlier):
         return True
     # such an effect beside noise that was described takes up what its description leaves
     return (_mode(trial) or _of_any_width(trial)) and any(each.candidate.description for each in earlier)

@@ -14,8 +14,12 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.judging.by_simulation import left_and_fall, left_by_simulation
 from torquerig.diagnose.judging.leftover import mismatches, stands_at
 from torquerig.diagnose.looking.places import Place
+from torquerig.rig.part import Part
 
 _SMALL = 0.03  # of what an effect took that was found earlier
+_WANDERS = (
+    3e-3  # of its frequency, by which a tone of a grid strays: a mode as near to it is a chance of one in a hundred
+)
 _AGAIN = 1 / 3  # of what a trial gains: it gains so much beside simulations of the rig without it, too
 
 
@@ -30,6 +34,29 @@ def small_beside(trial: Trial, earlier: Sequence[Trial]) -> bool:
     of_shafts = [one for one in earlier if (at := one.candidate.place) is None or at.domain == "order"]
     small = any(trial.gain < _SMALL * one.gain for one in of_shafts)
     return small and not (drifted or _of_the_sensor(trial.candidate))
+
+
+def hump_of_a_tone(trial: Trial, earlier: Sequence[Trial]) -> bool:
+    """Whether it is a mode that gains little where a tone of fixed frequency stands: what wanders is a hump there."""
+    names = {part.name for part in trial.candidate.parts if part.kind == "torsional_mode"}
+    at = [getattr(part, "frequency", 0.0) for part in trial.model.rig.parts if part.name in names]
+    tones = [tone for one in earlier if trial.gain < _SMALL * one.gain for tone in _tones(one)]
+    return any(abs(frequency - tone) < _WANDERS * tone for frequency in at for tone in tones)
+
+
+def _tones(one: Trial) -> list[float]:
+    """Return the frequencies [Hz] of what stands at fixed ones and was found: a hum's multiples, or its one line."""
+    place = one.candidate.place
+    if place is None or place.domain == "order":
+        return []
+    of_hums = [multiple for part in one.candidate.parts if part.kind == "mains_interference" for multiple in _hum(part)]
+    return [place.at, *of_hums]
+
+
+def _hum(part: Part) -> list[float]:
+    """Return the frequencies of a hum's lines [Hz]."""
+    base, volts = getattr(part, "frequency", 0.0), getattr(part, "amplitudes", ())
+    return [multiple * base for multiple, size in enumerate(volts, start=1) if size]
 
 
 def _of_the_sensor(candidate: Candidate) -> bool:

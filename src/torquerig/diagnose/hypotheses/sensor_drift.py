@@ -13,13 +13,13 @@ from torquerig.diagnose.expecting.added_signals import zero_of
 from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.misfit import LEVEL_FLOOR
+from torquerig.diagnose.hypotheses.beside_steps import price_beside_steps
 from torquerig.diagnose.linear.twin import Twin
 from torquerig.rig.part import Part
 
 _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording
 _START = 0.15  # [V] where the levels tell no span
 _SPREAD = 0.3  # [V]
-_BESIDE_STEPS = 300.0  # what a drift must gain beside where the mean steps: a step that was not seen looks like one
 _FASTEST = 0.25  # [s] heat and creep take longer to move a zero; what has settled sooner is an offset from the start
 
 
@@ -30,7 +30,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     both have taken their part of a drift, as the load's slow variation has.
     """
     longest = max(run.recording.duration for run in case.runs)
-    price = _BESIDE_STEPS if any(run.stepping for run in case.runs) else 0.0
+    price = price_beside_steps(case)
     for variant, constants in (("exponential", [share * longest for share in _CONSTANTS]), ("linear", [None])):
         fits = [_span(case, constant) for constant in constants]
         span, _ = fits[best := int(np.argmax([explained for _, explained in fits]))]

@@ -10,6 +10,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import SLOW_TORQUE, Candidate, Case
 from torquerig.diagnose.fitting.knobs import Knob
 from torquerig.diagnose.fitting.profiled import profiled_cost
+from torquerig.diagnose.hypotheses.beside_steps import price_beside_steps
 from torquerig.diagnose.linear.loaded_part import loaded_part
 from torquerig.rig.part import Part
 
@@ -45,7 +46,8 @@ def _best(case: Case, at: str, misfit: Callable[[Part], float]) -> Iterator[Cand
         )
         ranked.append((misfit(part), part))
     part = min(ranked, key=lambda item: item[0])[1]
-    yield Candidate(mechanism="stribeck_friction", parts=(part,), knobs=_knobs(part), loosens=SLOW_TORQUE)
+    price = price_beside_steps(case)
+    yield Candidate(mechanism="stribeck_friction", parts=(part,), knobs=_knobs(part), price=price, loosens=SLOW_TORQUE)
     if any(features.turning is not None for features in case.seen):
         own = replace(part, coulomb_backward=part.coulomb, static_backward=part.static)
         yield Candidate(
@@ -53,7 +55,7 @@ def _best(case: Case, at: str, misfit: Callable[[Part], float]) -> Iterator[Cand
             parts=(own,),
             knobs=_knobs(own),
             variant="by_direction",
-            price=_TWO_WAYS,
+            price=price + _TWO_WAYS,
             loosens=SLOW_TORQUE,
         )
 

@@ -54,7 +54,8 @@ class Observed:
     rebuilt : bool
         Whether moments at a limit were filled in, whose ends ring through the spectrum, which is then not looked at.
     stepping : bool
-        Whether the mean torque of this run or of another steps, of which some may not have been seen and stay in it.
+        Whether the mean torque of this run or of another steps, or jumps between two levels, of which some may not have
+        been seen and stay in it.
     broken : bool
         Whether samples of this run were written twice or lost, so that tones jump in phase that never did.
     swept : tuple of (float, float)
