@@ -93,8 +93,8 @@ def without_untrue(
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
     return Mended(
-        tuple(answer), tuple(moments_of_each), tuple(told), stepping=any(steps_of_each) or any(level.to_the_other), swept=swept,
-        to_the_other=level.to_the_other,
+        tuple(answer), tuple(moments_of_each), tuple(told), swept=swept,
+        stepping=any(steps_of_each) or any(level.to_the_other), to_the_other=level.to_the_other,
     )  # fmt: skip
 
 

@@ -17,9 +17,7 @@ from torquerig.diagnose.looking.places import Place
 from torquerig.rig.part import Part
 
 _SMALL = 0.03  # of what an effect took that was found earlier
-_WANDERS = (
-    3e-3  # of its frequency, by which a tone of a grid strays: a mode as near to it is a chance of one in a hundred
-)
+_WANDERS = 3e-3  # of its frequency, by which a grid's tone strays: one mode in a hundred stands as near to it
 _AGAIN = 1 / 3  # of what a trial gains: it gains so much beside simulations of the rig without it, too
 
 
