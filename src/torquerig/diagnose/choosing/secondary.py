@@ -27,11 +27,9 @@ def small_beside(trial: Trial, earlier: Sequence[Trial]) -> bool:
     One of the sensor without a place of its own (what it lets pass, where its zero is) may not: shafts make lines. Nor
     may a gap be a part of a zero that drifts, which makes no flanks part.
     """
-    gap = any(part.kind == "backlash" for part in trial.candidate.parts)
-    drifted = gap and all(_of_the_sensor(one.candidate) for one in earlier)
     of_shafts = [one for one in earlier if (at := one.candidate.place) is None or at.domain == "order"]
     small = any(trial.gain < _SMALL * one.gain for one in of_shafts)
-    return small and not (drifted or _of_the_sensor(trial.candidate))
+    return small and not (_of_the_sensor(trial.candidate) or _gap_behind_a_sensor(trial, earlier))
 
 
 def hump_of_a_tone(trial: Trial, earlier: Sequence[Trial]) -> bool:
@@ -55,6 +53,12 @@ def _hum(part: Part) -> list[float]:
     """Return the frequencies of a hum's lines [Hz]."""
     base, volts = getattr(part, "frequency", 0.0), getattr(part, "amplitudes", ())
     return [multiple * base for multiple, size in enumerate(volts, start=1) if size]
+
+
+def _gap_behind_a_sensor(trial: Trial, earlier: Sequence[Trial]) -> bool:
+    """Whether it is a gap beside effects of the sensor alone."""
+    gap = any(part.kind == "backlash" for part in trial.candidate.parts)
+    return gap and all(_of_the_sensor(one.candidate) for one in earlier)
 
 
 def _of_the_sensor(candidate: Candidate) -> bool:
