@@ -18,8 +18,9 @@ NONE = Tried((), ())
 
 def trial(name: str, gain: float) -> Any:
     return SimpleNamespace(
-        candidate=SimpleNamespace(mechanism=name, description="", place=None), gain=gain, gap=None, beside=(0.0, 0.0)
-    )
+        candidate=SimpleNamespace(mechanism=name, description="", place=None, slow=name == "drift"),
+        gain=gain, gap=None, beside=(0.0, 0.0),
+    )  # fmt: skip
 
 
 def case_of(names: tuple[str, ...], cost: float) -> Any:
@@ -34,7 +35,7 @@ def world(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[str, ...], float]:
     def trials(case: Any) -> Tried:
         found = [
             trial(name, case.model.cost - costs[(*case.names, name)])
-            for name in ("mesh", "blades", "hum")
+            for name in ("mesh", "blades", "hum", "drift", "friction")
             if (*case.names, name) in costs
         ]
         return Tried(tuple(sorted(found, key=lambda one: -one.gain)), ())
@@ -160,3 +161,18 @@ def test_a_rival_that_leads_to_what_was_taken_first_is_followed_no_further(
     monkeypatch.setattr(chain, "trials", counted)
     assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == ("mesh",)
     assert asked == [(), ("mesh",), ("blades",)]
+
+
+@pytest.mark.parametrize(("left", "found"), [(10.0, ("drift", "friction")), (200.0, ())], ids=["right", "still wrong"])
+def test_a_drift_whose_levels_a_friction_bends_is_half_of_a_pair_that_leaves_nothing(
+    left: float, found: tuple[str, ...], world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The friction alone is none that can be, since the drift bends it; and the drift alone leaves its levels wrong."""
+    world.clear()
+    world.update({(): 1000.0, ("drift",): 400.0, ("drift", "friction"): left})
+    monkeypatch.setattr(chain, "promising", lambda case, each: False)
+    monkeypatch.setattr(chain, "takes_much", lambda case, each: each.gain > 300)
+    monkeypatch.setattr(chain, "_together", lambda start, case, accepted: True)
+    monkeypatch.setattr(chain, "convincing", lambda case, each, **_: each.candidate.mechanism == "friction")
+    monkeypatch.setattr(chain, "small_beside", lambda trial, earlier: False)
+    assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == found

@@ -112,6 +112,9 @@ def test_what_does_not_suffice_alone_may_be_half_of_a_pair(case: Case, wear_rig:
     little = trial(wear_rig.rig, "gear_mesh", *[9.5] * 40, before=case.model)
     described = replace(much, candidate=replace(much.candidate, description="noise"))
     assert [judging.promising(case, each) for each in (much, little, described)] == [True, False, False]
+    slow = replace(much, candidate=replace(much.candidate, slow=True))
+    assert judging.takes_much(case, slow)
+    assert not judging.promising(case, slow), "the levels of a run stray beside it, all to one side"
 
 
 def test_a_table_of_clean_rigs_asks_for_more_than_the_built_in_gain(case: Case, wear_rig: Scenario) -> None:

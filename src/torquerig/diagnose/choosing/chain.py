@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import NamedTuple
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.around_gap import told_again, with_gap
 from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
 from torquerig.diagnose.choosing.confidence import confidence_of
-from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, worthiest
+from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, takes_much, worthiest
 from torquerig.diagnose.choosing.explained import (
     HARDLY_ANY,
     LARGEST_REST,
@@ -72,10 +73,10 @@ def _chain(
 
     It ends where it comes to the mechanism ``instead_of`` which it was begun: it is no other chain.
     """
-    case, accepted, on_trial, fewest, tried = start, list[Accepted](), False, 1, first
+    case, accepted, on_trial, tried = start, list[Accepted](), _OnTrial(), first
     if begin is not None and first is not None:
         accepted = [Accepted(before=start, trial=begin, tried=first)]
-        case, on_trial = with_all(start, accepted), not convincing(start, begin, earlier=[], held=held)
+        case, on_trial = with_all(start, accepted), _OnTrial(not convincing(start, begin, earlier=[], held=held))
     while True:
         progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
         tried = trials(case)
@@ -87,10 +88,7 @@ def _chain(
             if trial.gain >= described and convincing(case, trial, earlier=[each.trial for each in accepted], held=held)
         ]
         if not (good or accepted):  # where one does not suffice, two may
-            good = [trial for trial in tried.fitted if promising(case, trial)]
-            fewest = 1 if any(not trial.candidate.resembled for trial in good) else 2  # noise looks like the others
-            good = good or [trial for trial in tried.fitted if hopeful(case, trial)]
-            on_trial = bool(good)
+            good, on_trial = _half_right(case, tried)
         if not good or len(accepted) == MOST_EFFECTS:
             break
         of_each = {trial.candidate.mechanism: trial for trial in reversed(good)}  # the best of each, which come first
@@ -102,7 +100,7 @@ def _chain(
         case = with_all(start, accepted)
         if best.candidate.mechanism == instead_of:
             return Chain(case=case, accepted=tuple(accepted), begun=begin, first=first, last=tried)
-    if on_trial and (len(accepted) < fewest or not _together(start, case, accepted)):
+    if on_trial.yes and not _passed(on_trial, start, case, accepted):
         case, accepted = start, []
     begun = accepted[0].trial if accepted else None
     if len(accepted) > 1:
@@ -112,6 +110,32 @@ def _chain(
     while fallen := [each for each in accepted if not _stands(case, each)]:
         case, accepted = only(start, accepted, max(fallen, key=partial(rest_of, case)))
     return Chain(case=case, accepted=tuple(accepted), begun=begun, first=first, last=tried)
+
+
+class _OnTrial(NamedTuple):
+    """Whether what was taken first does not suffice alone, with how many it may, and if nothing may be left."""
+
+    yes: bool = False
+    fewest: int = 1
+    wholly: bool = False
+
+
+def _half_right(case: Case, tried: Tried) -> tuple[list[Trial], _OnTrial]:
+    """Return what may be half of a pair where nothing suffices alone; a drift beside friction leaves levels wrong."""
+    found = [trial for trial in tried.fitted if promising(case, trial)]
+    fewest = 1 if any(not trial.candidate.resembled for trial in found) else 2  # noise looks like the others
+    found = found or [trial for trial in tried.fitted if hopeful(case, trial)]
+    if found:
+        return found, _OnTrial(True, fewest)
+    found = [trial for trial in tried.fitted if trial.candidate.slow and takes_much(case, trial)]
+    return found, _OnTrial(bool(found), 2, wholly=True)
+
+
+def _passed(on_trial: _OnTrial, first: Case, final: Case, accepted: Sequence[Accepted]) -> bool:
+    """Whether effects of which the first was on trial are right together."""
+    if len(accepted) < on_trial.fewest or (on_trial.wholly and mismatches(final)):
+        return False
+    return _together(first, final, accepted)
 
 
 def _rival_of_first(case: Case, found: Chain) -> Trial | None:

@@ -174,10 +174,13 @@ def _least_gain(case: Case, trial: Trial) -> float:
 
 def promising(case: Case, trial: Trial) -> bool:
     """Whether the trial takes away so much that it is worth asking what another beside it would do."""
+    return not _levels_still_wrong(trial) and takes_much(case, trial)
+
+
+def takes_much(case: Case, trial: Trial) -> bool:
+    """Whether the trial takes away a third of what is wrong, and half at its own places."""
     much = trial.gain > max(_PROMISING_GAIN * excess(case), LEAST_GAIN)
-    if trial.candidate.description or _levels_still_wrong(trial):
-        return False
-    return much and share_of(case, trial) > _PROMISING_SHARE
+    return much and not trial.candidate.description and share_of(case, trial) > _PROMISING_SHARE
 
 
 def hopeful(case: Case, trial: Trial) -> bool:
