@@ -15,6 +15,7 @@ Beside the linear twin
     backlash
 Beside the classes
     fixed_lines  left lines that keep their frequency      reasons  why a class was set aside
+    beside_steps  what an effect of the slow torque pays where the mean steps
     motor_orders  where slots and poles put cogging
 """
 

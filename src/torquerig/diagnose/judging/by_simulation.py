@@ -22,6 +22,7 @@ from torquerig.diagnose.fitting.misfit import misfit_sum
 from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.looking.flights import CLEARLY, flights_counted
 from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
+from torquerig.diagnose.looking.from_zero import undrifted
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.without_tones import without_tones
 from torquerig.errors import SimulationError
@@ -88,9 +89,9 @@ def _flies_more(case: Case, copies: Sequence[Sequence[Observed]]) -> bool:
 
     Of a bearing's rings, which differ in size as those of a simulation do not, a few look like blows after a rest.
     """
-    shown = sum(flights_beyond_lines(features) for features in case.seen)
+    shown = sum(flights_beyond_lines(features) for features in case.from_zero)
     made = sum(
-        flights_counted(without_tones(each[0], features.places))
+        flights_counted(without_tones(undrifted(each[0], case.model.rig), features.places))
         for features, each in zip(case.seen, copies, strict=True)
     )
     return shown - made >= CLEARLY + _OF_RINGS * _rings(case)

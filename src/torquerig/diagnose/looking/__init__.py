@@ -30,5 +30,6 @@ sample_jumps    from one sample to the next            tone_frequency  by all ru
 spread_heights  the power of a hertz or two over that on both sides
 held_samples    renewed more seldom than written       leakage      of slow noise into fast lines
 pulses_both_ways   in how many pulses a turn a load comes
+from_zero       a run whose zero has not drifted
 own_factor      how far off the set-point of one moving run is
 """
