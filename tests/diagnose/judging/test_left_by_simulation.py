@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import pi
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,7 +25,7 @@ from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.shaft_angle import shaft_angles
 from torquerig.errors import SimulationError
-from torquerig.mechanisms import BearingDefect, Cogging, QuadraticDrag
+from torquerig.mechanisms import Backlash, BearingDefect, Cogging, QuadraticDrag, SensorDrift
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
@@ -163,3 +165,15 @@ def test_a_few_of_a_bearings_rings_look_like_flights(
     copies = [[run] for run in plain.runs]
     assert by_simulation._flies_more(plain, copies)
     assert not by_simulation._flies_more(struck, copies)
+
+
+def test_flights_behind_a_drift_are_more_than_its_simulations_make(
+    wear_rig: Scenario, record: Callable[..., Recording]
+) -> None:
+    drifting = wear_rig.rig + SensorDrift(name="sensor_drift", span=1.5, time_constant=0.8)
+    gap = Backlash(name="backlash", gear="gearbox", gap=15 / 60 * pi / 180)
+    settings: dict[str, Any] = {"rpm": 200.0, "occupancy": 0.0, "rate": 25_000.0, "duration": 12.0}
+    flying, still = (case_of(rig, record(rig, 3, **settings)) for rig in (drifting + gap, drifting))
+    known = replace(flying, model=replace(flying.model, rig=drifting))
+    assert by_simulation._flies_more(known, [[run] for run in still.runs])
+    assert not by_simulation._flies_more(known, [[run] for run in flying.runs])
