@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from torquerig.diagnose.looking.value_features import value_misfit
+from torquerig.diagnose.looking.value_features import of_values, value_misfit
 
 
 def _counted(jumps: float | np.ndarray) -> np.ndarray:
@@ -33,3 +33,14 @@ def test_what_is_there_ten_times_is_missed_clearly() -> None:
 def test_shares_are_missed_by_their_own_spreads() -> None:
     missed = value_misfit(np.array([0.5, 0.1, 1.2]), np.array([0.1, 0.0, 1.2]))
     assert missed == pytest.approx([0.4 / np.hypot(0.01, 0.075), 0.1 / np.hypot(2e-3, 0.015), 0.0])
+
+
+def test_a_reading_that_stands_at_its_limit_jumps_no_more_often_than_the_torque() -> None:
+    rng = np.random.default_rng(2)
+    slow = np.convolve(rng.standard_normal(60_000), np.ones(40) / 40, mode="same")
+    torque = slow + 1e-3 * rng.standard_normal(60_000)
+    torque[3000::6000] -= 4.0  # ten lost samples, there and back
+    volts = np.minimum(torque, np.quantile(torque, 0.4))
+    _, on_end, counted = of_values(volts)
+    assert on_end == pytest.approx(0.6, abs=0.01)
+    assert counted == pytest.approx(of_values(torque)[2], abs=2.0)

@@ -16,14 +16,21 @@ _FLOORS = np.array([0.01, 2e-3, 1.22])  # the chance of a count and of the mean 
 
 
 def value_features(observed: Observed, *, held: bool) -> Floats:
+    """Return ``of_values`` of the raw torque channel's held-out or other stretches, shape (3,)."""
+    channel = observed.recording.channels[observed.recording.torque_name()]
+    return of_values(np.concatenate([channel.values[s.start : s.stop] for s in observed.stretches if s.held == held]))
+
+
+def of_values(volts: Floats) -> Floats:
     """Return the share of equal neighbours, the share of samples on the end value, and the jumps, shape (3,).
 
-    Jumps are counted as twice the root of their number, which chance spreads by 1 (Anscombe 1948, Biometrika 35).
+    Jumps are steps of more than 12 spreads of those steps that move at all: a reading that stands at its limit for a
+    third of the time would otherwise seem to jump wherever it does not. They are counted as twice the root of their
+    number, which chance spreads by 1 (Anscombe 1948, Biometrika 35).
     """
-    channel = observed.recording.channels[observed.recording.torque_name()]
-    volts = np.concatenate([channel.values[s.start : s.stop] for s in observed.stretches if s.held == held])
     steps = np.diff(volts)
-    sigma = spread_about_median(steps)
+    moving = steps[steps != 0]
+    sigma = spread_about_median(moving) if moving.size else 0.0
     on_end = max(float(np.mean(volts == volts.max())), float(np.mean(volts == volts.min())))
     jumps = float(np.sum(np.abs(steps) > _JUMP * sigma)) if sigma > 0 else 0.0
     return np.array([float(np.mean(steps == 0)), on_end, 2 * np.sqrt(jumps + 0.375)])
