@@ -40,6 +40,11 @@ def test_few_events_leave_all_bands_to_chance(correction: Correction) -> None:
     assert answer.power_tolerance == pytest.approx([np.hypot(0.3, 0.8), np.hypot(0.25 * np.log(10.0), 0.8)])
 
 
+def test_what_events_leave_beside_widens_every_amplitude_of_a_stretch(correction: Correction) -> None:
+    answer = corrected(BEFORE, replace(correction, beside=np.array([[4e-6]])))
+    assert answer.variance == pytest.approx(np.array([[5e-6]]))
+
+
 def test_half_of_a_change_at_a_reversal_is_chance_where_it_changes() -> None:
     turning = replace(BEFORE, turning=np.array([-1.0, 0.4]), turning_tolerance=np.array([0.05, 0.05]))
     change = between([replace(turning, turning=np.array([-0.2, 0.4]))], [turning])[0]

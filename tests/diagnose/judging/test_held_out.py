@@ -7,8 +7,10 @@ from dataclasses import replace
 from types import SimpleNamespace
 from typing import cast
 
+import numpy as np
 import pytest
 
+from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.judging import held_out as judged
@@ -102,3 +104,19 @@ def test_a_load_is_untold_where_all_that_was_fitted_ran_without_or_a_limit_took_
         for name, at, mended in zip(("run1", "run2"), occupancies, (rebuilt, False), strict=True)
     ]
     assert of_untold_loads(held, fitted={"run2"}) == untold
+
+
+@pytest.mark.parametrize("blown", [[], [40_000]])
+def test_blows_leave_bands_of_a_steady_run_and_lines_of_a_ramp_to_chance_wherever_the_run_shows_them(
+    blown: list[int], wear_rig: Scenario, held: tuple[Features, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Shown where fits may see them alone, they are chance of what is held out as well, for every model alike."""
+    monkeypatch.setattr(judged, "blows", lambda _, *, held: blown if held is None else [])
+    steady, model = held[0], expected(wear_rig.rig, held[0])
+    recording = steady.observed.recording
+    moving = replace(steady.observed, recording=replace(recording, run=replace(recording.run, profile="ramp")))
+    widened = judged._left_to_blows(model, steady, copies=2)
+    assert bool(np.all(widened.power_tolerance > 1.0)) == bool(blown)
+    freed = judged._left_to_blows(model, replace(steady, observed=moving), copies=2)
+    assert bool(np.all(freed.variance > model.variance)) == bool(blown)
+    assert np.array_equal(freed.power_tolerance, model.power_tolerance)

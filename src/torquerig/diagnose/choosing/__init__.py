@@ -10,5 +10,6 @@ set_aside    what was not fitted, and why          around_gap   a gap told again
 secondary    what is small beside a large effect  numbers_held  before all is withdrawn
 opened_gap   where flanks may part                 gap_width    how wide the gap is
 gap_fits     a model fitted around a gap           chattering   a gap that its chatter tells
+beside_gaps  what is no detail of a gap, and what is likelier than one
 possible     whether its numbers are such as can be, and as rigs have
 """

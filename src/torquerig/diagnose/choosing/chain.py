@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.around_gap import told_again, with_gap
+from torquerig.diagnose.choosing.beside_gaps import chatter_outdone
 from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
 from torquerig.diagnose.choosing.confidence import confidence_of
 from torquerig.diagnose.choosing.convincing import convincing, hopeful, promising, takes_much, worthiest
@@ -85,7 +86,9 @@ def _chain(
         good = [
             trial
             for trial in (*_around_gap(case, tried), *tried.fitted)
-            if trial.gain >= described and convincing(case, trial, earlier=[each.trial for each in accepted], held=held)
+            if trial.gain >= described
+            and convincing(case, trial, earlier=[each.trial for each in accepted], held=held)
+            and not chatter_outdone(case, trial, tried.fitted)
         ]
         if not (good or accepted):  # where one does not suffice, two may
             good, on_trial = _half_right(case, tried)

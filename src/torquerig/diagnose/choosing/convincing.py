@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.beside_gaps import gained_by_closed_lines
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
 from torquerig.diagnose.choosing.opened_gap import flanks_fly_for_sure
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
@@ -25,6 +26,7 @@ _LARGE = 60.0  # gain above which a smaller share is enough, if the model then f
 _VERY_LARGE, _HALF = 180.0, 0.45  # gain that no chance brings: of what else moved with it, that much may stray
 _AMPLY = 0.6  # per feature, without prices: as rigs are fitted whose model lacks nothing (0.2 to 0.6 of blind ones)
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
+_WHERE_CLOSED = 80.0  # gained by lines where flanks stay closed: twice what an effect must gain in all
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _OF_RINGING = 0.4  # what looks like modes or a low-pass beside impacts: how they ring is another's law, and the shafts'
@@ -158,6 +160,8 @@ def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> lis
     """Return what the details of effects that were found earlier may gain when another effect takes them up."""
     struck = [each for each in earlier if each.candidate.mechanism == "bearing_defect" and trial.candidate.resembled]
     rings = [_OF_RINGING * each.gain for each in struck]
+    if case.model.corrections and gained_by_closed_lines(case, trial) > _WHERE_CLOSED:
+        return rings
     if trial.gap is not None:
         return [*rings, *(_OF_EARLIER_TOLD_AGAIN * each.gain for each in earlier)]
     if case.model.corrections or rings:

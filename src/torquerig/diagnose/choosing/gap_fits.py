@@ -16,7 +16,7 @@ from torquerig.diagnose.expecting.phased import with_phases_of
 from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.calibration import MOST_DERIVATIVES, Calibrated, calibrated
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.flight_statistics import chance_of_blows
+from torquerig.diagnose.looking.flight_statistics import chance_of_amplitudes, chance_of_blows
 from torquerig.diagnose.looking.flights import blows
 from torquerig.diagnose.looking.from_zero import undrifted
 from torquerig.diagnose.looking.observed import Observed
@@ -77,7 +77,10 @@ class GapFits:
         """Return the fit around a gap [rad], by so many sets of derivatives at the most."""
         parted, copies = self._simulated(gap)
         scatter = [_scatter(*each) for each in zip(self.case.from_zero, copies, self._rigs, strict=True)]
-        corrections = between(parted, self._closed, scatter=scatter)
+        corrections = [
+            replace(each, beside=chance_of_amplitudes(seen) if flanks_may_part(seen) else 0.0)
+            for each, seen in zip(between(parted, self._closed, scatter=scatter), self.case.from_zero, strict=True)
+        ]
         return FittedGap(opened(self.case, gap), self._fitted(self._alone.positions, corrections, derivatives))
 
     def better(self, rough: FittedGap) -> FittedGap:

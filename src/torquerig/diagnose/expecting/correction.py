@@ -21,7 +21,8 @@ _WHEN = 0.5  # share of a change in the blocks of a reversal: when flanks meet a
 class Correction:
     """Factor on the density, addition to the square of the amplitudes, additions to level and turning torque.
 
-    ``scatter`` is what the small number of events that make the change leaves of the density's logarithm to chance [1].
+    ``scatter`` is what the small number of events that make the change leaves of the density's logarithm to chance [1],
+    ``beside`` what they leave of the square of any amplitude in each stretch [(N m)^2].
     """
 
     power: Floats
@@ -29,6 +30,7 @@ class Correction:
     level: Floats
     turning: Floats | None
     scatter: float = 0.0
+    beside: Floats | float = 0.0
 
 
 def between(
@@ -52,6 +54,7 @@ def corrected(model: Expectation, correction: Correction) -> Expectation:
     chance = np.hypot(_CHANCE * np.log(correction.power), correction.scatter)
     return replace(
         model,
+        variance=model.variance + correction.beside,
         power_tolerance=np.hypot(model.power_tolerance, chance) if power.size else 0.0,
         amplitude_tolerance=np.hypot(model.amplitude_tolerance, _CHANCE * np.sqrt(np.abs(correction.squares))),
         power=power,

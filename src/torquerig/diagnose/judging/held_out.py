@@ -16,7 +16,7 @@ from torquerig.diagnose.expecting.simulated import expected_from, simulated_runs
 from torquerig.diagnose.fitting.misfit import Misfit, called_chance, misfit, robust_squares
 from torquerig.diagnose.judging.share_explained import share_explained
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.looking.flight_statistics import chance_of_blows
+from torquerig.diagnose.looking.flight_statistics import chance_of_amplitudes, chance_of_blows
 from torquerig.diagnose.looking.flights import blows
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.value_features import value_features, value_misfit
@@ -59,15 +59,18 @@ def _by_simulation(
 
 
 def _left_to_blows(model: Expectation, seen: Features, *, copies: int) -> Expectation:
-    """Return the expectation with what the few blows that a run shows leave of its spectrum to chance.
+    """Return the expectation with what the few blows that a run shows leave of its spectrum or its lines to chance.
 
-    It is the same for every model: so many blows are taken for each simulation too.
+    It is the same for every model: so many blows are taken for each simulation too. A run that shows them where fits
+    may see it chatters where they may not.
     """
+    if not blows(seen.untoned, held=None):
+        return model
+    if not seen.observed.steady:
+        return replace(model, variance=model.variance + chance_of_amplitudes(seen))
     there = len(blows(seen.untoned, held=True))
     chance = chance_of_blows(there, copies * there)
-    return (
-        replace(model, power_tolerance=np.hypot(model.power_tolerance, chance)) if there and model.power.size else model
-    )
+    return replace(model, power_tolerance=np.hypot(model.power_tolerance, chance)) if model.power.size else model
 
 
 def _flown(seen: Features, copies: Sequence[Observed]) -> float:

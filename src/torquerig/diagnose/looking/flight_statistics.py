@@ -8,6 +8,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.flights import SHORTEST, flights
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.rig.rig import Rig
@@ -45,3 +46,16 @@ def flight_misfit(measured: Floats, model: Floats) -> Floats:
 def chance_of_blows(there: int, here: int) -> float:
     """Return what the numbers of blows in a run and in its simulations leave of its density's logarithm to chance."""
     return _OF_ONE_BLOW * float(np.sqrt(1 / (1 + there) + 1 / (1 + here)))
+
+
+def chance_of_amplitudes(seen: Features) -> Floats | float:
+    """Return what the blows of a run whose speed changes leave of the square of any amplitude to chance [(N m)^2].
+
+    Half of the places of each stretch show more, shape (stretches, 1): when flanks meet is another matter in each run,
+    and how hard one of the contact. Of a run at one speed, whose lines are told by all stretches together, 0.
+    """
+    if seen.observed.steady or not seen.amplitude.size:
+        return 0.0
+    shown = np.isfinite(seen.amplitude)
+    squares = np.where(shown, np.abs(seen.amplitude) ** 2, np.nan)
+    return np.array([[np.nanmedian(row)] if there.any() else [0.0] for row, there in zip(squares, shown, strict=True)])
