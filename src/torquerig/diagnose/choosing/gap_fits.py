@@ -78,7 +78,7 @@ class GapFits:
         parted, copies = self._simulated(gap)
         scatter = [_scatter(*each) for each in zip(self.case.from_zero, copies, self._rigs, strict=True)]
         corrections = [
-            replace(each, beside=chance_of_amplitudes(seen) if flanks_may_part(seen) else 0.0)
+            replace(each, beside=_beside(seen))
             for each, seen in zip(between(parted, self._closed, scatter=scatter), self.case.from_zero, strict=True)
         ]
         return FittedGap(opened(self.case, gap), self._fitted(self._alone.positions, corrections, derivatives))
@@ -106,6 +106,11 @@ def _slow_part(seen: Features) -> Features:
     if seen.turning is not None:
         return seen
     return replace(seen.without(seen.places), power=np.full(seen.power.shape, np.nan))
+
+
+def _beside(seen: Features) -> NDArray[np.float64] | float:
+    """Return what the blows that a run shows leave of the square of any amplitude to chance [(N m)^2]."""
+    return chance_of_amplitudes(seen) if flanks_may_part(seen) and blows(seen.untoned, held=None) else 0.0
 
 
 def _scatter(seen: Features, copies: Sequence[Observed], rig: Rig) -> float:

@@ -8,7 +8,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.chattering import told_by_chatter, unexplained
 from torquerig.diagnose.choosing.gap_fits import FittedGap, GapFits, left_alone, simulated_rigs
-from torquerig.diagnose.choosing.gap_width import width
+from torquerig.diagnose.choosing.gap_width import WithGaps, stays_speak_against, width
 from torquerig.diagnose.choosing.opened_gap import flanks_fly, opened
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.rig.rig import Rig
@@ -30,13 +30,14 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     """Return the gap whose simulations come nearest to the recordings, and the model fitted around it.
 
     None where neither flights nor stays near zero tell one, and chatter leaves a run unexplained where flanks may part,
-    or coarse codes are in the model, which may look like chatter. A gap that the scenario states has the stated width
-    where nothing tells another.
+    or coarse codes are in the model, which may look like chatter, or stays near zero speak against any gap beside what
+    was found before. A gap that the scenario states has the stated width where nothing tells another.
     """
     alone = left_alone(case, base)
     rigs = simulated_rigs(case, alone)
-    told = width(case, rigs)
-    if told is None and not case.stated_gap and case.nominal.parts_of(mechanisms.Quantization):
+    shown = WithGaps(case, rigs)
+    told = width(shown)
+    if told is None and not case.stated_gap and _no_chatter(case, shown):
         return None
     fits = GapFits(case, base, alone, rigs)
     if told is not None:
@@ -45,6 +46,14 @@ def fitted_gap(case: Case, base: Rig) -> FittedGap | None:
     if case.stated_gap:
         return fits.around(case.stated_gap)
     return told_by_chatter(fits)
+
+
+def _no_chatter(case: Case, shown: WithGaps) -> bool:
+    """Whether what looks like chatter is none: coarse codes, or moments of which stays near zero know nothing.
+
+    Stays are asked beside what was found before, which may leave a rest that looks like chatter.
+    """
+    return bool(case.nominal.parts_of(mechanisms.Quantization) or (case.accepted and stays_speak_against(shown)))
 
 
 def simulated_model(candidate: Candidate, model: Calibrated) -> Calibrated:

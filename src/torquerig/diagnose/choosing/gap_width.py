@@ -51,20 +51,18 @@ class Width:
     opened: float
 
 
-def width(case: Case, rigs: Sequence[Rig]) -> Width | None:
-    """Return the gap that comes nearest to the recordings, or None where neither flights nor stays tell any.
-
-    Parameters
-    ----------
-    case : Case
-    rigs : sequence of Rig
-        The model without a gap as it is simulated for each of the case's runs.
-    """
-    shown = _WithGaps(case, rigs)
+def width(shown: WithGaps) -> Width | None:
+    """Return the gap that comes nearest to the recordings, or None where neither flights nor stays tell any."""
     if not shown.rigs:
         return None
-    told = _told_by(case, shown, flying=True) if flanks_fly(case) else None
-    return _told_by(case, shown, flying=False) if told is None else told
+    told = _told_by(shown, flying=True) if flanks_fly(shown.case) else None
+    return _told_by(shown, flying=False) if told is None else told
+
+
+def stays_speak_against(shown: WithGaps) -> bool:
+    """Whether the torque stays near zero as it does without a gap, and with one of any width would clearly not."""
+    missed = _Missed(shown, flying=False)
+    return bool(shown.rigs) and float(missed.opened.min()) > missed.closed + _LEAST_GAIN
 
 
 class _Statistics(NamedTuple):
@@ -74,7 +72,7 @@ class _Statistics(NamedTuple):
     stays: Floats
 
 
-class _WithGaps:
+class WithGaps:
     """What the runs in which flanks may part show of flights and of stays near zero, and their simulations with gaps.
 
     Each gap is simulated once, whichever of both is asked first.
@@ -121,23 +119,47 @@ class _WithGaps:
         return _Statistics(flights=flight_statistics(run, rig=self.case.nominal), stays=near_zero_stays(run))
 
 
-def _told_by(case: Case, shown: _WithGaps, *, flying: bool) -> Width | None:
+class _Missed:
+    """By how much flights, or else stays near zero, are missed without a gap and with each of ``_FINE``."""
+
+    def __init__(self, shown: WithGaps, *, flying: bool) -> None:
+        self._shown = shown
+        self._which, self._apart = (
+            (attrgetter("flights"), flight_misfit) if flying else (attrgetter("stays"), near_zero_misfit)
+        )
+        self._told = [self._which(run) for run in shown.told]
+
+    @property
+    def count(self) -> int:
+        """How many numbers of all runs are compared."""
+        return int(np.concatenate(self._told).size)
+
+    @property
+    def closed(self) -> float:
+        """Without a gap."""
+        return self._cost([self._which(run) for run in self._shown.closed])
+
+    @property
+    def opened(self) -> Floats:
+        """With a gap, shape (fine,)."""
+        each = np.array([[self._which(run) for run in runs] for runs in self._shown.opened])
+        return np.array([self._cost(modelled) for modelled in _smoothed(each)])
+
+    def _cost(self, modelled: Sequence[Floats] | Floats) -> float:
+        pairs = zip(self._told, modelled, strict=True)
+        return float(sum(robust_squares(self._apart(measured, model)).sum() for measured, model in pairs))
+
+
+def _told_by(shown: WithGaps, *, flying: bool) -> Width | None:
     """Return the width as flights tell it, or else stays near zero."""
-    which, apart = (attrgetter("flights"), flight_misfit) if flying else (attrgetter("stays"), near_zero_misfit)
-    told = [which(run) for run in shown.told]
-
-    def cost(modelled: Sequence[Floats] | Floats) -> float:
-        pairs = zip(told, modelled, strict=True)
-        return float(sum(robust_squares(apart(measured, model)).sum() for measured, model in pairs))
-
-    closed = cost([which(run) for run in shown.closed])
+    missed = _Missed(shown, flying=flying)
+    closed = missed.closed
     if closed < _LEAST_GAIN:
         return None
-    each = np.array([[which(run) for run in runs] for runs in shown.opened])
-    costs = np.array([cost(modelled) for modelled in _smoothed(each)])
+    costs = missed.opened
     # what no width explains is no chance of the width's: the variance is inflated by it
-    inflated = costs / max(1.0, float(costs.min()) / np.concatenate(told).size)
-    inflated += _far_from_longest(case, shown.seen) if flanks_fly(case) else 0.0
+    inflated = costs / max(1.0, float(costs.min()) / missed.count)
+    inflated += _far_from_longest(shown.case, shown.seen) if flanks_fly(shown.case) else 0.0
     at = int(np.argmin(inflated))
     if costs[at] >= closed - _LEAST_GAIN:
         return None
