@@ -26,7 +26,7 @@ def test_runs_of_which_none_parts_its_flanks_tell_no_width(
 
 
 @pytest.mark.parametrize(
-    ("beside_gaps", "against"), [(30.0, True), (0.3, False)], ids=["none is as seen", "some is nearly as seen"]
+    ("beside_gaps", "against"), [(30.0, True), (0.15, False)], ids=["none is as seen", "some is nearly as seen"]
 )
 def test_stays_as_without_a_gap_speak_against_any_that_would_change_them(beside_gaps: float, against: bool) -> None:
     seen, closed, parted = (SimpleNamespace(stays=np.full(5, level)) for level in (0.0, 0.1, beside_gaps))

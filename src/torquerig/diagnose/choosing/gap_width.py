@@ -35,6 +35,7 @@ _GAPS = np.geomspace(1.5, 45.0, 6) * ARCMIN  # [rad]
 _BEYOND, _SHORT = 0.15, 0.3  # [1] of the logarithm: wider than the longest flight, narrower than where it was measured
 _FINE = np.geomspace(_GAPS[0], _GAPS[-1], 121)
 _LEAST_GAIN = 20.0  # by which flights or stays near zero torque must speak for a gap
+_AGAINST = 10.0  # by which stays must speak against any, where nothing but chatter speaks for one
 _AT_A_TIME = 0.75  # turns a run in which the gaps are simulated: sixteen recordings are held, two full batches
 _SEEDS = (1, 2)
 _ALIKE = 4.0  # of the misfit: 95 % of one number
@@ -62,7 +63,7 @@ def width(shown: WithGaps) -> Width | None:
 def stays_speak_against(shown: WithGaps) -> bool:
     """Whether the torque stays near zero as it does without a gap, and with one of any width would clearly not."""
     missed = _Missed(shown, flying=False)
-    return bool(shown.rigs) and float(missed.opened.min()) > missed.closed + _LEAST_GAIN
+    return bool(shown.rigs) and float(missed.opened.min()) > missed.closed + _AGAINST
 
 
 class _Statistics(NamedTuple):
