@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from torquerig.diagnose.beginning import Beginning
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.diagnosis import HeldOut, Mismatch
 from torquerig.diagnose.findings import Searched
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
@@ -26,7 +27,6 @@ from torquerig.diagnose.judging.withdrawn import (
     why_withdrawn,
 )
 from torquerig.diagnose.looking.features import Features
-from torquerig.diagnose.own_gap import MECHANISM
 from torquerig.rig.rig import Rig
 
 # reasons that hold beside numbers that stand still, which explain no more of a rest
@@ -160,6 +160,6 @@ def _refused(start: Beginning, told: Believed) -> str:
         ),
         own_line=told.sought.lines_of_one_size
         and any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
-        everywhere=missed_everywhere(told.after, told.held, by=FAR), gap=told.after.has(MECHANISM),
-        flights_told=flown and told.after.has(MECHANISM) and not any(of_flights(each) for each in told.left),
+        everywhere=missed_everywhere(told.after, told.held, by=FAR), gap=told.after.has(GAP),
+        flights_told=flown and told.after.has(GAP) and not any(of_flights(each) for each in told.left),
     )  # fmt: skip

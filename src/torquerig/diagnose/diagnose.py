@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from torquerig.diagnose.beginning import begun
 from torquerig.diagnose.believed import believed
 from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.diagnosis import Diagnosis, Finding, Mismatch, UsedRecording, Verdict
 from torquerig.diagnose.findings import faults_found, reasons, run_for_the_rest, searched
 from torquerig.diagnose.judging.last_questions import last_question
 from torquerig.diagnose.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.own_gap import MECHANISM
 from torquerig.diagnose.sample_findings import SampleFindings
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
@@ -92,8 +92,8 @@ def diagnose(
     progress("predicting what no fit has seen")
     told = believed(start, all_found, seed=seed)
     sought, after, fit, left = told.sought, told.after, told.fit, told.left
-    gap_told = own_gap is not None and after.has(MECHANISM)
-    named = [each for each in sought.findings if not (gap_told and each.mechanism == MECHANISM)]
+    gap_told = own_gap is not None and after.has(GAP)
+    named = [each for each in sought.findings if not (gap_told and each.mechanism == GAP)]
     found_more = bool(named or faults.candidates or sought.descriptions)
     found = [*faults_found(faults, after, gain=fit.before - fit.after), *named]
     as_a_whole, asked = tuple[Mismatch, ...](), tuple[tuple[str, Mismatch], ...]()
@@ -138,7 +138,7 @@ def _verdict(
 
 def _asked_last(case: Case, faults: SampleFindings) -> tuple[tuple[str, Mismatch], ...]:
     """Return what the last questions find, where no fault of samples and no gap is there, which make such things."""
-    if faults.candidates or faults.unnamed or case.has(MECHANISM):
+    if faults.candidates or faults.unnamed or case.has(GAP):
         return ()
     told = last_question(case)
     return () if told is None else (told,)

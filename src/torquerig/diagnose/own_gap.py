@@ -10,7 +10,6 @@ from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
 
-MECHANISM = "backlash"
 _ARCMIN = pi / 180 / 60
 
 

@@ -15,6 +15,7 @@ from torquerig.diagnose.choosing import convincing as judging
 from torquerig.diagnose.choosing import opened_gap
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnosis import Mismatch
+from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.misfit import Misfit, misfit_sum
 from torquerig.diagnose.hypotheses import is_possible
@@ -390,3 +391,15 @@ def test_a_gap_whose_flights_are_seen_may_leave_half(
     assert 0.45 < judging.share_of(case, gap) < 0.55
     assert judging.convincing(case, gap, earlier=(), held=()) is named
     assert not judging.convincing(case, mode, earlier=(), held=())
+
+
+@pytest.mark.parametrize(("closed", "named"), [(200.0, True), (30.0, False)])
+def test_a_line_that_goes_where_flanks_stay_closed_is_named_beside_a_gap_that_gained_much(
+    closed: float, named: bool, case: Case, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What gains less than a quarter of a gap may be its detail; not where the gap changes nothing."""
+    monkeypatch.setattr(judging, "gained_by_closed_lines", lambda *_: closed)
+    case = replace(case, model=replace(case.model, corrections=(cast("Correction", object()),)))
+    line = trial(wear_rig.rig, "cogging", *[1.0] * 40, before=case.model)
+    gap = replace(trial(wear_rig.rig, "backlash", *[10.0] * 40, before=case.model), gain=5 * line.gain)
+    assert judging.convincing(case, line, earlier=(gap,), held=()) is named

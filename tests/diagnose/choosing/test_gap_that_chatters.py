@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -97,9 +98,9 @@ def test_gaps_whose_chatter_is_far_from_the_recordings_are_fitted_roughly_only(
     assert made[:4] == [1] * 4
 
 
-@pytest.mark.parametrize("coarse", [False, True])
-def test_chatter_is_told_beside_other_effects_and_not_under_coarse_codes(
-    coarse: bool, known_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("coarse", "against"), [(False, False), (True, False), (False, True)])
+def test_chatter_is_told_beside_other_effects_and_not_under_coarse_codes_nor_against_stays(
+    coarse: bool, against: bool, known_rig: Scenario, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rig = known_rig.rig + Quantization(name="quantization", step=0.05) if coarse else known_rig.rig
     blades = Candidate(mechanism="blade_pass", parts=(), knobs=())
@@ -109,7 +110,10 @@ def test_chatter_is_told_beside_other_effects_and_not_under_coarse_codes(
     monkeypatch.setattr(gap_trial, "width", lambda *_: None)
     monkeypatch.setattr(gap_trial, "told_by_chatter", lambda _: found)
     monkeypatch.setattr(GapFits, "_simulated", lambda *_: ((), []))
-    assert fitted_gap(case, rig) is (None if coarse else found)
+    monkeypatch.setattr(gap_trial, "stays_speak_against", lambda _: against)
+    assert fitted_gap(case, rig) is (None if coarse or against else found)
+    alone = replace(case, accepted=())
+    assert fitted_gap(alone, rig) is (None if coarse else found), "stays are asked beside what was found before alone"
 
 
 @pytest.mark.parametrize(("below", "part"), [(0.001, False), (0.005, True)])

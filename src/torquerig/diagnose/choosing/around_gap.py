@@ -7,11 +7,10 @@ from dataclasses import replace
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, simulated_model
+from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.choosing.revising import Accepted
 from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
 from torquerig.errors import SimulationError
-
-_GAP = "backlash"
 
 
 def told_again(case: Case, trial: Trial) -> Trial | None:
@@ -24,7 +23,7 @@ def told_again(case: Case, trial: Trial) -> Trial | None:
     trial : Trial
         Of an effect beside it.
     """
-    others = tuple(candidate for candidate in case.accepted if candidate.mechanism != _GAP)
+    others = tuple(candidate for candidate in case.accepted if candidate.mechanism != GAP)
     if len(others) == len(case.accepted):
         return None
     bare = replace(case, accepted=(*others, trial.candidate), model=replace(trial.model, corrections=()))
@@ -43,6 +42,6 @@ def with_gap(accepted: Sequence[Accepted], gap: Candidate | None) -> list[Accept
     if gap is None:
         return list(accepted)
     return [
-        replace(each, trial=replace(each.trial, candidate=gap)) if each.trial.candidate.mechanism == _GAP else each
+        replace(each, trial=replace(each.trial, candidate=gap)) if each.trial.candidate.mechanism == GAP else each
         for each in accepted
     ]

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.opened_gap import flanks_fly, flanks_may_part
+from torquerig.diagnose.choosing.opened_gap import GAP, flanks_fly, flanks_may_part
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.fitting.misfit import Misfit, robust_squares
-
-_GAP = "backlash"
 
 
 def gained_by_closed_lines(case: Case, trial: Trial) -> float:
@@ -25,9 +23,9 @@ def gained_by_closed_lines(case: Case, trial: Trial) -> float:
 
 def chatter_outdone(case: Case, trial: Trial, fitted: Iterable[Trial]) -> bool:
     """Whether it is a gap that chatter alone tells while another effect gains more, which may be what chatters."""
-    if trial.candidate.mechanism != _GAP or flanks_fly(case):
+    if trial.candidate.mechanism != GAP or flanks_fly(case):
         return False
-    return any(each.gain > trial.gain for each in fitted if each.candidate.mechanism != _GAP)
+    return any(each.gain > trial.gain for each in fitted if each.candidate.mechanism != GAP)
 
 
 def _missed(misfit: Misfit) -> float:

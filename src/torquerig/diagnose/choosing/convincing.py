@@ -10,7 +10,7 @@ import numpy as np
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.beside_gaps import gained_by_closed_lines
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
-from torquerig.diagnose.choosing.opened_gap import flanks_fly_for_sure
+from torquerig.diagnose.choosing.opened_gap import GAP, flanks_fly_for_sure
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
 from torquerig.diagnose.choosing.secondary import hump_of_a_tone
 from torquerig.diagnose.choosing.told_by_lines import told_by_lines
@@ -26,8 +26,8 @@ _LARGE = 60.0  # gain above which a smaller share is enough, if the model then f
 _VERY_LARGE, _HALF = 180.0, 0.45  # gain that no chance brings: of what else moved with it, that much may stray
 _AMPLY = 0.6  # per feature, without prices: as rigs are fitted whose model lacks nothing (0.2 to 0.6 of blind ones)
 _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, which are no effects
-_WHERE_CLOSED = 80.0  # gained by lines where flanks stay closed: twice what an effect must gain in all
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
+_WHERE_CLOSED = 80.0  # gained by lines where flanks stay closed: twice what an effect must gain in all
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
 _OF_RINGING = 0.4  # what looks like modes or a low-pass beside impacts: how they ring is another's law, and the shafts'
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
@@ -142,7 +142,7 @@ def _enough(case: Case, trial: Trial, again: float) -> float:
     Less, too, where it gains much, for itself and of all that is wrong, and ``again`` on what no fit has seen, as a
     share of that gain; and of a gap whose flights are seen, since how its flanks meet is another law's.
     """
-    if trial.candidate.mechanism == "backlash" and trial.gain > _VERY_LARGE and flanks_fly_for_sure(case):
+    if trial.candidate.mechanism == GAP and trial.gain > _VERY_LARGE and flanks_fly_for_sure(case):
         return _HALF
     count = feature_count(trial.model)
     well = count * (1.0 if trial.gap is None else WELL)

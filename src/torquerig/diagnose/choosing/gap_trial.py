@@ -9,7 +9,7 @@ from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.chattering import told_by_chatter, unexplained
 from torquerig.diagnose.choosing.gap_fits import FittedGap, GapFits, left_alone, simulated_rigs
 from torquerig.diagnose.choosing.gap_width import WithGaps, stays_speak_against, width
-from torquerig.diagnose.choosing.opened_gap import flanks_fly, opened
+from torquerig.diagnose.choosing.opened_gap import GAP, flanks_fly, opened
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
@@ -19,7 +19,7 @@ _SUSPICIOUS = 2.5  # mean square residual of an unloaded run that asks for more 
 
 def gap_is_possible(case: Case) -> bool:
     """Whether flanks fly, or a run is fitted badly in which they may part."""
-    if not hasattr(mechanisms, "Backlash") or case.has("backlash") or not gears_to_sensor(case.nominal):
+    if not hasattr(mechanisms, "Backlash") or case.has(GAP) or not gears_to_sensor(case.nominal):
         return False
     if flanks_fly(case):
         return True

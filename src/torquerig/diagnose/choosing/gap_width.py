@@ -62,8 +62,10 @@ def width(shown: WithGaps) -> Width | None:
 
 def stays_speak_against(shown: WithGaps) -> bool:
     """Whether the torque stays near zero as it does without a gap, and with one of any width would clearly not."""
+    if not shown.rigs:
+        return False
     missed = _Missed(shown, flying=False)
-    return bool(shown.rigs) and float(missed.opened.min()) > missed.closed + _AGAINST
+    return float(missed.opened.min()) > missed.closed + _AGAINST
 
 
 class _Statistics(NamedTuple):

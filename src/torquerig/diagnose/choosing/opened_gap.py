@@ -14,6 +14,7 @@ from torquerig.diagnose.looking.flights_beyond_lines import flights_beyond_lines
 from torquerig.scenario.kinematics import gears_to_sensor
 
 ARCMIN = pi / 180 / 60
+GAP = "backlash"  # its mechanism
 _UNLOADED = 0.003  # share of samples below zero torque beyond which flanks part
 
 
@@ -38,8 +39,8 @@ def flanks_may_part(seen: Features) -> bool:
 def opened(case: Case, gap: float, *, within: tuple[float, float] | None = None) -> Candidate:
     """Return the gap [rad] as a candidate; ``within`` is its 95 % interval where that is known."""
     gear = gears_to_sensor(case.nominal)[-1]
-    part = mechanisms.Backlash(name="backlash", gear=gear.name, gap=gap)
-    return Candidate(mechanism="backlash", parts=(part,), knobs=(), within={} if within is None else {"gap": within})
+    part = mechanisms.Backlash(name=GAP, gear=gear.name, gap=gap)
+    return Candidate(mechanism=GAP, parts=(part,), knobs=(), within={} if within is None else {"gap": within})
 
 
 def gap_of(candidate: Candidate) -> float:
