@@ -15,6 +15,7 @@ from torquerig.diagnose.looking.common_tones import common_tones, lead_astray
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.hum import hum_places
 from torquerig.diagnose.looking.lines_left import Strong, known_places, lines_left, strong_lines
+from torquerig.diagnose.looking.notches import notches
 from torquerig.diagnose.looking.observed import Observed, observed
 from torquerig.diagnose.looking.peaks import Peak
 from torquerig.diagnose.looking.places import Place
@@ -62,6 +63,8 @@ def opened(
         )
         for run in runs
     )  # fmt: skip
+    narrow = notches(runs)
+    runs = tuple(replace(run, notches=narrow) for run in runs)
     whole = _for_fits(runs, faults)
     known = known_places(whole, nominal)
     left = without_comb(lines_left(whole, known, rig=nominal))

@@ -9,7 +9,8 @@ import pytest
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import around_gap
-from torquerig.diagnose.choosing.around_gap import told_again, with_gap
+from torquerig.diagnose.choosing.around_gap import told_again
+from torquerig.diagnose.choosing.revising import with_gap
 from torquerig.diagnose.choosing.convincing import convincing
 from torquerig.diagnose.choosing.gap_fits import FittedGap
 from torquerig.diagnose.choosing.revising import Accepted

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
-from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.gap_trial import fitted_gap, simulated_model
 from torquerig.diagnose.choosing.opened_gap import GAP
-from torquerig.diagnose.choosing.revising import Accepted
 from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
 from torquerig.errors import SimulationError
 
@@ -35,13 +33,3 @@ def told_again(case: Case, trial: Trial) -> Trial | None:
         return None
     gain = case.model.cost - found.model.cost - PER_KNOB * len(trial.candidate.knobs) - trial.candidate.price
     return replace(trial, model=simulated_model(found.candidate, found.model), gain=gain, gap=found.candidate)
-
-
-def with_gap(accepted: Sequence[Accepted], gap: Candidate | None) -> list[Accepted]:
-    """Return what was accepted, the gap in its new width where it has one."""
-    if gap is None:
-        return list(accepted)
-    return [
-        replace(each, trial=replace(each.trial, candidate=gap)) if each.trial.candidate.mechanism == GAP else each
-        for each in accepted
-    ]

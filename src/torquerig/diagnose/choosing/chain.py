@@ -8,7 +8,7 @@ from functools import partial
 from typing import NamedTuple
 
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.around_gap import told_again, with_gap
+from torquerig.diagnose.choosing.around_gap import told_again
 from torquerig.diagnose.choosing.beside_gaps import chatter_outdone
 from torquerig.diagnose.choosing.confidence import LEAST as LEAST_CONFIDENCE
 from torquerig.diagnose.choosing.confidence import confidence_of
@@ -21,7 +21,7 @@ from torquerig.diagnose.choosing.explained import (
     left_at_its_places,
 )
 from torquerig.diagnose.choosing.possible import can_be
-from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all
+from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all, with_gap
 from torquerig.diagnose.choosing.search import MOST_EFFECTS, Tried, excess, trials
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
 from torquerig.diagnose.choosing.trial import Trial

@@ -11,7 +11,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.case import Case
+from torquerig.diagnose.case import Candidate, Case
+from torquerig.diagnose.choosing.around_gap import told_again
+from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.choosing.search import Tried, extended, trials, unexplained
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
@@ -62,14 +64,28 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
             continue
         rivals = _rivals(kept[at])
         tried = trials(others, simulated=False, to_beat=final.cost, among=rivals) if rivals else Tried((), ())
-        better = tried.fitted[0] if tried.fitted else None
-        if better is not None and _other(better, kept[at].trial) and better.model.cost < final.cost - LEAST_GAIN:
-            kept = [*kept[:at], *kept[at + 1 :], Accepted(before=others, trial=better, tried=tried)]
-            continue
         beside = replace(kept[at].trial, model=final, gain=_gain(kept[at].trial, others.model, final))
+        better = _best_rival(others, tried, beside)
+        if better is not None and better.model.cost < final.cost - LEAST_GAIN:
+            remaining = with_gap([*kept[:at], *kept[at + 1 :]], better.gap)
+            kept = [*remaining, Accepted(before=others, trial=better, tried=tried)]
+            continue
         kept[at] = replace(kept[at], again=Accepted(before=others, trial=beside, tried=tried))
         at += 1
     return tuple(kept)
+
+
+def _best_rival(others: Case, tried: Tried, taken: Trial) -> Trial | None:
+    """Return the best of what was tried in the place of what was taken; None where that is the same mechanism.
+
+    A gap that was found after it had its width told around what was taken: where the rival is ahead beside that gap
+    all the same, the width is told again around it.
+    """
+    best = next(iter(tried.fitted), None)
+    if best is None or not _other(best, taken):
+        return None
+    again = told_again(others, best) if best.gain > taken.gain else None
+    return best if again is None else again
 
 
 def _of_the_same_line(kept: Sequence[Accepted], at: int) -> float:
@@ -123,6 +139,16 @@ def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
 
     model = min(of_each(fitted, (final.positions[rows], np.zeros(len(knobs)))), key=lambda each: each.cost)
     return replace(bare, model=model, left=unexplained(first.left, first, model), apart=None)
+
+
+def with_gap(accepted: Sequence[Accepted], gap: Candidate | None) -> list[Accepted]:
+    """Return what was accepted, the gap in its new width where it has one."""
+    if gap is None:
+        return list(accepted)
+    return [
+        replace(each, trial=replace(each.trial, candidate=gap)) if each.trial.candidate.mechanism == GAP else each
+        for each in accepted
+    ]
 
 
 def with_all(case: Case, accepted: Sequence[Accepted]) -> Case:

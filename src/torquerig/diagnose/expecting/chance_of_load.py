@@ -97,4 +97,4 @@ def _density(seen: Features, given: Floats) -> Floats:
         lines = [seen.places[index].frequency(at) for index in shown_places(observed, stretch, seen.places)]
         part = given[stretch.start : stretch.stop]
         spectra.append(spectrum(part - part.mean(), observed.rate, lines, smeared=observed.smearing))
-    return bands(spectra, observed.rate).power
+    return bands(spectra, observed.rate, observed.notches).power

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,8 @@ from torquerig.rig.parts import Body
 # hundredths of its frequency only
 _HEAVY = (np.geomspace(15.0, 900.0, 48), (0.15, 0.5))
 _LIGHT = (np.geomspace(15.0, 900.0, 140), (0.05,))
+_IN_NOTCHES = (np.linspace(0.98, 1.02, 9), (0.05, 0.15, 0.5))  # of the frequency of each notch that all runs have
+_STAYS = 0.02  # of that frequency
 _DAMPING = 0.02
 _BEST = 3
 # damping ratio: beyond the one a step swings over by less than half and no mode shows in a spectrum; below the other a
@@ -45,11 +48,25 @@ def light(case: Case) -> Iterator[Candidate]:
     yield from _best(case, *_LIGHT)
 
 
-WAYS = (heavy, light)
+def in_notches(case: Case) -> Iterator[Candidate]:
+    """Yield those that fit best where the spectra of all steady runs have a narrow notch, which no noise resembles.
+
+    They are sought at no other place, and pay for none.
+    """
+    near, shares = _IN_NOTCHES
+    found = {notch for run in case.runs for notch in run.notches}
+    for notch in sorted(found):
+        for one in _best(case, notch * near, shares):
+            frequency, *others = one.knobs
+            knobs = (replace(frequency, spread=_STAYS), *others)
+            yield replace(one, knobs=knobs, price=one.price - _SOUGHT, spared=0.0, resembled=False)
+
+
+WAYS = (heavy, light, in_notches)
 
 
 def propose(case: Case) -> Iterator[Candidate]:
-    """Yield both."""
+    """Yield all of them."""
     for way in WAYS:
         yield from way(case)
 

@@ -28,6 +28,7 @@ kept            worked out once for all models         robust_spread   how far v
 orders_standing_out   whether lines stand at some orders
 sample_jumps    from one sample to the next            tone_frequency  by all runs together
 spread_heights  the power of a hertz or two over that on both sides
+notches         narrow ones that all runs have at one frequency
 held_samples    renewed more seldom than written       leakage      of slow noise into fast lines
 pulses_both_ways   in how many pulses a turn a load comes
 from_zero       a run whose zero has not drifted

@@ -14,6 +14,8 @@ BANDS_PER_OCTAVE = 8
 _LOWEST = 1.2  # [Hz]
 _HIGHEST_SHARE = 0.46  # of the sample rate: nearer to half of it converters and filters differ
 _BESIDE_A_LINE = 2.0  # bins either way that a line fitted under a Hann window empties
+_NARROW, _NARROWEST = 0.03, 1.0  # of a notch's frequency, and two bins of a stretch of 2 s [Hz]: bands around it
+_FLANK = 4  # of them to each side of its middle
 _INDEPENDENT = 0.7  # share of neighbouring bins that a Hann window leaves independent
 
 
@@ -50,10 +52,15 @@ def spectrum(rest: Floats, rate: float, lines: Sequence[float], *, smeared: floa
     return Spectrum(np.asarray(density), counts)
 
 
-def band_edges(rate: float) -> Floats:
-    """Return the edges of the bands [Hz]: eight to the octave."""
+def band_edges(rate: float, notches: Sequence[float] = ()) -> Floats:
+    """Return the edges of the bands [Hz]: eight to the octave, and narrow ones around the middle of each notch."""
     octaves = np.log2(_HIGHEST_SHARE * rate / _LOWEST)
-    return np.asarray(_LOWEST * 2 ** (np.arange(int(octaves * BANDS_PER_OCTAVE) + 1) / BANDS_PER_OCTAVE))
+    edges = np.asarray(_LOWEST * 2 ** (np.arange(int(octaves * BANDS_PER_OCTAVE) + 1) / BANDS_PER_OCTAVE))
+    for notch in notches:
+        narrow = max(_NARROW * notch, _NARROWEST)
+        finer = notch + narrow * (np.arange(-_FLANK, _FLANK) + 0.5)
+        edges = np.sort(np.append(edges[np.abs(edges - notch) > narrow * (_FLANK + 0.5)], finer))
+    return edges
 
 
 def no_bands(rate: float) -> Bands:
@@ -62,9 +69,9 @@ def no_bands(rate: float) -> Bands:
     return Bands(np.sqrt(edges[:-1] * edges[1:]), np.array([]), np.array([]), np.diff(edges))
 
 
-def bands(spectra: Sequence[Spectrum], rate: float) -> Bands:
-    """Return the mean of several stretches in bands that hold at least one bin."""
-    edges = band_edges(rate)
+def bands(spectra: Sequence[Spectrum], rate: float, notches: Sequence[float] = ()) -> Bands:
+    """Return the mean of several stretches in bands that hold at least one bin; ``notches`` as in ``band_edges``."""
+    edges = band_edges(rate, notches)
     size = min(each.density.size for each in spectra)
     density = np.array([each.density[:size] for each in spectra])
     counts = np.array([each.counts[:size] for each in spectra])

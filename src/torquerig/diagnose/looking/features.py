@@ -182,7 +182,7 @@ def features(
             spectra.append(spectrum(look.rest, observed.rate, look.at, smeared=observed.smearing))
     speeds = np.array([observed.speed[np.linspace(s.start, s.stop - 1, POINTS).astype(int)] for s in stretches])
     duration = np.array([(s.stop - s.start) / observed.rate for s in stretches])
-    floor = bands(spectra, observed.rate) if spectra else no_bands(observed.rate)
+    floor = bands(spectra, observed.rate, observed.notches) if spectra else no_bands(observed.rate)
     power = np.full_like(floor.power, np.nan) if observed.rebuilt else floor.power
     return Features(
         observed=observed, held=held, stretches=tuple(stretches), parts=tuple(parts), places=tuple(places),

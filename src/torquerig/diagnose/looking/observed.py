@@ -63,6 +63,8 @@ class Observed:
         it is left.
     tones : tuple of float
         Lines at one speed that keep their frequency by what the shaft's own lines tell [Hz].
+    notches : tuple of float
+        Where the spectra of all steady runs have a narrow notch [Hz].
     """
 
     recording: Recording
@@ -77,6 +79,7 @@ class Observed:
     broken: bool = False
     swept: tuple[tuple[float, float], ...] = ()
     tones: tuple[float, ...] = ()
+    notches: tuple[float, ...] = ()
 
     @property
     def name(self) -> str:
