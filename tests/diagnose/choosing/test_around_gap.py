@@ -10,10 +10,9 @@ import pytest
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import around_gap
 from torquerig.diagnose.choosing.around_gap import told_again
-from torquerig.diagnose.choosing.revising import with_gap
 from torquerig.diagnose.choosing.convincing import convincing
 from torquerig.diagnose.choosing.gap_fits import FittedGap
-from torquerig.diagnose.choosing.revising import Accepted
+from torquerig.diagnose.choosing.revising import Accepted, with_gap
 from torquerig.diagnose.choosing.search import Tried
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.expecting.correction import Correction

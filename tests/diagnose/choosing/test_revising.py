@@ -116,3 +116,29 @@ def test_of_two_sources_of_one_line_the_first_needs_more_to_stay(
         accepted.append(Accepted(before=case, trial=trial, tried=Tried((trial,), ())))
         case = revising.with_all(first, accepted)
     assert len(revised(first, accepted)) == kept
+
+
+@pytest.mark.parametrize(
+    ("told", "taken"), [(200.0, "pwm_aliasing"), (680.0, "mains_interference"), (None, "mains_interference")]
+)
+def test_a_rival_that_is_ahead_has_the_gap_told_around_it(
+    told: float | None, taken: str, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The gap's width was told around what was taken first, which bends it; ahead by little, it is ahead of more."""
+    mains, alias, drag = (candidate(name) for name in ("mains_interference", "pwm_aliasing", "quadratic_drag"))
+    first = case = Case(nominal=wear_rig.rig, runs=(), seen=(), model=fitted(wear_rig.rig, ()), left=())
+    both = drag.added_to(mains.added_to(wear_rig.rig))
+    rival = Trial(alias, fitted(alias.added_to(drag.added_to(wear_rig.rig)), (*drag.knobs, *alias.knobs)), 310.0)
+    rival = replace(rival, model=replace(rival.model, cost=690.0))
+    accepted = [Accepted(before=case, trial=Trial(mains, fitted(mains.added_to(wear_rig.rig), mains.knobs), 295.0),
+                         tried=Tried((rival,), ()))]  # fmt: skip
+    case = revising.with_all(first, accepted)
+    last = Trial(drag, fitted(both, (*mains.knobs, *drag.knobs)), 300.0)
+    accepted.append(Accepted(before=case, trial=last, tried=Tried((), ())))
+    again = None if told is None else replace(rival, model=replace(rival.model, cost=told), gap=None)
+    monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: fitted(rig, knobs))
+    monkeypatch.setattr(revising, "trials", lambda case, **_: Tried((rival,), ()))
+    monkeypatch.setattr(revising, "told_again", lambda others, trial: again)
+    kept = revised(first, accepted)
+    assert taken in {each.trial.candidate.mechanism for each in kept}
+    assert len(kept) == 2

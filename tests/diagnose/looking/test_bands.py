@@ -77,3 +77,17 @@ def test_a_run_that_moves_has_places_and_no_densities() -> None:
     empty = no_bands(RATE)
     assert empty.power.size == 0
     assert np.all(np.diff(empty.middle) > 0)
+
+
+def test_bands_around_a_notch_are_as_narrow_as_it_is() -> None:
+    """Each holds two bins of 2 s or three hundredths of its frequency; white noise has its density in all of them."""
+    for at in (25.0, 80.0):
+        edges = band_edges(RATE, (at,))
+        assert np.all(np.diff(edges) > 0)
+        near = np.diff(edges)[(edges[:-1] > 0.9 * at) & (edges[1:] < 1.1 * at)]
+        assert near == pytest.approx(np.full(near.size, max(1.0, 0.03 * at)))
+        far = np.abs(edges / at - 1) > 0.3
+        assert set(edges[far]) <= set(band_edges(RATE))
+        seen = bands([spectrum(rest, RATE, []) for rest in noise(4)], RATE, (at,))
+        assert seen.power.size > bands([spectrum(rest, RATE, []) for rest in noise(4)], RATE).power.size
+        assert np.all(np.abs(seen.power / WHITE - 1) < 5 / np.sqrt(0.7 * seen.count))
