@@ -352,6 +352,7 @@ def test_what_looks_like_a_low_pass_beside_impacts_is_their_ring(
     found = replace(found, candidate=replace(found.candidate, resembled=resembled))
     impacts = replace(found, candidate=Candidate(mechanism="bearing_defect", parts=(), knobs=()))
     impacts = replace(impacts, gain=gain * found.gain)
+    case = replace(case, seen=cast("tuple[Features, ...]", (SimpleNamespace(band=np.zeros(0)),)))
     assert judging.convincing(case, found, earlier=(impacts,), held=()) is named
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.beside_gaps import gained_by_closed_lines
+from torquerig.diagnose.choosing.beside_ringing import details_of_ringing
 from torquerig.diagnose.choosing.explained import LEAST_SHARE_WHERE_ALL_FITS, changes_places, explained_share
 from torquerig.diagnose.choosing.opened_gap import GAP, flanks_fly_for_sure
 from torquerig.diagnose.choosing.search import WELL, excess, feature_count
@@ -29,7 +30,6 @@ _OF_EARLIER = 0.25  # an effect beyond the twin leaves small lines of its own, w
 _OF_EARLIER_TOLD_AGAIN = 0.05  # less where its own number was told again beside the other effect
 _WHERE_CLOSED = 80.0  # gained by lines where flanks stay closed: twice what an effect must gain in all
 _DETAIL = 0.01  # of what an effect of the shafts gained, its own details may gain where nothing stands out any more
-_OF_RINGING = 0.4  # what looks like modes or a low-pass beside impacts: how they ring is another's law, and the shafts'
 _OF_ALL = 0.05  # of what is wrong: less may be the detail of something that nothing tried explains
 _MOST_MISSED = 3.0  # per feature: a model that misses by more lacks something large, and its spreads are not in doubt
 # a first effect that explains so much of its places, and gains at least half of it on what no fit has seen, needs less;
@@ -158,8 +158,7 @@ def _enough(case: Case, trial: Trial, again: float) -> float:
 
 def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> list[float]:
     """Return what the details of effects that were found earlier may gain when another effect takes them up."""
-    struck = [each for each in earlier if each.candidate.mechanism == "bearing_defect" and trial.candidate.resembled]
-    rings = [_OF_RINGING * each.gain for each in struck]
+    rings = details_of_ringing(case, trial, earlier)
     if case.model.corrections and gained_by_closed_lines(case, trial) > _WHERE_CLOSED:
         return rings
     if trial.gap is not None:
