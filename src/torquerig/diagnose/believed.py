@@ -9,6 +9,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.diagnosis import HeldOut, Mismatch
 from torquerig.diagnose.findings import Searched
+from torquerig.diagnose.judging.both_ways import rings_both_ways
 from torquerig.diagnose.judging.by_simulation import left_by_simulation
 from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.judging.combined_lines import may_be_combined
@@ -160,6 +161,7 @@ def _refused(start: Beginning, told: Believed) -> str:
         ),
         own_line=told.sought.lines_of_one_size
         and any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
+        both_ways=rings_both_ways(told.left, told.after.model.rig),
         everywhere=missed_everywhere(told.after, told.held, by=FAR), gap=told.after.has(GAP),
         flights_told=flown and told.after.has(GAP) and not any(of_flights(each) for each in told.left),
     )  # fmt: skip

@@ -12,5 +12,6 @@ withdrawn      why what was found is not believed
 changing       what drifts in all steady runs         scattered_levels  slow torque that follows no course
 last_questions what no single place shows             one_gain    all lines change by one factor
 numbers_far_off  numbers that stand in for more      load_over_time  loads that change or let go
+both_ways      a mode whose own band stays wrong up and down
 forgiven_bands  those filled by what has a spectrum of its own
 """

@@ -46,6 +46,10 @@ _COMBINED_AT_MOST = (
     "fitted, and withdrawn: its order is the sum or the difference of two of the rig's own that are larger, and what "
     "no fit has seen may be predicted as well without it"
 )
+_ITS_OWN_BAND = (
+    "fitted, and withdrawn: the band in which it rings stays too loud in one run and too quiet in another, as noise "
+    "that nothing in the rig drives leaves it"
+)
 _SEVERAL = 2  # runs, or lines
 _WHOLE = 0.02  # [1/rev] so near an order is whole
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
@@ -55,7 +59,7 @@ def why_withdrawn(
     fit: HeldOut, left: Sequence[Mismatch], *, effects: int = 1, resembled: bool = False,
     passing: Sequence[Mismatch] = (), drifts_in_all: bool = False, samples_too: bool = False, again: bool = False,
     flights_told: bool = False, turning_lines: bool = False, own_line: bool = False, combined: bool = False,
-    everywhere: bool = False, gap: bool = False,
+    everywhere: bool = False, gap: bool = False, both_ways: bool = False,
 ) -> str:  # fmt: skip
     """Return why what was found is not to be believed; nothing where it is.
 
@@ -91,6 +95,8 @@ def why_withdrawn(
         Whether the completed model misses far more than chance, though no place of it stands out.
     gap : bool
         Whether a gap was found: not all that ends in blows is one, and most of what slips stays beside it.
+    both_ways : bool
+        Whether a mode was found that leaves its own band too loud in one run and too quiet in another.
     """
     missing, rest = fit.before - 1, fit.after - 1
     elsewhere = bool(left) and not (resembled or gap) and _clearly_there(fit)
@@ -100,6 +106,7 @@ def why_withdrawn(
         (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
         (own_line, _ITS_OWN_LINE),
+        (both_ways, _ITS_OWN_BAND),
         (left and combined, _COMBINED),
         (combined and fit.improvement[1] < 0, _COMBINED_AT_MOST),
         (left and effects >= _MANY, TOO_MANY),
