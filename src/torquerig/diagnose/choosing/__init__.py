@@ -11,6 +11,7 @@ secondary    what is small beside a large effect  numbers_held  before all is wi
 opened_gap   where flanks may part                 gap_width    how wide the gap is
 gap_fits     a model fitted around a gap           chattering   a gap that its chatter tells
 beside_gaps  what is no detail of a gap, and what is likelier than one
+one_of_many  a line beside others of its kind that stay
 beside_ringing  what may be a detail of how impacts ring
 possible     whether its numbers are such as can be, and as rigs have
 """

@@ -20,6 +20,7 @@ from torquerig.diagnose.choosing.explained import (
     explained_share,
     left_at_its_places,
 )
+from torquerig.diagnose.choosing.one_of_many import one_of_many
 from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all, with_gap
 from torquerig.diagnose.choosing.search import MOST_EFFECTS, Tried, excess, trials
@@ -181,11 +182,15 @@ def _together(first: Case, final: Case, accepted: Sequence[Accepted]) -> bool:
 
 
 def _stands(final: Case, accepted: Accepted) -> bool:
-    """Whether an effect leaves its places right in the final model, with numbers such as can be, and is likely."""
+    """Whether an effect leaves its places right in the final model, with numbers such as can be, and is likely.
+
+    And whether it is no small line among others of its kind that stay.
+    """
     likely = bool(accepted.trial.candidate.description) or confidence_of(final, accepted) > LEAST_CONFIDENCE
     possible = can_be(accepted.trial.candidate, final.model)
     missed = rest_of(accepted.before, accepted)
-    return likely and possible and rest_of(final, accepted) < max(LARGEST_REST, HARDLY_ANY * missed)
+    right = rest_of(final, accepted) < max(LARGEST_REST, HARDLY_ANY * missed)
+    return likely and possible and right and not one_of_many(final, accepted.trial)
 
 
 def rest_of(case: Case, accepted: Accepted) -> float:
