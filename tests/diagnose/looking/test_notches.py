@@ -55,3 +55,20 @@ def test_one_run_tells_nothing_nor_do_moments_that_were_filled_in(runs: Callable
     assert notches([one, other])
     assert notches([one]) == ()
     assert notches([one, replace(other, rebuilt=True)]) == ()
+
+
+def test_runs_of_another_rate_have_it_at_the_same_frequency(by_hand: ByHand) -> None:
+    runs = []
+    for rate in (RATE, 2 * RATE):
+        values = np.random.default_rng(int(rate)).standard_normal(int(12 * rate))
+        torque = lfilter(*iirnotch(40.0, 8.0, rate), values)
+        runs.append(by_hand(torque, np.arange(values.size) / rate * 100.0, rate=rate))
+    assert notches(runs) == pytest.approx((40.0,), abs=0.5)
+
+
+def test_short_runs_tell_no_more_than_their_bins(by_hand: ByHand) -> None:
+    """Stretches of a third of a second have bins of 3 Hz: below 80 Hz too few stand on the sides of any."""
+    torques = [noise(seed, at=[40.0])[:2000] for seed in (1, 2)]
+    assert notches([by_hand(torque, np.arange(2000) / RATE * 100.0, rate=RATE) for torque in torques]) == ()
+    still = [by_hand(np.zeros(SAMPLES), np.arange(SAMPLES) / RATE * 100.0, rate=RATE) for _ in range(2)]
+    assert notches(still) == ()

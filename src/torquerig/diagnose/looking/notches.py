@@ -23,7 +23,7 @@ _BESIDE, _BEYOND = 0.06, 0.17  # of its frequency: where the density on both sid
 # log of the density over the lower of both sides, in every steady run: of 900 rigs eight went deeper, each with a mode
 _DEEP = -1.5
 _MEDIAN = float(np.log(2))  # of an exponential variable of mean 1
-_FEWEST = 2  # steady runs
+_FEWEST, _FEWEST_BINS = 2, 3  # steady runs; bins on a side
 
 
 def notches(runs: Sequence[Observed]) -> tuple[float, ...]:
@@ -34,36 +34,32 @@ def notches(runs: Sequence[Observed]) -> tuple[float, ...]:
     steady = [run for run in runs if run.steady and not run.rebuilt]
     if len(steady) < _FEWEST:
         return ()
-    shortest = min(stretch.stop - stretch.start for run in steady for stretch in run.stretches)
-    at = np.asarray(np.fft.rfftfreq(shortest, 1 / steady[0].rate), dtype=np.float64)
-    looked_at = np.flatnonzero((at > _LOWEST) & (at < _HIGHEST))
-    shallowest = np.max([_depth(_density(run, shortest), at, looked_at) for run in steady], axis=0)
+    seconds = min((stretch.stop - stretch.start) / run.rate for run in steady for stretch in run.stretches)
+    middles = np.arange(np.ceil(_LOWEST * seconds), _HIGHEST * seconds) / seconds
+    shallowest = np.max([_depth(run, seconds, middles) for run in steady], axis=0)
     found = list[float]()
     while shallowest.size and shallowest.min() < _DEEP:
-        deepest = float(at[looked_at[np.argmin(shallowest)]])
+        deepest = float(middles[np.argmin(shallowest)])
         found.append(deepest)
-        shallowest[np.abs(at[looked_at] / deepest - 1) < _BEYOND] = np.inf
+        shallowest[np.abs(middles / deepest - 1) < _BEYOND] = np.inf
     return tuple(sorted(found))
 
 
-def _density(run: Observed, length: int) -> Floats:
-    return np.asarray(welch(run.torque[run.seen], run.rate, nperseg=length, noverlap=0)[1])
+def _depth(run: Observed, seconds: float, middles: Floats) -> Floats:
+    """Return the logarithm of the density around each frequency, over the lower median of both its sides.
 
+    Infinite where a side holds too few bins to tell.
+    """
+    at, density = welch(run.torque[run.seen], run.rate, nperseg=round(seconds * run.rate), noverlap=0)
+    step = 1 / seconds
 
-def _depth(density: Floats, at: Floats, looked_at: NDArray[np.int64]) -> Floats:
-    """Return the logarithm of the density around each bin, over the lower median of both its sides."""
-    step = at[1] - at[0]
-
-    def mean_near(middle: float) -> float:
-        reach = max(_NARROW * middle, step)
-        return float(density[np.abs(at - middle) < reach + 0.5 * step].mean())
-
-    def lower_side(middle: float) -> float:
+    def depth(middle: float) -> float:
         away = at / middle - 1
         sides = (density[(away > _BESIDE) & (away < _BEYOND)], density[(away < -_BESIDE) & (away > -_BEYOND)])
-        return min(float(np.median(side)) / _MEDIAN for side in sides)
+        if any(side.size < _FEWEST_BINS for side in sides):
+            return np.inf
+        beside = min(float(np.median(side)) for side in sides) / _MEDIAN
+        near = float(density[np.abs(at - middle) < max(_NARROW * middle, step) + 0.5 * step].mean())
+        return float(np.log(near / beside)) if near > 0 and beside > 0 else np.inf
 
-    floor = np.finfo(float).tiny
-    return np.array(
-        [np.log(max(mean_near(one), floor) / max(lower_side(one), floor)) for one in at[looked_at].tolist()]
-    )
+    return np.array([depth(middle) for middle in middles.tolist()])
