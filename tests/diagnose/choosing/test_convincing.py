@@ -245,6 +245,8 @@ def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
     assert not judged_again(before, alike, share=share, held_gain=held_gain - 5.0)
     enough_by_itself = held_gain + 20.0 > 0.7 * 40.0
     assert judged_again(before, alike, share=share, held_gain=held_gain + 20.0) is (enough_by_itself and share > 0.9)
+    low_pass = replace(alike, candidate=replace(alike.candidate, mechanism="sensor_bandwidth"))
+    assert not judged_again(before, low_pass, share=share, held_gain=held_gain + 20.0), "laws of a load resemble it"
 
 
 @pytest.mark.parametrize(("bent", "held_gain", "named"), [(7.0, -8.0, True), (7.0, -30.0, False), (0.0, -8.0, False)])
