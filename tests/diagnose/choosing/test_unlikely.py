@@ -14,9 +14,8 @@ from torquerig.diagnose.choosing.confidence import LEAST, confidence
 
 
 def accepted(description: str = "") -> Any:
-    return SimpleNamespace(
-        before=None, trial=SimpleNamespace(candidate=SimpleNamespace(mechanism="gear_mesh", description=description))
-    )
+    candidate = SimpleNamespace(mechanism="gear_mesh", description=description, place=None)
+    return SimpleNamespace(before=None, trial=SimpleNamespace(candidate=candidate))
 
 
 @pytest.mark.parametrize(("rival", "stands"), [(0.0, True), (2000.0, False)])
