@@ -7,10 +7,9 @@ import numpy as np
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.fitting.misfit import robust_squares
-from torquerig.diagnose.judging.leftover import mismatches, stands_at
+from torquerig.diagnose.judging.leftover import at_whole_order, mismatches, stands_at
 
 _MANY = 3  # lines
-_WHOLE = 0.02  # [1/rev of the motor] so near an order is whole
 
 
 def one_of_many(final: Case, trial: Trial) -> bool:
@@ -23,13 +22,6 @@ def one_of_many(final: Case, trial: Trial) -> bool:
     if place is None or place.domain != "order":
         return False
     ratio = abs(final.nominal.run.gear_ratio or 1.0)
-    others = [
-        each
-        for each in mismatches(final)
-        if each.domain == "order"
-        and each.axis == "motor_shaft"
-        and abs(each.at - round(each.at)) < _WHOLE
-        and not stands_at(each, place, ratio)
-    ]
+    others = [each for each in mismatches(final) if at_whole_order(each) and not stands_at(each, place, ratio)]
     missed = robust_squares(np.array([10 ** (each.excess_dB / 20) for each in others]))
     return len(others) >= _MANY and float(missed.sum()) > trial.gain

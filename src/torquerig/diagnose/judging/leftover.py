@@ -29,6 +29,7 @@ from torquerig.diagnose.looking.places import SAME_ORDER, Place
 
 # thresholds on residuals in units of their spread; the spreads hold a tolerance for what nobody models
 LINE, BAND, LEVEL, TURNING = 6.0, 5.0, 6.0, 4.0
+_WHOLE = 0.02  # [1/rev] so near an order is whole
 _CHAOTIC = 2.5  # times as much may be left where an effect beyond the twin is at work
 _DETAIL = 0.05**2  # of the misfit: an effect that is modelled to 5 %
 _ELSEWHERE, _BETTER = 0.5, 2.0  # of what is left: more at places that got better by less than this is no detail
@@ -61,6 +62,12 @@ def stands_at(mismatch: Mismatch, place: Place, ratio: float) -> bool:
     """Whether it is of the line at ``place`` in a rig whose motor turns ``ratio`` times as fast as its output."""
     turns = ratio if mismatch.axis == "output_shaft" else 1.0
     return mismatch.domain == place.domain and abs(mismatch.at / turns - place.at) < SAME_ORDER
+
+
+def at_whole_order(mismatch: Mismatch) -> bool:
+    """Whether it is of a line at a whole order of the motor's shaft."""
+    motor = mismatch.domain == "order" and mismatch.axis == "motor_shaft"
+    return motor and abs(mismatch.at - round(mismatch.at)) < _WHOLE
 
 
 def detail_of(before: Case, after: Case, left: Sequence[Mismatch]) -> float | None:

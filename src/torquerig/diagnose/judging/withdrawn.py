@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnose.diagnosis import HeldOut, Mismatch
+from torquerig.diagnose.judging.leftover import at_whole_order
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 
 _WORSE = 1.01  # of the held-out misfit before: nothing is named with which it grows
@@ -51,7 +52,6 @@ _ITS_OWN_BAND = (
     "that nothing in the rig drives leaves it"
 )
 _SEVERAL = 2  # runs, or lines
-_WHOLE = 0.02  # [1/rev] so near an order is whole
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some
 
 
@@ -111,7 +111,7 @@ def why_withdrawn(
         (combined and fit.improvement[1] < 0, _COMBINED_AT_MOST),
         (left and effects >= _MANY, TOO_MANY),
         (left and missing < 0 and not samples_too, STILL_WRONG),
-        (turning_lines and rest > _MOST_OF_IT * missing and _whole_orders(left) >= _SEVERAL, ONE_OF_MANY),
+        (turning_lines and rest > _MOST_OF_IT * missing and sum(map(at_whole_order, left)) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
         (
             left and rest > min(_LARGE_REST * missing, _BEYOND_ALL) and (again or fit.explained < LEAST_SHARE),
@@ -127,9 +127,3 @@ def _clearly_there(fit: HeldOut) -> bool:
     """Whether its places are explained where no fit has seen them, by more than chance, though they are but few."""
     _, least, _ = fit.improvement
     return fit.explained > _ITS_PLACES and least > 0
-
-
-def _whole_orders(left: Sequence[Mismatch]) -> int:
-    """How many lines at whole orders of the motor's shaft stay wrong."""
-    at = [each.at for each in left if each.domain == "order" and each.axis == "motor_shaft"]
-    return sum(abs(order - round(order)) < _WHOLE for order in at)
