@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 from torquerig.diagnose.advising.next_run import next_run
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.chain import Chain, Progress, best_chain, rest_of
+from torquerig.diagnose.choosing.beginning_again import best_chain
+from torquerig.diagnose.choosing.chain import Chain, Progress, rest_of
 from torquerig.diagnose.choosing.confidence import SEEN_IN_SAMPLES, confidence_of, rivals_of
 from torquerig.diagnose.choosing.convincing import share_of
 from torquerig.diagnose.choosing.equivalence import equivalents

@@ -5,7 +5,7 @@ search       the hypotheses fitted, best first        gap_trial    a gap, which 
 explained    what of a mismatch went                  convincing   when an effect may be named
 equivalence  rivals that cannot be told apart         revising     each looked back at beside the others
 identifying  the numbers that identify an effect      confidence   how sure a finding is
-chain        one after the other, and once more begun elsewhere
+chain        one after the other                  beginning_again  once more, begun elsewhere
 set_aside    what was not fitted, and why          around_gap   a gap told again beside a further effect
 secondary    what is small beside a large effect  numbers_held  before all is withdrawn
 opened_gap   where flanks may part                 gap_width    how wide the gap is

@@ -1,9 +1,9 @@
-"""Effects taken one after the other, and another chain where the first ends in a model that is still wrong."""
+"""Effects taken one after the other, each looked back at."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import NamedTuple
 
@@ -23,16 +23,14 @@ from torquerig.diagnose.choosing.explained import (
 from torquerig.diagnose.choosing.one_of_many import one_of_many
 from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.revising import Accepted, only, revised, with_all, with_gap
-from torquerig.diagnose.choosing.search import MOST_EFFECTS, Tried, excess, trials
+from torquerig.diagnose.choosing.search import MOST_EFFECTS, Tried, trials
 from torquerig.diagnose.choosing.secondary import small_beside, stands_in_simulations
 from torquerig.diagnose.choosing.trial import Trial
-from torquerig.diagnose.judging.leftover import detail_of, mismatches
+from torquerig.diagnose.judging.leftover import mismatches
 from torquerig.diagnose.judging.share_explained import LEAST_SHARE
 from torquerig.diagnose.looking.features import Features
 
 Progress = Callable[[str], None]
-
-_MUCH_LESS = 0.5  # of what a chain leaves, another that begins elsewhere may leave
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,23 +49,7 @@ class Chain:
     instead: Chain | None = None
 
 
-def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chain:
-    """Return the effects that are found one after the other, each looked back at.
-
-    Where that ends in a model that is still wrong, it is begun again with the best rival of what was taken first, which
-    may have stood in for two effects together. A model that does without what was taken first, and leaves less than
-    half of what that one leaves, takes its place.
-    """
-    found = _chain(case, held, progress)
-    rival = _rival_of_first(case, found)
-    if rival is not None:
-        progress(f"beginning again with {rival.candidate.mechanism}")
-        other = _chain(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
-        found = replace(other, instead=found) if _replaces(other, found) else found
-    return found
-
-
-def _chain(
+def chained(
     start: Case, held: Sequence[Features], progress: Progress, *, first: Tried | None = None,
     begin: Trial | None = None, instead_of: str = "",
 ) -> Chain:  # fmt: skip
@@ -140,28 +122,6 @@ def _passed(on_trial: _OnTrial, first: Case, final: Case, accepted: Sequence[Acc
     if len(accepted) < on_trial.fewest or (on_trial.wholly and mismatches(final)):
         return False
     return _together(first, final, accepted)
-
-
-def _rival_of_first(case: Case, found: Chain) -> Trial | None:
-    """Return the best rival of the effect that was taken first, where the model is still wrong with all of them."""
-    left = mismatches(found.case)
-    if found.begun is None or not left or detail_of(case, found.case, left) is not None:
-        return None
-    taken = {each.candidate.mechanism for each in (found.begun, *(each.trial for each in found.accepted))}
-    rivals = [
-        trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
-    ]
-    return max(rivals, key=lambda trial: trial.gain, default=None)
-
-
-def _begun_with(chain: Chain) -> str:
-    return "" if chain.begun is None else chain.begun.candidate.mechanism
-
-
-def _replaces(other: Chain, found: Chain) -> bool:
-    """Whether another chain does without what was taken first, and does much better."""
-    without = all(each.trial.candidate.mechanism != _begun_with(found) for each in other.accepted)
-    return bool(other.accepted) and without and excess(other.case) < _MUCH_LESS * excess(found.case)
 
 
 def _around_gap(case: Case, tried: Tried) -> list[Trial]:

@@ -1,0 +1,82 @@
+"""Another chain of effects, begun with a rival of what was taken first, which may have stood in for two together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from torquerig.diagnose.case import Case
+from torquerig.diagnose.choosing.chain import Chain, Progress, chained
+from torquerig.diagnose.choosing.convincing import promising
+from torquerig.diagnose.choosing.opened_gap import GAP
+from torquerig.diagnose.choosing.search import excess
+from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
+from torquerig.diagnose.judging.leftover import detail_of, mismatches
+from torquerig.diagnose.looking.features import Features
+
+_MUCH_LESS = 0.5  # of what a chain leaves, another that begins elsewhere may leave
+
+
+def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chain:
+    """Return the effects that are found one after the other, each looked back at.
+
+    Where that ends in a model that is still wrong, it is begun again with the best rival of what was taken first. A
+    model that does without what was taken first, and leaves less than half of what that one leaves, takes its place.
+
+    So it is where a gap was taken first and another effect beside it: what simulations say of a gap bends with every
+    line and every band, so that a gap and half of a pair may look like the pair. A model without the gap takes the
+    place where it misses less, all its numbers paid.
+    """
+    found = chained(case, held, progress)
+    wrong = _still_wrong(case, found)
+    rival = _rival_of_first(case, found, among_taken=not wrong) if wrong or _beside_gap(found) else None
+    if rival is not None:
+        progress(f"beginning again with {rival.candidate.mechanism}")
+        other = chained(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
+        better = _leaves_much_less(other, found) if wrong else _misses_less(other, found)
+        found = replace(other, instead=found) if better and _without_first(other, found) else found
+    return found
+
+
+def _still_wrong(case: Case, found: Chain) -> bool:
+    """Whether a chain ends in a model that is wrong by more than the details of what it holds."""
+    left = mismatches(found.case)
+    return bool(left) and detail_of(case, found.case, left) is None
+
+
+def _beside_gap(found: Chain) -> bool:
+    return _begun_with(found) == GAP and len(found.accepted) > 1
+
+
+def _rival_of_first(case: Case, found: Chain, *, among_taken: bool) -> Trial | None:
+    """Return the best rival of the effect that was taken first, what was taken beside it among them or not."""
+    if found.begun is None:
+        return None
+    taken = {found.begun.candidate.mechanism}
+    if not among_taken:
+        taken |= {each.trial.candidate.mechanism for each in found.accepted}
+    rivals = [
+        trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
+    ]
+    return max(rivals, key=lambda trial: trial.gain, default=None)
+
+
+def _begun_with(chain: Chain) -> str:
+    return "" if chain.begun is None else chain.begun.candidate.mechanism
+
+
+def _without_first(other: Chain, found: Chain) -> bool:
+    return bool(other.accepted) and all(each.trial.candidate.mechanism != _begun_with(found) for each in other.accepted)
+
+
+def _leaves_much_less(other: Chain, found: Chain) -> bool:
+    return excess(other.case) < _MUCH_LESS * excess(found.case)
+
+
+def _misses_less(other: Chain, found: Chain) -> bool:
+    return other.case.model.cost + _paid(other) < found.case.model.cost + _paid(found)
+
+
+def _paid(chain: Chain) -> float:
+    candidates = [each.trial.candidate for each in chain.accepted]
+    return sum(PER_KNOB * len(candidate.knobs) + candidate.price for candidate in candidates)
