@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig.diagnose.beginning import Beginning
 from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.opened_gap import GAP
+from torquerig.diagnose.choosing.opened_gap import GAP, flanks_may_part
 from torquerig.diagnose.diagnosis import HeldOut, Mismatch
 from torquerig.diagnose.findings import Searched
 from torquerig.diagnose.judging.both_ways import rings_both_ways
@@ -149,7 +150,6 @@ def _refused(start: Beginning, told: Believed) -> str:
     accepted = told.sought.accepted
     ratio = abs(start.before.nominal.run.gear_ratio or 1.0)
     places = [each.trial.candidate.place for each in accepted if each.trial.candidate.place is not None]
-    flown = any(of_flights(mismatch) and len(mismatch.recordings) > 1 for mismatch in told.missed)
     return why_withdrawn(
         told.fit, told.left, effects=len(accepted), passing=told.came_and_went,
         resembled=any(each.trial.candidate.resembled for each in accepted),
@@ -163,5 +163,13 @@ def _refused(start: Beginning, told: Believed) -> str:
         and any(stands_at(mismatch, place, ratio) for mismatch in told.left for place in places),
         both_ways=rings_both_ways(told.left, told.after.model.rig),
         everywhere=missed_everywhere(told.after, told.held, by=FAR), gap=told.after.has(GAP),
-        flights_told=flown and told.after.has(GAP) and not any(of_flights(each) for each in told.left),
+        flights_told=_flown(start.before, told.missed)
+        and told.after.has(GAP)
+        and not any(of_flights(each) for each in told.left),
     )  # fmt: skip
+
+
+def _flown(before: Case, missed: Sequence[Mismatch]) -> bool:
+    """Whether flanks flew in several runs, or in the only one in which they may: what slips does so in one of them."""
+    several = min(2, sum(map(flanks_may_part, before.from_zero)))
+    return several > 0 and any(of_flights(each) and len(each.recordings) >= several for each in missed)
