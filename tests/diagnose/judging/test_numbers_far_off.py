@@ -13,7 +13,7 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.fitting.calibration import LIMIT
 from torquerig.diagnose.fitting.knobs import HARDLY_ANY, Knob, turned
 from torquerig.diagnose.judging.numbers_far_off import number_far_off
-from torquerig.mechanisms import ParticleLoad
+from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.scenario.reading import Scenario
 
 INERTIA = Knob("wear_part", "inertia", 0.1)
@@ -71,3 +71,15 @@ def test_how_slowly_a_load_varies_whose_hits_nobody_knows_may_be_anything(wear_r
         case = SimpleNamespace(**{**vars(case_at(wear_rig, 0.0, 0.0)), "model": model, "nominal": stated,
                                   "nominal_with_accepted": lambda stated=stated: stated})  # fmt: skip
         assert (number_far_off(cast("Case", case)) is not None) == told
+
+
+@pytest.mark.parametrize(("position", "told"), [(-LIMIT, False), (LIMIT, True)], ids=["weaker", "stronger"])
+def test_a_line_may_be_as_weak_as_it_likes(position: float, told: bool, wear_rig: Scenario) -> None:
+    """Of a line that is not there a factor's logarithm has no end; one that is far stronger stands in for another."""
+    ripple = wear_rig.rig.parts_of(TorqueRipple)[0]
+    knob, at = Knob(ripple.name, "amplitudes", 0.25, key=min(ripple.amplitudes)), np.array([position])
+    runs = [SimpleNamespace(name="one", mean_speed=105.0, run=SimpleNamespace(occupancy_percent=5.0))]
+    model = SimpleNamespace(knobs=(knob,), positions=at, rig=turned(wear_rig.rig, (knob,), at))
+    nominal = wear_rig.rig
+    case: Any = SimpleNamespace(runs=runs, model=model, nominal=nominal, nominal_with_accepted=lambda: nominal)
+    assert (number_far_off(case) is not None) is told

@@ -17,7 +17,7 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import LIMIT
 from torquerig.diagnose.fitting.knobs import HARDLY_ANY, Knob
 from torquerig.diagnose.judging.chance import by_chance
-from torquerig.mechanisms import ParticleLoad
+from torquerig.mechanisms import ParticleLoad, TorqueRipple
 
 _AT_LIMIT, _OF_LOAD = 0.97 * LIMIT, 6.0  # spreads
 
@@ -51,6 +51,12 @@ def _of_load(case: Case, knob: Knob) -> bool:
 
 
 def _may_be_anything(case: Case, knob: Knob) -> bool:
-    """Whether it is how slowly a load varies whose hits nobody knows: these may take the place of all else."""
-    load = case.nominal.part(knob.part)
-    return isinstance(load, ParticleLoad) and load.hit_rms <= HARDLY_ANY and knob.field.startswith("slow")
+    """Whether it is how slowly a load varies whose hits nobody knows: these may take the place of all else.
+
+    Or a line that is weaker than stated: down to nothing that is four of its spreads, though a factor's logarithm has
+    no end there, and what is not there stands in for nothing.
+    """
+    part = case.nominal.part(knob.part)
+    if isinstance(part, TorqueRipple):
+        return abs(knob.value(case.model.rig)) < abs(knob.value(case.nominal_with_accepted()))
+    return isinstance(part, ParticleLoad) and part.hit_rms <= HARDLY_ANY and knob.field.startswith("slow")
