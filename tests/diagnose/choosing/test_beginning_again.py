@@ -19,7 +19,7 @@ NONE = Tried((), ())
 def trial(name: str, gain: float) -> Any:
     return SimpleNamespace(
         candidate=SimpleNamespace(
-            mechanism=name, description="", place=None, slow=name == "drift", knobs=(name,), price=0.0
+            mechanism=name, description="", place=None, slow=name == "drift", knobs=(name,), price=0.0, resembled=False
         ),
         gain=gain, gap=None, beside=(0.0, 0.0),
     )  # fmt: skip
@@ -179,16 +179,24 @@ def test_a_rival_that_leads_to_what_was_taken_first_is_followed_no_further(
     assert asked == [(), ("mesh",), ("blades",)]
 
 
+@pytest.mark.parametrize("hum", [None, 500.0, 390.0], ids=["", "beside a hum", "beside a hum that gains more"])
 @pytest.mark.parametrize(("left", "found"), [(10.0, ("drift", "friction")), (200.0, ())], ids=["right", "still wrong"])
 def test_a_drift_whose_levels_a_friction_bends_is_half_of_a_pair_that_leaves_nothing(
-    left: float, found: tuple[str, ...], world: dict[tuple[str, ...], float], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The friction alone is none that can be, since the drift bends it; and the drift alone leaves its levels wrong."""
+    left: float, found: tuple[str, ...], hum: float | None, world: dict[tuple[str, ...], float],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    """The friction alone is none that can be, since the drift bends it; and the drift alone leaves its levels wrong.
+
+    Where half of another pair gains more, that one is asked alone.
+    """
     world.clear()
     world.update({(): 1000.0, ("drift",): 400.0, ("drift", "friction"): left})
-    monkeypatch.setattr(chain, "promising", lambda case, each: False)
-    monkeypatch.setattr(chain, "takes_much", lambda case, each: each.gain > 300)
-    monkeypatch.setattr(chain, "_together", lambda start, case, accepted: True)
+    world.update({} if hum is None else {("hum",): hum})
+    found = () if hum is not None and hum < 400.0 else found
+    for module in (chain, beginning_again):
+        monkeypatch.setattr(module, "promising", lambda case, each: each.candidate.mechanism == "hum")
+        monkeypatch.setattr(module, "takes_much", lambda case, each: each.gain > 300)
+    monkeypatch.setattr(chain, "_together", lambda start, case, accepted: len(accepted) > 1)
     monkeypatch.setattr(chain, "convincing", lambda case, each, **_: each.candidate.mechanism == "friction")
     monkeypatch.setattr(chain, "small_beside", lambda trial, earlier: False)
     assert findings.searched(case_of((), world[()]), (), lambda _: None).findings == found

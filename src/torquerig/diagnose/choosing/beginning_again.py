@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.chain import Chain, Progress, chained
-from torquerig.diagnose.choosing.convincing import promising
+from torquerig.diagnose.choosing.convincing import promising, takes_much
 from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.choosing.search import excess
 from torquerig.diagnose.choosing.trial import PER_KNOB, Trial
@@ -26,16 +26,48 @@ def best_chain(case: Case, held: Sequence[Features], progress: Progress) -> Chai
     So it is where a gap was taken first and another effect beside it: what simulations say of a gap bends with every
     line and every band, so that a gap and half of a pair may look like the pair. A model without the gap takes the
     place where it misses less, all its numbers paid.
+
+    Where nothing is found at all, and a zero that drifts would take more away than what was then taken for half of a
+    pair, it is begun again with the drift: beside friction it leaves levels wrong, and what bends in their place gains
+    less than it.
     """
     found = chained(case, held, progress)
+    found = _with_the_slow_half(found, case, held, progress)
+    return _without_a_stand_in(found, case, held, progress)
+
+
+def _with_the_slow_half(found: Chain, case: Case, held: Sequence[Features], progress: Progress) -> Chain:
+    slow = _slow_half(case, found)
+    if slow is None:
+        return found
+    progress(f"beginning again with {slow.candidate.mechanism}")
+    other = chained(case, held, progress, first=found.first, begin=slow)
+    return other if other.accepted else found
+
+
+def _without_a_stand_in(found: Chain, case: Case, held: Sequence[Features], progress: Progress) -> Chain:
     wrong = _still_wrong(case, found)
     rival = _rival_of_first(case, found, among_taken=not wrong) if wrong or _beside_gap(found) else None
-    if rival is not None:
-        progress(f"beginning again with {rival.candidate.mechanism}")
-        other = chained(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
-        better = _leaves_much_less(other, found) if wrong else _misses_less(other, found)
-        found = replace(other, instead=found) if better and _without_first(other, found) else found
-    return found
+    if rival is None:
+        return found
+    progress(f"beginning again with {rival.candidate.mechanism}")
+    other = chained(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
+    better = _leaves_much_less(other, found) if wrong else _misses_less(other, found)
+    return replace(other, instead=found) if better and _without_first(other, found) else found
+
+
+def _slow_half(case: Case, found: Chain) -> Trial | None:
+    """Return what is slow and takes much, more than all that is promising by itself, where nothing was found."""
+    if found.accepted:
+        return None
+    by_itself = [trial for trial in found.first.fitted if promising(case, trial)]
+    slow = [trial for trial in found.first.fitted if trial.candidate.slow and takes_much(case, trial)]
+    best, most = max(slow, key=_gain, default=None), max(by_itself, key=_gain, default=None)
+    return best if best is not None and most is not None and best.gain > most.gain else None
+
+
+def _gain(trial: Trial) -> float:
+    return trial.gain
 
 
 def _still_wrong(case: Case, found: Chain) -> bool:

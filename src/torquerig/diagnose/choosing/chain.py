@@ -60,7 +60,8 @@ def chained(
     case, accepted, on_trial, tried = start, list[Accepted](), _OnTrial(), first
     if begin is not None and first is not None:
         accepted = [Accepted(before=start, trial=begin, tried=first)]
-        case, on_trial = with_all(start, accepted), _OnTrial(not convincing(start, begin, earlier=[], held=held))
+        unsure, slow = not convincing(start, begin, earlier=[], held=held), begin.candidate.slow
+        case, on_trial = with_all(start, accepted), _OnTrial(unsure, 2 if slow else 1, wholly=slow)
     while True:
         progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
         tried = trials(case)
