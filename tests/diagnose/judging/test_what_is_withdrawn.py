@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
@@ -11,6 +12,7 @@ from torquerig.diagnose.diagnosis import HeldOut, Mismatch
 from torquerig.diagnose.judging.withdrawn import why_withdrawn
 
 SOMEWHERE = (cast(Mismatch, object()),)
+AT_A_MOMENT, A_LINE = (cast(Mismatch, SimpleNamespace(domain=domain)) for domain in ("time", "order"))
 
 
 def fit(before: float, after: float, explained: float) -> HeldOut:
@@ -96,6 +98,25 @@ def test_what_left_a_rest_before_must_leave_none_beside_numbers_that_stand_still
 def test_a_gap_that_tells_the_flights_need_not_foretell_the_rest_better(after: float, told: bool, gone: bool) -> None:
     held = fit(0.5, 0.5 * after, 0.3)
     assert ("hardly predicted better" in why_withdrawn(held, (), flights_told=told)) is gone
+
+
+@pytest.mark.parametrize(
+    ("left", "flown", "untrue", "stays"),
+    [
+        ((AT_A_MOMENT,), True, True, True),
+        ((AT_A_MOMENT, A_LINE), True, True, False),
+        ((AT_A_MOMENT,), False, True, False),
+        ((AT_A_MOMENT,), True, False, False),
+    ],
+    ids=["moments alone", "a line as well", "no flights", "all samples true"],
+)
+@pytest.mark.parametrize(("before", "after", "explained"), [(4.9, 4.1, 0.59), (2.4, 2.26, 0.86)])
+def test_moments_at_which_samples_are_untrue_are_no_rest_of_a_gap_that_tells_the_flights(
+    before: float, after: float, explained: float, left: Any, flown: bool, untrue: bool, stays: bool
+) -> None:
+    """A gain that jumps beside it: what no fit has seen of that run is foretold badly whatever is found."""
+    why = why_withdrawn(fit(before, after, explained), left, gap=True, flights_told=flown, samples_too=untrue)
+    assert (why == "") is stays
 
 
 @pytest.mark.parametrize(("before", "after", "stays"), [(13.1, 9.4, False), (13.1, 4.0, True), (2.0, 1.6, True)])

@@ -78,7 +78,8 @@ def why_withdrawn(
     drifts_in_all : bool
         Whether a zero that drifts was found, and the spectrum changes along the steady runs as well.
     samples_too : bool
-        Whether samples were found untrue, of which a rest may stay.
+        Whether samples were found untrue, of which a rest may stay: where moments alone are left, none of it is that
+        of a gap that tells the flights.
     again : bool
         Whether it left a rest before, beside numbers that moved.
     flights_told : bool
@@ -99,7 +100,9 @@ def why_withdrawn(
         Whether a mode was found that leaves its own band too loud in one run and too quiet in another.
     """
     missing, rest = fit.before - 1, fit.after - 1
-    elsewhere = bool(left) and not (resembled or gap) and _clearly_there(fit)
+    told_apart = flights_told and samples_too and all(each.domain == "time" for each in left)
+    elsewhere = bool(left) and (told_apart or (not (resembled or gap) and _clearly_there(fit)))
+    unexplained = fit.explained < LEAST_SHARE and not elsewhere
     against = (
         (drifts_in_all, _NO_ZERO),
         (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
@@ -114,7 +117,7 @@ def why_withdrawn(
         (turning_lines and rest > _MOST_OF_IT * missing and sum(map(at_whole_order, left)) >= _SEVERAL, ONE_OF_MANY),
         (missing > _CLEAR and rest > _NEARLY_ALL * missing and not elsewhere, _PREDICTS_NO_BETTER),
         (
-            left and rest > min(_LARGE_REST * missing, _BEYOND_ALL) and (again or fit.explained < LEAST_SHARE),
+            left and rest > min(_LARGE_REST * missing, _BEYOND_ALL) and (again or unexplained),
             LEAVES_A_REST,
         ),
         (everywhere and not (left or samples_too) and rest > _QUARTER * missing, LEAVES_A_REST),
