@@ -17,5 +17,6 @@
 - ``writing``       Parquet and sidecar
 - ``effects``       what the nominal model leaves out, one effect per file
 - ``effect_draws``  which effects there are, which hide each other, which plan shows them
+- ``gap_shows``     whether any recording shows a gap
 - ``draw``          one case: rig, laws, plan and effects
 """

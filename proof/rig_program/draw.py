@@ -10,6 +10,7 @@ import numpy as np
 
 from proof.rig_program.effect_draws import draw_effect, draw_pair, plan_kind, shows
 from proof.rig_program.effects.effect import Effect, Setting
+from proof.rig_program.gap_shows import gap_shows
 from proof.rig_program.laws import SAME_LAWS, Laws, draw_laws
 from proof.rig_program.plan import PlanKind, Run, draw_plan
 from proof.rig_program.recording import record
@@ -65,12 +66,15 @@ def draw_case(
     rig = draw_true_rig(rng, spread=2.0 if wrong_parameters else 1.0)
     laws = draw_laws(rng)
     sort = plan_kind(rng, kinds)
-    plan = draw_plan(rng, sort, duration=duration)
-    while not shows(plan, kinds):
+    while True:
         plan = draw_plan(rng, sort, duration=duration)
-    sizes = tuple(float(rng.uniform(0.3 if second else 0.0, 1.0)) for _ in kinds)
-    setting = Setting(rig, plan)
-    effects = tuple(draw_effect(rng, kind, setting, size=size) for kind, size in zip(kinds, sizes, strict=True))
+        if not shows(plan, kinds):
+            continue
+        sizes = tuple(float(rng.uniform(0.3 if second else 0.0, 1.0)) for _ in kinds)
+        setting = Setting(rig, plan)
+        effects = tuple(draw_effect(rng, kind, setting, size=size) for kind, size in zip(kinds, sizes, strict=True))
+        if gap_shows(plan, rig, laws, effects=effects, seed=seed):
+            break
     return Case(
         name=name,
         seed=seed,

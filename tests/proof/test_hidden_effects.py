@@ -18,13 +18,15 @@ from proof.rig_program.effect_draws import (
     plan_kind,
     shows,
 )
+from proof.rig_program.effects.backlash import Backlash
 from proof.rig_program.effects.effect import Setting, between
 from proof.rig_program.effects.stribeck_friction import StribeckFriction
+from proof.rig_program.gap_shows import gap_shows
 from proof.rig_program.laws import SAME_LAWS
 from proof.rig_program.plan import PlanKind, Profile, Run, draw_plan
 from proof.rig_program.recording import record
 from proof.rig_program.true_rig import draw_true_rig
-from proof.trials import draw_trials
+from proof.trials import deal
 
 CONTRACTS = Path(__file__).resolve().parents[2] / ".." / "shared" / "CONTRACTS.md"
 KINDS = [*IN_LIBRARY, *IN_NO_LIBRARY]
@@ -143,6 +145,12 @@ def test_effects_that_need_speeds_or_turning_get_them():
         assert kinds <= {PlanKind.TURNING, PlanKind.OTHER}
 
 
+def dealt(seed, number):
+    """Draw one case of a hundred."""
+    card = deal(seed, 100)[number - 1]
+    return draw_case("one", (seed, number), card.kinds, wrong_parameters=card.wrong_parameters, second=card.second)
+
+
 def test_a_gap_is_hidden_only_where_flanks_may_part():
     """Case 35 of seed 106 was drawn under loads that never let go: its recordings held nothing of the gap."""
     loaded = (Run(1000.0, Profile.STEADY, 5.0), Run(800.0, Profile.RAMP, 5.0))
@@ -150,7 +158,32 @@ def test_a_gap_is_hidden_only_where_flanks_may_part():
     assert shows(loaded, ("cogging",))
     assert shows((*loaded, Run(500.0, Profile.STEADY, 0.0)), ("backlash",))
     assert shows((*loaded, Run(500.0, Profile.REVERSAL, 5.0)), ("cogging", "backlash"))
-    assert any(run.occupancy == 0 or run.profile is Profile.REVERSAL for run in draw_trials(106, 100)[34].plan)
+    assert any(run.occupancy == 0 or run.profile is Profile.REVERSAL for run in dealt(106, 35).plan)
+
+
+def test_a_gap_is_hidden_only_where_a_recording_shows_it():
+    """Drag may hold the flanks together without a load, too: case 83 of seed 137 was drawn so."""
+    gap, hum = Backlash(gap=10.0), drawn("mains_interference", 0.5)
+    loaded = (Run(1000.0, Profile.STEADY, 5.0, duration=2.0),)
+    turned = (*loaded, Run(500.0, Profile.REVERSAL, 5.0, duration=2.0))
+    seen = [
+        gap_shows(plan, RIG, SAME_LAWS, effects=effects, seed=(3,))
+        for plan, effects in (
+            (loaded, (gap,)),
+            (turned, (gap,)),
+            (loaded, (gap, hum)),
+            (turned, (hum, gap)),
+            (loaded, ()),
+        )
+    ]
+    assert seen == [False, True, False, True, True]
+
+
+def test_where_no_gap_shows_all_is_drawn_again():
+    """Every run of the case that is drawn now for number 83 of seed 137 was one under which flanks stay closed."""
+    case = dealt(137, 83)
+    assert [effect.kind for effect in case.effects] == ["backlash"]
+    assert gap_shows(case.plan, case.rig, case.laws, effects=case.effects, seed=case.seed)
 
 
 def test_sizes_are_even_in_their_logarithm():
