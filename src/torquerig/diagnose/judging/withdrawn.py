@@ -27,6 +27,10 @@ COMES_AND_GOES = "fitted, and withdrawn: in several runs noise comes and goes, a
 TOO_MANY = (
     "fitted, and withdrawn: as many effects together leave a rest, and may each be a piece of one that is not known"
 )
+_SLIPS = (
+    "fitted, and withdrawn: a run's spectrum stands elsewhere at times, and what slips brings the torque near zero as "
+    "parted flanks do"
+)
 _NO_ZERO = (
     "fitted, and withdrawn: the spectrum changes along the steady runs too, which a zero that drifts does not do to it"
 )
@@ -106,6 +110,7 @@ def why_withdrawn(
     against = (
         (drifts_in_all, _NO_ZERO),
         (resembled and len(passing) >= _SEVERAL, COMES_AND_GOES),
+        (gap and passing and not samples_too, _SLIPS),
         (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
         (own_line, _ITS_OWN_LINE),
