@@ -73,11 +73,19 @@ def test_how_slowly_a_load_varies_whose_hits_nobody_knows_may_be_anything(wear_r
         assert (number_far_off(cast("Case", case)) is not None) == told
 
 
-@pytest.mark.parametrize(("position", "told"), [(-LIMIT, False), (LIMIT, True)], ids=["weaker", "stronger"])
-def test_a_line_may_be_as_weak_as_it_likes(position: float, told: bool, wear_rig: Scenario) -> None:
+@pytest.mark.parametrize(
+    ("spread", "position", "told"),
+    [(0.25, -LIMIT, False), (0.25, LIMIT, True), (0.1, -LIMIT, True)],
+    ids=["weaker", "stronger", "weaker than one well known"],
+)
+@pytest.mark.parametrize("of_a_line", [True, False], ids=["line", "drag"])
+def test_what_is_hardly_known_may_be_as_small_as_it_likes(
+    of_a_line: bool, spread: float, position: float, told: bool, wear_rig: Scenario
+) -> None:
     """Of a line that is not there a factor's logarithm has no end; one that is far stronger stands in for another."""
     ripple = wear_rig.rig.parts_of(TorqueRipple)[0]
-    knob, at = Knob(ripple.name, "amplitudes", 0.25, key=min(ripple.amplitudes)), np.array([position])
+    line = Knob(ripple.name, "amplitudes", spread, key=min(ripple.amplitudes))
+    knob, at = line if of_a_line else Knob("wear_part", "viscous", spread), np.array([position])
     runs = [SimpleNamespace(name="one", mean_speed=105.0, run=SimpleNamespace(occupancy_percent=5.0))]
     model = SimpleNamespace(knobs=(knob,), positions=at, rig=turned(wear_rig.rig, (knob,), at))
     nominal = wear_rig.rig

@@ -17,15 +17,16 @@ from torquerig.diagnose.diagnosis import Mismatch
 from torquerig.diagnose.fitting.calibration import LIMIT
 from torquerig.diagnose.fitting.knobs import HARDLY_ANY, Knob
 from torquerig.diagnose.judging.chance import by_chance
-from torquerig.mechanisms import ParticleLoad, TorqueRipple
+from torquerig.mechanisms import ParticleLoad
 
 _AT_LIMIT, _OF_LOAD = 0.97 * LIMIT, 6.0  # spreads
+_NOTHING_WITHIN = 1 / 4  # [1] of such a relative spread nothing is four
 
 
 def number_far_off(case: Case) -> tuple[str, Mismatch] | None:
     """Return a sentence and a mismatch for the number that stands furthest off; None where none stands in for more."""
     positions = zip(case.model.knobs, case.model.positions.tolist(), strict=True)
-    asked = (pair for pair in positions if not _may_be_anything(case, pair[0]))
+    asked = (pair for pair in positions if not _may_be_anything(case, *pair))
     off = [(knob, at) for knob, at in asked if abs(at) >= (_OF_LOAD if _of_load(case, knob) else _AT_LIMIT)]
     if not off:
         return None
@@ -50,13 +51,13 @@ def _of_load(case: Case, knob: Knob) -> bool:
     return isinstance(case.nominal.part(knob.part), ParticleLoad)
 
 
-def _may_be_anything(case: Case, knob: Knob) -> bool:
+def _may_be_anything(case: Case, knob: Knob, position: float) -> bool:
     """Whether it is how slowly a load varies whose hits nobody knows: these may take the place of all else.
 
-    Or a line that is weaker than stated: down to nothing that is four of its spreads, though a factor's logarithm has
-    no end there, and what is not there stands in for nothing.
+    Or a number of the rig so uncertain that nothing at all lies within four of its spreads, and that is smaller than
+    stated: a factor's logarithm has no end there, and what is not there stands in for nothing.
     """
-    part = case.nominal.part(knob.part)
-    if isinstance(part, TorqueRipple):
-        return abs(knob.value(case.model.rig)) < abs(knob.value(case.nominal_with_accepted()))
-    return isinstance(part, ParticleLoad) and part.hit_rms <= HARDLY_ANY and knob.field.startswith("slow")
+    load = case.nominal.part(knob.part)
+    if not isinstance(load, ParticleLoad):
+        return knob.factor and position < 0 and knob.spread >= _NOTHING_WITHIN
+    return load.hit_rms <= HARDLY_ANY and knob.field.startswith("slow")
