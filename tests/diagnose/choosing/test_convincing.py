@@ -245,7 +245,7 @@ def test_a_small_gain_suffices_where_it_comes_again_on_what_no_fit_has_seen(
     assert not judged_again(before, alike, share=share, held_gain=held_gain - 5.0)
     enough_by_itself = held_gain + 20.0 > 0.7 * 40.0
     assert judged_again(before, alike, share=share, held_gain=held_gain + 20.0) is (enough_by_itself and share > 0.9)
-    low_pass = replace(alike, candidate=replace(alike.candidate, mechanism="sensor_bandwidth"))
+    low_pass = replace(alike, candidate=replace(alike.candidate, as_loads=True))
     assert not judged_again(before, low_pass, share=share, held_gain=held_gain + 20.0), "laws of a load resemble it"
 
 

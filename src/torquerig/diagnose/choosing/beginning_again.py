@@ -60,10 +60,14 @@ def _slow_half(case: Case, found: Chain) -> Trial | None:
     """Return what is slow and takes much, more than all that is promising by itself, where nothing was found."""
     if found.accepted:
         return None
-    by_itself = [trial for trial in found.first.fitted if promising(case, trial)]
+    by_itself = _promising(case, found)
     slow = [trial for trial in found.first.fitted if trial.candidate.slow and takes_much(case, trial)]
     best, most = max(slow, key=_gain, default=None), max(by_itself, key=_gain, default=None)
     return best if best is not None and most is not None and best.gain > most.gain else None
+
+
+def _promising(case: Case, found: Chain) -> list[Trial]:
+    return [trial for trial in found.first.fitted if promising(case, trial)]
 
 
 def _gain(trial: Trial) -> float:
@@ -87,10 +91,8 @@ def _rival_of_first(case: Case, found: Chain, *, among_taken: bool) -> Trial | N
     taken = {found.begun.candidate.mechanism}
     if not among_taken:
         taken |= {each.trial.candidate.mechanism for each in found.accepted}
-    rivals = [
-        trial for trial in found.first.fitted if trial.candidate.mechanism not in taken and promising(case, trial)
-    ]
-    return max(rivals, key=lambda trial: trial.gain, default=None)
+    rivals = [trial for trial in _promising(case, found) if trial.candidate.mechanism not in taken]
+    return max(rivals, key=_gain, default=None)
 
 
 def _begun_with(chain: Chain) -> str:

@@ -85,7 +85,7 @@ def convincing(case: Case, trial: Trial, *, earlier: Sequence[Trial], held: Sequ
     if trusted and not _falls_clearly(case, trial):
         return trial.gain > _TWICE * least and trusted * trial.gain > _AGAIN * least
     again_enough = trusted * trial.gain > _NEARLY * least if trial.candidate.resembled else trusted > _AGAIN
-    borne_out = share > _WHOLE and again_enough and not _low_pass(trial)
+    borne_out = share > _WHOLE and again_enough and not trial.candidate.as_loads
     beside_more = _mode(trial) and excess(case) > 2 * trial.gain  # what else is wrong with the shafts moves their modes
     enough = max(_enough(case, trial, trusted), _WHOLE if beside_more else 0.0)
     return share > enough and (trial.gain > least or borne_out)
@@ -114,11 +114,6 @@ def _falls_clearly(case: Case, trial: Trial) -> bool:
 def _mode(trial: Trial) -> bool:
     """Whether it is one of the shafts' own modes, which noise resembles and whose place their other numbers move."""
     return trial.candidate.resembled and bool(trial.candidate.bends)
-
-
-def _low_pass(trial: Trial) -> bool:
-    """Whether it is what laws of a load resemble as well: a clean rig gained 31 by it, and 33 where no fit had seen."""
-    return trial.candidate.mechanism == "sensor_bandwidth"
 
 
 def _may_leave(earlier: Trial, trial: Trial) -> bool:

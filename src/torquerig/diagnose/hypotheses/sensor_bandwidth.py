@@ -41,5 +41,5 @@ def _low_pass(sensor: TorqueSensor, cutoff: float) -> Candidate:
     part = mechanisms.SensorBandwidth(name="sensor_bandwidth", sensor=sensor.name, cutoff=cutoff)
     return Candidate(
         mechanism="sensor_bandwidth", parts=(part,), knobs=(Knob(part.name, "cutoff", 0.3),), promised=_PROMISED,
-        resembled=True,
+        resembled=True, as_loads=True,
     )  # fmt: skip

@@ -5,7 +5,8 @@ driven there, or one of the load beyond six, and nothing that was tried explains
 nobody would believe: a level that a bent characteristic makes, hits that are pulses of another kind. Of 156 rigs with
 nothing hidden, some of them with numbers wrong by twice their stated spreads, none had one beyond 5.2; of 90 more one
 had (119-039, whose numbers are far off), of 43 more one had a line at 5.8 and none a number of the load beyond 4: what
-stands there is to be looked at, and nothing is named.
+stands there is to be looked at, and nothing is named. Two clean rigs of 180 had one at the lower limit, a line and a
+drag stated to a quarter or worse: such numbers may be as small as they like.
 """
 
 from __future__ import annotations

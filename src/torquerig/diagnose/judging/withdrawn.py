@@ -99,7 +99,8 @@ def why_withdrawn(
     everywhere : bool
         Whether the completed model misses far more than chance, though no place of it stands out.
     gap : bool
-        Whether a gap was found: not all that ends in blows is one, and most of what slips stays beside it.
+        Whether a gap was found: not all that ends in blows is one, and most of what slips stays beside it, or comes
+        at times.
     both_ways : bool
         Whether a mode was found that leaves its own band too loud in one run and too quiet in another.
     """
