@@ -23,8 +23,9 @@ def trials_made(proved: Proved) -> Chapter:
         (
             "A rig program of its own (own equations, integrators and effects; it imports nothing of the "
             "simulator) draws a rig around the nominal one and, for each rig anew, the law of friction near "
-            "standstill, the contact law, the shape of the load and the integrator. The diagnosis is given the "
-            "recordings and the nominal scenario."
+            "standstill, the contact law, the shape of the load and the integrator. A case whose gap shows in no "
+            "recording by more than the sensor's noise is drawn again. The diagnosis is given the recordings and the "
+            "nominal scenario."
         ),
         (
             "Answers are drawn from the seed, written and hashed before anything is recorded, and opened when "
