@@ -210,6 +210,18 @@ def test_where_nothing_stands_out_a_strong_effects_details_are_no_second_effect(
     assert judged == [False, True]
 
 
+@pytest.mark.parametrize(("loosens", "named"), [(("viscous",), True), ((), False)])
+def test_what_moves_the_slow_torque_is_no_detail_of_a_line(
+    loosens: tuple[str, ...], named: bool, case: Case, wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A drag gained 360 beside a mesh that gained 105 000, more than which its details may."""
+    monkeypatch.setattr(judging, "mismatches", lambda _: ())
+    drag = trial(wear_rig.rig, "quadratic_drag", *[1.0] * 40, before=case.model)
+    drag = replace(drag, candidate=replace(drag.candidate, loosens=loosens))
+    mesh = replace(trial(wear_rig.rig, "gear_mesh", *[1.0] * 40, before=case.model), gain=200.0 * drag.gain)
+    assert judging.convincing(case, drag, earlier=[mesh], held=()) is named
+
+
 @pytest.fixture
 def judged_again(wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch) -> Callable[..., bool]:
     """Whether a first effect is convincing that explains a share of its places, and gains again on what is held out."""

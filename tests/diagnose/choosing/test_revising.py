@@ -142,3 +142,29 @@ def test_a_rival_that_is_ahead_has_the_gap_told_around_it(
     kept = revised(first, accepted)
     assert taken in {each.trial.candidate.mechanism for each in kept}
     assert len(kept) == 2
+
+
+@pytest.mark.parametrize(("anew", "kept"), [(405.0, ["pwm_aliasing", "mains_interference"]), (450.0, [*NEEDED])])
+def test_numbers_that_cannot_be_are_fitted_anew_beside_the_others(
+    anew: float, kept: list[str], wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A friction that was fitted while a drift was missing held 403 rad/s; begun anew beside it, it fits as well."""
+    monkeypatch.setattr(revising, "calibrated", lambda rig, seen, knobs, **_: fitted(rig, knobs))
+    monkeypatch.setattr(revising, "can_be", lambda own, _: own.mechanism != "mains_interference")
+    rig, knobs = wear_rig.rig, tuple[Knob, ...]()
+    first = case = Case(nominal=rig, runs=(), seen=(), model=fitted(rig, ()), left=())
+    accepted: list[Accepted] = []
+    for name in NEEDED:
+        own = candidate(name)
+        rig, knobs = own.added_to(rig), (*knobs, *own.knobs)
+        trial = Trial(own, fitted(rig, knobs), 300.0)
+        accepted.append(Accepted(before=case, trial=trial, tried=Tried((trial,), ())))
+        case = revising.with_all(first, accepted)
+
+    def trials(_: Case, *, among: frozenset[str], **__: object) -> Tried:
+        assert among == frozenset({"mains_interference"})
+        last = accepted[-1].trial.model
+        return Tried((replace(accepted[0].trial, model=replace(last, cost=anew)),), ())
+
+    monkeypatch.setattr(revising, "trials", trials)
+    assert [each.trial.candidate.mechanism for each in revised(first, accepted)] == kept

@@ -14,6 +14,7 @@ from torquerig.diagnose.expecting.correction import Correction
 from torquerig.diagnose.expecting.expectation import Expectation, expected
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.judging import band_excess
+from torquerig.diagnose.judging import narrow_humps as humps
 from torquerig.diagnose.judging.narrow_humps import _smeared_lines, narrow_humps
 from torquerig.diagnose.looking.features import Features, features
 from torquerig.diagnose.looking.observed import Observed
@@ -81,6 +82,32 @@ def test_what_simulations_have_as_well_is_none(wear_rig: Scenario, seen: Callabl
     ]
     assert found(wear_rig, *runs)
     assert found(wear_rig, *runs, beyond=beyond) == []
+
+
+@pytest.mark.parametrize(
+    ("spreads", "high", "told"),
+    [
+        ((4.9, 6.4), (1.1, 1.6), True),  # 8.1 together
+        ((4.2, 6.0), (1.1, 1.6), False),  # 7.3 together
+        ((3.9, 9.0), (1.1, 1.6), False),  # a run shows nothing
+        ((4.9, 6.4), (0.8, 1.6), False),  # what rises so little may be the load's own
+        ((4.1, 8.1), (0.8, 1.6), True),  # one that is clear alone asks the other only whether it is there
+    ],
+)
+def test_two_runs_may_be_as_clear_together_as_one_alone(
+    spreads: tuple[float, float], high: tuple[float, float], told: bool, wear_rig: Scenario,
+    seen: Callable[..., Features], monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    """A line of order 7.5 whose phase jumped stood out by 4.9 and 6.4 spreads, in single bands of two speeds."""
+    runs = seen(100.0, seed=1), seen(70.0, seed=2)
+    made = []
+    for run, spread, height in zip(runs, spreads, high, strict=True):
+        at = int(np.argmin(np.abs(run.band - ORDER * run.observed.mean_speed / (2 * pi))))
+        alone = np.arange(run.band.size) == at
+        made.append(humps._Heights(run, height * alone, spread * alone))
+    monkeypatch.setattr(humps, "band_excesses", lambda case, beyond: made)
+    monkeypatch.setattr(humps, "_heights", lambda each: each)
+    assert [domain for domain, _ in found(wear_rig, *runs)] == ["order"] * told
 
 
 @pytest.mark.parametrize(

@@ -173,6 +173,12 @@ def test_a_line_goes_that_its_cause_does_not_explain(own: bool, combined: bool, 
     assert bool(told) is bool(why)
 
 
+def test_a_line_may_stay_wrong_where_the_time_base_jumps() -> None:
+    """Its phase jumps with the time; the samples were told of, and it is no sign of another cause."""
+    assert why_withdrawn(fit(5.0, 1.1, 0.95), SOMEWHERE, own_line=True)
+    assert not why_withdrawn(fit(5.0, 1.1, 0.95), SOMEWHERE, own_line=True, samples_too=True)
+
+
 @pytest.mark.parametrize(
     ("least", "combined", "gone"), [(-0.06, True, True), (0.02, True, False), (-0.06, False, False)]
 )

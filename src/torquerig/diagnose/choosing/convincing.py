@@ -165,7 +165,8 @@ def _gains_of_details(case: Case, trial: Trial, earlier: Sequence[Trial]) -> lis
         return [*rings, *(_OF_EARLIER_TOLD_AGAIN * each.gain for each in earlier)]
     if case.model.corrections or rings:
         return [*rings, *(_OF_EARLIER * each.gain for each in earlier)]
-    turning = [each for each in earlier if each.candidate.place is None or each.candidate.place.domain == "order"]
+    own = [each for each in earlier if _may_leave(each, trial)]
+    turning = [each for each in own if each.candidate.place is None or each.candidate.place.domain == "order"]
     return [_DETAIL * each.gain for each in turning] if turning and not mismatches(case) else []
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing.around_gap import told_again
 from torquerig.diagnose.choosing.opened_gap import GAP
+from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.search import Tried, extended, trials, unexplained
 from torquerig.diagnose.choosing.trial import LEAST_GAIN, PER_KNOB, Trial
 from torquerig.diagnose.fitting.calibration import Calibrated, calibrated
@@ -62,11 +63,14 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
             before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
             kept[-1] = replace(kept[-1], before=before)
             continue
-        rivals = _rivals(kept[at])
-        tried = trials(others, simulated=False, to_beat=final.cost, among=rivals) if rivals else Tried((), ())
+        possible = can_be(kept[at].trial.candidate, final)
+        among = _rivals(kept[at]) | (frozenset() if possible else {kept[at].trial.candidate.mechanism})
+        tried = trials(others, simulated=False, to_beat=final.cost, among=among) if among else Tried((), ())
         beside = replace(kept[at].trial, model=final, gain=_gain(kept[at].trial, others.model, final))
         better = _best_rival(others, tried, beside)
-        if better is not None and better.model.cost < final.cost - LEAST_GAIN:
+        if better is None or better.model.cost > final.cost - LEAST_GAIN:
+            better = None if possible else _anew(tried, beside)
+        if better is not None:
             remaining = with_gap([*kept[:at], *kept[at + 1 :]], better.gap)
             kept = [*remaining, Accepted(before=others, trial=better, tried=tried)]
             continue
@@ -86,6 +90,15 @@ def _best_rival(others: Case, tried: Tried, taken: Trial) -> Trial | None:
         return None
     again = told_again(others, best) if best.gain > taken.gain else None
     return best if again is None else again
+
+
+def _anew(tried: Tried, taken: Trial) -> Trial | None:
+    """Return the same effect begun anew beside all others, where it fits as well; None where it does not.
+
+    What was fitted while another effect was missing may have run to numbers that cannot be, and found no way back.
+    """
+    same = (each for each in tried.fitted if not _other(each, taken))
+    return next((each for each in same if each.model.cost < taken.model.cost + LEAST_GAIN), None)
 
 
 def _of_the_same_line(kept: Sequence[Accepted], at: int) -> float:

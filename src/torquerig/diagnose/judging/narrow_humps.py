@@ -26,7 +26,7 @@ from torquerig.diagnose.looking.order_or_fixed import ONE_SPEED
 Floats = NDArray[np.float64]
 
 _HIGH, _CLEAR = 1.0, 8.0  # of the density's logarithm above both neighbours, and in spreads, in the run that shows it
-_AGAIN = 4.0  # spreads in another run, of another speed
+_AGAIN = 4.0  # spreads in another run, of another speed; as high there, both may be as clear together as one alone
 _WITHIN = 1  # bands beside, at which it may stand there
 _SMEARED = 0.05  # of a line's power an angle that was followed, not measured, may leave in bands beside it
 
@@ -54,20 +54,19 @@ def narrow_humps(case: Case, total: float, beyond: Sequence[Correction] = ()) ->
         speed, another = (abs(each.features.observed.mean_speed) for each in (one, other))
         if abs(another / speed - 1) < ONE_SPEED:
             continue
-        for at in np.flatnonzero((one.spreads > _CLEAR) & (one.height > _HIGH)):
-            middle, width = float(one.features.band[at]), float(one.features.width[at])
-            domain = "order" if _again(other, middle * another / speed) else "frequency"
+        for at in np.flatnonzero((one.spreads > _AGAIN) & (one.height > _HIGH)):
+            middle, width, spreads = (float(each[at]) for each in (one.features.band, one.features.width, one.spreads))
+            domain = "order" if _again(other, middle * another / speed, spreads) else "frequency"
             scale = 2 * pi / speed if domain == "order" else 1.0
             known = any(kind == domain and abs(middle * scale - where) < width * scale for kind, where in told)
-            if known or (domain == "frequency" and not _again(other, middle)):
+            if known or (domain == "frequency" and not _again(other, middle, spreads)):
                 continue
             told.append((domain, middle * scale))
             yield Mismatch(
                 domain=domain, axis="motor_shaft" if domain == "order" else "Hz", at=middle * scale,
                 width=width * scale, recordings=(one.features.observed.name, other.features.observed.name),
                 excess_dB=10 / log(10) * float(one.height[at]),
-                share_of_misfit=min(1.0, float(one.spreads[at]) ** 2 / total),
-                p_value=by_chance(float(one.spreads[at]), places),
+                share_of_misfit=min(1.0, spreads**2 / total), p_value=by_chance(spreads, places),
             )  # fmt: skip
 
 
@@ -97,10 +96,14 @@ def _smeared_lines(features: Features) -> NDArray[np.bool_]:
     return np.asarray(features.power * features.width < _SMEARED * lines)
 
 
-def _again(other: _Heights, frequency: float) -> bool:
-    """Whether a band stands out in another run at a frequency."""
+def _again(other: _Heights, frequency: float, spreads: float) -> bool:
+    """Whether a band that stands out by ``spreads`` in one run does so in another at a frequency."""
     band = other.features.band
     if not band[0] < frequency < band[-1]:
         return False
     at = int(np.argmin(np.abs(np.log(band / frequency))))
-    return bool(other.spreads[max(at - _WITHIN, 0) : at + _WITHIN + 1].max() > _AGAIN)
+    near = slice(max(at - _WITHIN, 0), at + _WITHIN + 1)
+    again = other.spreads[near] > _AGAIN
+    if spreads <= _CLEAR:
+        again &= (other.height[near] > _HIGH) & (np.hypot(spreads, other.spreads[near]) > _CLEAR)
+    return bool(again.any())

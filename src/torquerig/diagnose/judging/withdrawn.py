@@ -82,8 +82,8 @@ def why_withdrawn(
     drifts_in_all : bool
         Whether a zero that drifts was found, and the spectrum changes along the steady runs as well.
     samples_too : bool
-        Whether samples were found untrue, of which a rest may stay: where moments alone are left, none of it is that
-        of a gap that tells the flights.
+        Whether samples were found untrue, of which a rest may stay, at a line too: where the time base jumps, its
+        phase does. Where moments alone are left, none of it is that of a gap that tells the flights.
     again : bool
         Whether it left a rest before, beside numbers that moved.
     flights_told : bool
@@ -114,7 +114,7 @@ def why_withdrawn(
         (gap and passing and not samples_too, _SLIPS),
         (fit.after > _WORSE * fit.before, _PREDICTS_WORSE),
         (fit.after > (1.0 if flights_told else _NO_BETTER) * fit.before, _PREDICTS_NO_BETTER),
-        (own_line, _ITS_OWN_LINE),
+        (own_line and not samples_too, _ITS_OWN_LINE),
         (both_ways, _ITS_OWN_BAND),
         (left and combined, _COMBINED),
         (combined and fit.improvement[1] < 0, _COMBINED_AT_MOST),
