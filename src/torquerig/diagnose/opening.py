@@ -56,12 +56,13 @@ def opened(
     scenario: Scenario, runs: tuple[Observed, ...], nominal: Rig, faults: SampleFindings
 ) -> tuple[Case, tuple[Features, ...]]:
     """Return the case with the nominal model calibrated, and the held-out features."""
+    struck = faults.struck or [()] * len(runs)
     runs = tuple(
         replace(
             run, rebuilt=run.name in faults.rebuilt, stepping=faults.stepping, broken=run.name in faults.broken,
-            swept=faults.swept,
+            swept=faults.swept, slipping=any(struck), struck=tuple(own),
         )
-        for run in runs
+        for run, own in zip(runs, struck, strict=True)
     )  # fmt: skip
     narrow = notches(runs)
     runs = tuple(replace(run, notches=narrow) for run in runs)

@@ -30,7 +30,8 @@ class SampleFindings:
     past the last; ``untrue`` tells what recordings hold that no rig of the library does, in a sentence and as a
     place; ``stepping`` is whether their mean torque steps, ``swept`` over which frequencies [Hz] a line swept
     that was taken out; ``to_the_other`` leads each recording to the other level of its telegraph noise [V]; ``broken``
-    are the recordings whose samples were written twice or lost.
+    are the recordings whose samples were written twice or lost; ``struck`` are the moments of each that what slips and
+    grips again took.
     """
 
     candidates: tuple[Candidate, ...]
@@ -44,6 +45,7 @@ class SampleFindings:
     swept: tuple[tuple[float, float], ...] = ()
     to_the_other: tuple[float, ...] = ()
     broken: tuple[str, ...] = ()
+    struck: tuple[Moments, ...] = ()
 
     def at_other_level(self) -> SampleFindings | None:
         """Return the same with all telegraph noise at its other level, None where there is none."""
@@ -120,7 +122,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
     return SampleFindings(
         tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost, (*time.told, *true.told),
-        true.stepping, true.swept, true.to_the_other, time.names,
+        true.stepping, true.swept, true.to_the_other, time.names, true.struck,
     )  # fmt: skip
 
 

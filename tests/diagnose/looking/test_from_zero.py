@@ -50,6 +50,10 @@ def test_flanks_part_where_the_torque_without_its_drift_is_zero(
     known = replace(case, model=replace(case.model, rig=wear_rig.rig + DRIFT))
     assert flanks_may_part(known.from_zero[0])
     assert from_zero(case.seen[0], wear_rig.rig) is case.seen[0]
+    slipping = _case(wear_rig, replace(run, slipping=True))
+    drifting = replace(slipping, model=known.model)
+    assert not flanks_may_part(drifting.from_zero[0]), "what slips strikes as they do"
+    assert not flanks_fly(drifting)
 
 
 def _case(scenario: Scenario, run: Observed) -> Case:

@@ -30,7 +30,12 @@ def flanks_fly_for_sure(case: Case) -> bool:
 
 
 def flanks_may_part(seen: Features) -> bool:
-    """Whether the torque of the run passes through zero, or near it, or rests there."""
+    """Whether the torque of the run passes through zero, or near it, or rests there, and nothing slips, which strikes.
+
+    What slips and grips again strikes as flanks do where there is little load.
+    """
+    if seen.observed.slipping:
+        return False
     torque = seen.untoned.torque
     low = float(np.quantile(torque, _UNLOADED)) < 0.1 * float(np.abs(torque).mean())
     return low or flights_counted(seen.untoned) >= CLEARLY

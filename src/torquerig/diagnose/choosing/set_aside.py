@@ -22,6 +22,8 @@ SAMPLE_FAULTS = {
 }
 CONTRACT = {*CLASSES, *SAMPLE_FAULTS, "backlash"}
 _NOT_THERE = "not in the library"
+_NEVER_PART = "the torque comes near zero in no run, so flanks never part"
+_SLIPPING = "something slips and grips again, whose blows without load are like those of flanks, so that nothing tells"
 
 
 def set_aside(case: Case, tried: Tried, *, known: Sequence[str]) -> dict[str, str]:
@@ -82,7 +84,7 @@ def _no_gap(case: Case, tried: Tried) -> str:
     if not gears_to_sensor(case.nominal):
         return "the rig has no gear"
     if not any(flanks_may_part(features) for features in case.seen):
-        return "the torque comes near zero in no run, so flanks never part"
+        return _SLIPPING if any(run.slipping for run in case.runs) else _NEVER_PART
     if tried.gap_failed:
         return "tried, and the numbers fitted around a gap cannot be simulated"
     if gap_is_possible(case):

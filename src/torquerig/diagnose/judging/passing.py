@@ -70,7 +70,8 @@ def _largest(run: Observed, step: float) -> _Passing | None:
     """
     if not run.steady:
         return None
-    spectra = short_spectra(_rounded_evenly(run, step), run.rate, without=moments_lost(run.recording))
+    without = [*moments_lost(run.recording), *run.struck]
+    spectra = short_spectra(_rounded_evenly(run, step), run.rate, without=without)
     if spectra is None:
         return None
     rows = [(spectra.joint(spectra.log), _ALL), *((band, _ONE_BAND) for band in spectra.log)]

@@ -24,8 +24,11 @@ def flights_beyond_lines(seen: Features) -> int:
     """Return how many flights a run shows, long ones counted twice, less those that its lines make without any gap.
 
     The lines are those of the whole run by least squares, in noise as the run has it. Real blows ring far above them,
-    and come at other angles of the shaft in every turn.
+    and come at other angles of the shaft in every turn. Where something slips and grips again none is counted: what it
+    strikes without load is no larger than what flanks do.
     """
+    if seen.observed.slipping:
+        return 0
     shown, counted = blows(seen.untoned), flights_counted(seen.untoned)
     if not shown or not seen.observed.steady:
         return counted

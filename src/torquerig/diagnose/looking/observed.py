@@ -65,6 +65,10 @@ class Observed:
         Lines at one speed that keep their frequency by what the shaft's own lines tell [Hz].
     notches : tuple of float
         Where the spectra of all steady runs have a narrow notch [Hz].
+    slipping : bool
+        Whether something slipped and gripped again in this run or another, whose smaller blows stay in it.
+    struck : tuple of (int, int)
+        Moments of this run that such blows took, which were bridged: first sample and one past the last.
     """
 
     recording: Recording
@@ -80,6 +84,8 @@ class Observed:
     swept: tuple[tuple[float, float], ...] = ()
     tones: tuple[float, ...] = ()
     notches: tuple[float, ...] = ()
+    slipping: bool = False
+    struck: tuple[tuple[int, int], ...] = ()
 
     @property
     def name(self) -> str:

@@ -267,14 +267,18 @@ def moments_lost(recording: Recording) -> list[tuple[int, int]]:
     return [(start, stop) for start, stop, _ in gaps(_volts(recording), recording.sample_rate)]
 
 
-def bridged(recording: Recording, moments: Sequence[tuple[int, int]]) -> Recording:
-    """Return the recording with straight lines over the moments without signal, as it is where there are none."""
+def bridged(recording: Recording, moments: Sequence[tuple[int, int]], *, ends: int = 1) -> Recording:
+    """Return the recording with straight lines over the moments without signal, as it is where there are none.
+
+    A line joins the means of the ``ends`` samples before and after a moment.
+    """
     if not moments:
         return recording
     volts = _volts(recording).copy()
     for start, stop in moments:
         first, last = max(start - 1, 0), min(stop, volts.size - 1)
-        volts[first : last + 1] = np.linspace(volts[first], volts[last], last + 1 - first)
+        before, after = volts[max(first + 1 - ends, 0) : first + 1], volts[last : last + ends]
+        volts[first : last + 1] = np.linspace(before.mean(), after.mean(), last + 1 - first)
     return recording.with_values(recording.torque_name(), volts)
 
 
