@@ -64,13 +64,14 @@ def test_smaller_ones_are_known_by_the_larger(made: Callable[..., Recording]) ->
     assert blows([made(0.5, seed=1), idle]) == (None, None), "flanks strike so where there is no load"
 
 
-@pytest.mark.parametrize("case", ["one way", "a few", "not in all", "none under load", "sides change"])
+@pytest.mark.parametrize("case", ["one way", "a few", "not in all", "none under load", "sides change", "a rhythm"])
 def test_what_is_none(case: str, made: Callable[..., Recording]) -> None:
     runs = {
         "one way": [made(0.5, seed=1, at=AT, one_way=True)],
         "a few": [made(0.5, seed=1, at=AT[:2])],
         "not in all": [made(0.5, seed=1, at=AT), made(0.5, seed=2)],
         "none under load": [made(0.0, seed=1, at=AT)],
+        "a rhythm": [made(0.5, seed=1, at=(1.0, 3.0, 4.0, 7.0)), made(0.5, seed=2, at=(1.2, 1.9, 3.3))],
         "sides change": [made(0.5, seed=1, profile="reversal")],
     }[case]
     assert blows(runs) == (None,) * len(runs)

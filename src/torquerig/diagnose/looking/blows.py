@@ -26,7 +26,8 @@ _BLOCK, _ABOUT = 0.02, 12  # [s], and blocks either way of which the level is th
 # the smaller swing, of the larger
 _FAR, _KNOWN, _BOTH_WAYS = 20.0, 7.0, 0.3
 _LOADED = 5.0  # robust spreads from zero to the level of a run in which no flanks part
-_FEWEST, _MOST, _TOGETHER = 3, 40, 3  # blows in a run; blocks within which two are one
+_FEWEST, _MOST_OFTEN, _TOGETHER = 3, 3.5, 3  # blows in a run; a second; blocks within which two are one
+_IN_RHYTHM = 0.1  # of the shortest time between two blows, by which all others are whole multiples of it
 _BEFORE, _AFTER = 0.005, 0.1  # [s] that are left out beside a blow, which rings on
 _STEP, _HELD, _AT_MOST = 0.004, 2.5, 0.1  # [s] back, while the torque that is held strays by so many spreads; [s]
 
@@ -52,7 +53,11 @@ def blows(recordings: Sequence[Recording]) -> tuple[Blows | None, ...]:
     """
     looked = [_looked_at(each) for each in recordings]
     loaded = [each for each in looked if each is not None and each.steady and each.under_load]
-    if not loaded or any(not _FEWEST <= len(each.blows(_FAR).moments) <= _MOST for each in loaded):
+    under_load = [each.blows(_FAR).moments for each in loaded]
+    often = any(
+        len(moments) > _MOST_OFTEN * each.recording.duration for moments, each in zip(under_load, loaded, strict=True)
+    )
+    if not loaded or often or min(map(len, under_load)) < _FEWEST or all(map(_in_rhythm, under_load)):
         return (None,) * len(recordings)
     found = [None if each is None else each.blows(_KNOWN) for each in looked]
     return tuple(each if each is not None and each.moments else None for each in found)
@@ -98,6 +103,13 @@ class _Look:
             if abs(float(np.median(volts[start - step : start])) - level) < _HELD * self.spread:
                 return start
         return at
+
+
+def _in_rhythm(moments: Sequence[tuple[int, int]]) -> bool:
+    """Whether blows come at multiples of one time, as the knocks of a bearing do."""
+    between = np.diff([start for start, _ in moments])
+    times = between / between.min()
+    return bool(np.all(np.abs(times - np.round(times)) < _IN_RHYTHM))
 
 
 def _looked_at(recording: Recording) -> _Look | None:
