@@ -15,6 +15,7 @@ from torquerig.rig.parts import Body, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.rig.rig import Rig
 from torquerig.rig.terms import AppliedTorque, Term
 from torquerig.signals.run import Run
+from torquerig.simulate.batch import simulate_batch
 from torquerig.simulate.simulate import choice_for, simulate
 from torquerig.simulate.step_choice import STABLE_ANGLE
 from torquerig.simulate.step_proof import prove_step
@@ -177,3 +178,16 @@ def test_what_cannot_be_told_is_not_made_up() -> None:
 def test_limited_torque_keeps_an_unstable_loop_finite() -> None:
     made = simulate(driven(kp=50.0), duration=0.5, seed=0)
     assert np.isfinite(made.channels["true_motor_speed_rad_s"].values).all()
+
+
+def test_what_asks_for_more_steps_than_it_is_worth_is_refused() -> None:
+    """Numbers that a fit drove to where they cannot be once asked for 7590 steps a sample, and for an hour."""
+    reversing = replace(driven(DRY), run=Run(speed=70.0, profile="reversal"))
+    steps = choice_for(reversing, duration=0.1, seed=0).steps
+    assert steps == 5  # 71 400 1/s x 40 us = 2.86 rad, at 0.6 a step
+    assert simulate(reversing, seed=0, duration=0.1, most_steps=steps).samples == 2500
+    said = f"{steps} integration steps a sample, more than the {steps - 1} allowed"
+    with pytest.raises(SimulationError, match=said):
+        simulate(reversing, seed=0, duration=0.1, most_steps=steps - 1)
+    with pytest.raises(SimulationError, match=said):
+        simulate_batch([reversing] * 2, seeds=[0, 1], duration=0.1, most_steps=steps - 1)

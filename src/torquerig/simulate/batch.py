@@ -28,7 +28,7 @@ DECIDING = {"half_gap", "inverse_smoothing", "breakdown", "step", "filter_time"}
 def simulate_batch(
     rigs: Sequence[Rig], *, seeds: Sequence[int], duration: float, sample_rate: float = SAMPLE_RATE,
     wander: float | Sequence[float] = 0.0, settling: float = SETTLING, scenario: str = "", substeps: int | None = None,
-    workers: int | None = None,
+    most_steps: int | None = None, workers: int | None = None,
 ) -> list[Recording]:  # fmt: skip
     """Return what ``simulate`` would return for each of the rigs, in a fraction of the time.
 
@@ -39,7 +39,7 @@ def simulate_batch(
     ----------
     seeds : sequence of int
         One for each rig.
-    duration, sample_rate, settling, substeps
+    duration, sample_rate, settling, substeps, most_steps
         As ``simulate`` takes them, for all rigs.
     wander : float or sequence of float
         Relative rms of the slow wander of the speed [1], of all or of each.
@@ -64,7 +64,9 @@ def simulate_batch(
     parts = _parts([_likeness(rig, span) for rig, span in runs])
 
     def of_part(part: Sequence[int]) -> list[Recording]:
-        return _together([ready(*runs[row], scenario=scenario, substeps=substeps) for row in part])
+        return _together(
+            [ready(*runs[row], scenario=scenario, substeps=substeps, most_steps=most_steps) for row in part]
+        )
 
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         done = {row: made for part, each in zip(parts, pool.map(of_part, parts), strict=True)

@@ -52,8 +52,13 @@ class Ready:
         )
 
 
-def ready(rig: Rig, span: Span, *, scenario: str = "", substeps: int | None = None) -> Ready:
-    """Return a rig ready for the span; InputError where there is nothing to record or nothing moves."""
+def ready(
+    rig: Rig, span: Span, *, scenario: str = "", substeps: int | None = None, most_steps: int | None = None
+) -> Ready:
+    """Return a rig ready for the span; InputError where there is nothing to record or nothing moves.
+
+    SimulationError where it needs more than ``most_steps`` integration steps a sample.
+    """
     lowered = lower(rig, span.seed)
     if span.samples < 2:
         length = span.samples / span.rate
@@ -63,5 +68,7 @@ def ready(rig: Rig, span: Span, *, scenario: str = "", substeps: int | None = No
     lowered = held_while_settling(lowered, span)
     terms = filled(rig, lowered, span)
     steps = substeps or step_choice(lowered, terms, span.rate).steps
+    if most_steps is not None and steps > most_steps:
+        raise SimulationError(f"the rig needs {steps} integration steps a sample, more than the {most_steps} allowed")
     origin = {"scenario": scenario, "seed": span.seed, "substeps": steps}
     return Ready(rig, span, lowered, terms, outputs_of(rig, lowered), steps, origin)

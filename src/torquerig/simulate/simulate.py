@@ -24,7 +24,7 @@ SETTLING = 1.5  # [s] the rig turns this long before the recording starts
 
 def simulate(
     rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
-    settling: float = SETTLING, scenario: str = "", substeps: int | None = None,
+    settling: float = SETTLING, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
 ) -> Recording:  # fmt: skip
     """Return what the rig's sensor records, with the truth beside it in channels marked as such.
 
@@ -41,14 +41,17 @@ def simulate(
         Relative rms of the slow wander of the speed in steady runs [1].
     substeps : int, optional
         Integration steps per sample; chosen from the fastest mode or event when not given (see ``step_choice``).
+    most_steps : int, optional
+        The largest number of them for which it is worth waiting.
 
     Raises
     ------
     SimulationError
-        When a speed ceases to be finite: names the node, the time and, as far as it can be told, why.
+        When it needs more steps than that, or when a speed ceases to be finite: names the node, the time and, as far
+        as it can be told, why.
     """
     span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
-    return stepped(ready(rig, span, scenario=scenario, substeps=substeps))
+    return stepped(ready(rig, span, scenario=scenario, substeps=substeps, most_steps=most_steps))
 
 
 def stepped(run: Ready) -> Recording:

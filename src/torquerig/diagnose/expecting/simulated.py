@@ -30,6 +30,7 @@ from torquerig.simulate.simulate import simulate
 Floats = NDArray[np.float64]
 
 _WORKERS = 2
+_MOST_STEPS = 50  # a sample, where rigs of this kind need one or a few: numbers that ask for more are none that can be
 
 
 def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -> Observed:
@@ -43,6 +44,7 @@ def simulated(rig: Rig, observed: Observed, *, seed: int, wander: float = 0.0) -
         seed=seed,
         sample_rate=observed.rate,
         wander=wander,
+        most_steps=_MOST_STEPS,
     )
     return _looked_at(recording, rig, observed)
 
@@ -89,7 +91,7 @@ def simulated_runs(rig: Rig | Sequence[Rig], seen: Sequence[Features], *, seeds:
         (duration, rate), rows = group
         return simulate_batch(
             [_never_silent(jobs[row][0]).at(jobs[row][1].run) for row in rows], seeds=[jobs[row][2] for row in rows],
-            duration=duration, sample_rate=rate, workers=_WORKERS,
+            duration=duration, sample_rate=rate, workers=_WORKERS, most_steps=_MOST_STEPS,
         )  # fmt: skip
 
     with ThreadPoolExecutor(_WORKERS) as pool:
