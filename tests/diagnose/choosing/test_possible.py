@@ -9,7 +9,7 @@ from torquerig.diagnose.case import Candidate
 from torquerig.diagnose.choosing.possible import can_be, price_of_odd_numbers
 from torquerig.diagnose.fitting.calibration import Calibrated
 from torquerig.diagnose.fitting.knobs import Knob
-from torquerig.mechanisms import BearingDefect, CommutationRipple, TorsionalMode
+from torquerig.mechanisms import BearingDefect, CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.part import Part
 from torquerig.scenario.reading import Scenario
 
@@ -72,4 +72,16 @@ def test_a_band_that_goes_on_to_half_the_sample_rate_is_no_mode(
     candidate = Candidate(
         mechanism="bearing_defect", parts=(part,), knobs=(knob,), below={"ring_frequency": 0.45 * 25_000.0}
     )
+    assert can_be(candidate, fitted(wear_rig, part, knob, spread=0.1)) is possible
+
+
+@pytest.mark.parametrize(("backward", "possible"), [(2.0, True), (0.2, True), (12.0, False), (0.05, False)])
+def test_directions_of_one_friction_are_alike(backward: float, possible: bool, wear_rig: Scenario) -> None:
+    """A fit beside a drift came to 0.19 N m one way and 58 504 the other, which no step of time could follow."""
+    part = StribeckFriction(
+        name="dry", at="wear_part", coulomb=0.6, static=0.7, stribeck_speed=1.0, coulomb_backward=backward,
+        static_backward=1.1 * backward,
+    )  # fmt: skip
+    knob = Knob("dry", "coulomb_backward", 0.8)
+    candidate = Candidate(mechanism="stribeck_friction", parts=(part,), knobs=(knob,), variant="by_direction")
     assert can_be(candidate, fitted(wear_rig, part, knob, spread=0.1)) is possible

@@ -20,6 +20,7 @@ _TWO_WAYS = 30.0  # that directions differ is a claim of its own, and near stand
 # a static torque below so much of the Coulomb one, up to a speed so high [rad/s], is a drag that grows with the speed;
 # at lower speeds few samples tell the static torque
 _RISES, _UP_TO = 0.5, 10.0
+_ONE_WAY = 10.0  # times the other direction's: what slides so much more freely one way is a ratchet, not a friction
 _HELD_ALONE = 10.0  # times the Coulomb torque: what holds so much and then slides so freely is a detent, not a friction
 
 
@@ -73,6 +74,9 @@ def possible(part: Part) -> bool:
     sides = ((part.coulomb, part.static), (part.coulomb_backward, part.static_backward))
     stated = [(coulomb, static) for coulomb, static in sides if coulomb is not None and static is not None]
     if sum(static for _, static in stated) > _HELD_ALONE * sum(coulomb for coulomb, _ in stated):
+        return False
+    slid = [coulomb for coulomb, _ in stated]
+    if max(slid) > _ONE_WAY * min(slid):
         return False
     rises = any(static < _RISES * coulomb for coulomb, static in stated)
     return not rises or part.stribeck_speed < _UP_TO
