@@ -8,17 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.looking.blows import blows
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, without_steps
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_jumps import sample_jumps
+from torquerig.diagnose.looking.slips import slips
 from torquerig.diagnose.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnose.looking.sweeps import sweep_along, sweeps_in
 from torquerig.diagnose.looking.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
 from torquerig.diagnose.seams import seams
 from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_frequency, place_in_time
-from torquerig.diagnose.without_blows import blows_told, moments_of_blows, without_blows
+from torquerig.diagnose.without_slips import moments_of_slips, slips_told, without_slips
 from torquerig.signals.recording import Recording
 
 _TAKEN_OUT = "the rest was judged with the steps taken out"
@@ -61,10 +61,10 @@ def without_untrue(
     resolution : float
         Half a code [V], 0 where it is not known.
     """
-    struck = blows(recordings)
-    recordings, lost = without_blows(recordings, lost, struck)
+    struck = slips(recordings)
+    recordings, lost = without_slips(recordings, lost, struck)
     levels = telegraph_noise(recordings, lost, resolution=2 * resolution)
-    told = blows_told(recordings, struck)
+    told = slips_told(recordings, struck)
     told += [_telegraph(each, own) for each, own in zip(recordings, levels, strict=True) if own is not None]
     level = without_telegraph(recordings, levels)
     answer, lost = list(level.recordings), [[*some, *more] for some, more in zip(lost, level.moments, strict=True)]
@@ -101,7 +101,7 @@ def without_untrue(
     return Mended(
         tuple(answer), tuple(moments_of_each), tuple(told), swept=swept,
         stepping=any(steps_of_each) or any(level.to_the_other), to_the_other=level.to_the_other,
-        struck=moments_of_blows(struck),
+        struck=moments_of_slips(struck),
     )  # fmt: skip
 
 

@@ -33,5 +33,5 @@ held_samples    renewed more seldom than written       leakage      of slow nois
 pulses_both_ways   in how many pulses a turn a load comes
 from_zero       a run whose zero has not drifted
 own_factor      how far off the set-point of one moving run is
-blows           single ones of what slips and grips again
+slips           blows of what lets go under load and grips again
 """

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from torquerig.diagnose.looking.blows import blows
+from torquerig.diagnose.looking.slips import slips
 from torquerig.diagnose.sample_findings import sample_findings
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording
@@ -41,7 +41,7 @@ def made(wear_rig: Scenario, record: Callable[..., Recording]) -> Callable[..., 
 
 
 def test_the_moments_reach_from_where_it_lets_go_to_where_it_has_rung_out(made: Callable[..., Recording]) -> None:
-    first, second = blows([made(0.5, seed=1, at=AT), made(0.5, seed=2, at=AT[1:])])
+    first, second = slips([made(0.5, seed=1, at=AT), made(0.5, seed=2, at=AT[1:])])
     assert first is not None
     assert second is not None
     assert len(first.moments) == 4
@@ -57,11 +57,11 @@ def test_smaller_ones_are_known_by_the_larger(made: Callable[..., Recording]) ->
     """A run without load has blows that no loaded run would be asked for, once there are some under load."""
     idle = made(0.0, seed=3, at=AT[:2])
     idle = idle.with_values("torque_V", 0.35 * idle.channels["torque_V"].values + 0.01 * np.sin(40 * TIME))
-    loaded, beside = blows([made(0.5, seed=1, at=AT), idle])
+    loaded, beside = slips([made(0.5, seed=1, at=AT), idle])
     assert loaded is not None
     assert beside is not None
     assert len(beside.moments) == 2
-    assert blows([made(0.5, seed=1), idle]) == (None, None), "flanks strike so where there is no load"
+    assert slips([made(0.5, seed=1), idle]) == (None, None), "flanks strike so where there is no load"
 
 
 @pytest.mark.parametrize("case", ["one way", "a few", "not in all", "none under load", "sides change", "a rhythm"])
@@ -74,11 +74,11 @@ def test_what_is_none(case: str, made: Callable[..., Recording]) -> None:
         "a rhythm": [made(0.5, seed=1, at=(1.0, 3.0, 4.0, 7.0)), made(0.5, seed=2, at=(1.2, 1.9, 3.3))],
         "sides change": [made(0.5, seed=1, profile="reversal")],
     }[case]
-    assert blows(runs) == (None,) * len(runs)
+    assert slips(runs) == (None,) * len(runs)
 
 
 def test_a_run_that_turns_back_has_its_blows_and_not_its_reversals(made: Callable[..., Recording]) -> None:
-    _, turning = blows([made(0.5, seed=1, at=AT), made(0.5, seed=2, at=(4.4, 7.5), profile="reversal")])
+    _, turning = slips([made(0.5, seed=1, at=AT), made(0.5, seed=2, at=(4.4, 7.5), profile="reversal")])
     assert turning is not None
     assert [round(start / RATE, 1) for start, _ in turning.moments] == [4.4, 7.5]
 

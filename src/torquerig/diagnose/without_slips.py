@@ -1,4 +1,4 @@
-"""Blows of what slips and grips again, taken out of the recordings and told: they would drown all else."""
+"""What slips and grips again, taken out of the recordings and told: its blows would drown all else."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from torquerig.diagnose.looking.blows import Blows
 from torquerig.diagnose.looking.refilled import Moments
 from torquerig.diagnose.looking.sample_faults import bridged
+from torquerig.diagnose.looking.slips import Slips
 from torquerig.diagnose.told_in_time import Untrue, in_words, place_in_time
 from torquerig.signals.recording import Recording
 
 _ENDS = 0.02  # [s] whose mean a bridge joins: single samples hold noise and lines
 
-Struck = Sequence[Blows | None]
+Struck = Sequence[Slips | None]
 
 
-def without_blows(
+def without_slips(
     recordings: Sequence[Recording], lost: Sequence[Moments], struck: Struck
 ) -> tuple[list[Recording], list[Moments]]:
     """Return the recordings with straight lines over their blows, and what is ``lost`` with those moments too."""
-    moments = moments_of_blows(struck)
+    moments = moments_of_slips(struck)
     bridges = [
         bridged(recording, own, ends=max(round(_ENDS * recording.sample_rate), 1))
         for recording, own in zip(recordings, moments, strict=True)
@@ -29,17 +29,17 @@ def without_blows(
     return bridges, [[*some, *more] for some, more in zip(lost, moments, strict=True)]
 
 
-def moments_of_blows(struck: Struck) -> tuple[Moments, ...]:
+def moments_of_slips(struck: Struck) -> tuple[Moments, ...]:
     """Return the moments that blows took of each recording."""
     return tuple(() if own is None else own.moments for own in struck)
 
 
-def blows_told(recordings: Sequence[Recording], struck: Struck) -> list[Untrue]:
+def slips_told(recordings: Sequence[Recording], struck: Struck) -> list[Untrue]:
     """Return a sentence and the first place for each recording that has blows."""
     return [_told(each, own) for each, own in zip(recordings, struck, strict=True) if own is not None]
 
 
-def _told(recording: Recording, own: Blows) -> Untrue:
+def _told(recording: Recording, own: Slips) -> Untrue:
     rate, unit = recording.sample_rate, recording.channels[recording.torque_name()].si_per_unit
     start, stop = own.moments[0]
     sentence = (

@@ -1,4 +1,4 @@
-"""Single blows that swing a loaded shaft to and fro, far beyond all else that it does: what lets go and grips again.
+"""What lets go and grips again: single blows that swing a loaded shaft to and fro, far beyond all else that it does.
 
 A coupling that slips unwinds the shafts and strikes them when it grips, so that the reading swings to both sides for
 some hundredths of a second, now and then. Hits of a load go one way; flanks of a gap strike where the torque comes near
@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 _BLOCK, _ABOUT = 0.02, 12  # [s], and blocks either way of which the level is the median
 # robust spreads: of 293 blind rigs without such blows two have a loaded steady run with three beyond 20, and none has
 # them in all; in such runs of seven with them the furthest is 25 to 73. Once known, smaller ones are some as well; and
-# the smaller swing, of the larger
+# the share of that which the swing to the other side must reach
 _FAR, _KNOWN, _BOTH_WAYS = 20.0, 7.0, 0.3
 _LOADED = 5.0  # robust spreads from zero to the level of a run in which no flanks part
 _FEWEST, _MOST_OFTEN, _TOGETHER = 3, 3.5, 3  # blows in a run; a second; blocks within which two are one
@@ -33,7 +33,7 @@ _STEP, _HELD, _AT_MOST = 0.004, 2.5, 0.1  # [s] back, while the torque that is h
 
 
 @dataclass(frozen=True)
-class Blows:
+class Slips:
     """The moments of a recording's blows, first sample and one past the last, and how far the furthest swings [V]."""
 
     moments: tuple[tuple[int, int], ...]
@@ -41,7 +41,7 @@ class Blows:
     spreads: float
 
 
-def blows(recordings: Sequence[Recording]) -> tuple[Blows | None, ...]:
+def slips(recordings: Sequence[Recording]) -> tuple[Slips | None, ...]:
     """Return the blows of each recording; None for all unless each steady run under load has some, and one has.
 
     Where they are there, those that stand out less are some, too, but where a run's friction changes sides.
@@ -53,13 +53,13 @@ def blows(recordings: Sequence[Recording]) -> tuple[Blows | None, ...]:
     """
     looked = [_looked_at(each) for each in recordings]
     loaded = [each for each in looked if each is not None and each.steady and each.under_load]
-    under_load = [each.blows(_FAR).moments for each in loaded]
+    under_load = [each.slips(_FAR).moments for each in loaded]
     often = any(
         len(moments) > _MOST_OFTEN * each.recording.duration for moments, each in zip(under_load, loaded, strict=True)
     )
     if not loaded or often or min(map(len, under_load)) < _FEWEST or all(map(_in_rhythm, under_load)):
         return (None,) * len(recordings)
-    found = [None if each is None else each.blows(_KNOWN) for each in looked]
+    found = [None if each is None else each.slips(_KNOWN) for each in looked]
     return tuple(each if each is not None and each.moments else None for each in found)
 
 
@@ -81,7 +81,7 @@ class _Look:
     def steady(self) -> bool:
         return self.recording.run.profile == "steady"
 
-    def blows(self, least: float) -> Blows:
+    def slips(self, least: float) -> Slips:
         """Return what swings to both sides, to one of them by more than ``least`` spreads."""
         rate, far = self.recording.sample_rate, np.maximum(self.up, self.down) > least
         size, moments, furthest = _block_of(rate), [], 0.0
@@ -94,7 +94,7 @@ class _Look:
             last = (int(own[-1]) + 1) * size + round(_AFTER * rate)
             moments.append((max(first, 0), min(last, self.recording.samples)))
             furthest = max(furthest, up, down)
-        return Blows(tuple(moments), furthest * self.spread, furthest)
+        return Slips(tuple(moments), furthest * self.spread, furthest)
 
     def _let_go(self, at: int, level: float) -> int:
         """Return the sample from which on something held less than before the blow ``at`` which it gripped again."""
