@@ -52,7 +52,7 @@ class SampleFindings:
         if not any(self.to_the_other):
             return None
         moved = [
-            each.with_values(each.torque_name(), each.channels[each.torque_name()].values + volts)
+            each.with_values(each.torque_name(), each.torque_values() + volts)
             for each, volts in zip(self.recordings, self.to_the_other, strict=True)
         ]
         return replace(self, recordings=tuple(moved), to_the_other=tuple(-volts for volts in self.to_the_other))

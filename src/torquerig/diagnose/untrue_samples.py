@@ -6,7 +6,6 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnose.looking.mean_steps import MeanStep, edges, mean_steps, without_steps
@@ -88,7 +87,7 @@ def without_untrue(
         if steps and few:
             moments_of_each[index] += edges(answer[index], steps)
             answer[index] = without_steps(answer[index], steps)
-    volts = [(_volts(each), each.sample_rate) for each in answer]
+    volts = [(each.torque_values(), each.sample_rate) for each in answer]
     steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
     sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
     known = [sweep for sweep in sweeps.values() if sweep is not None]
@@ -134,12 +133,12 @@ def _gain_change(recording: Recording, moments: Sequence[GainMoment]) -> Untrue:
 
 def _jumps_of(recording: Recording, lost: Moments, *, resolution: float) -> list[int]:
     """Return the first samples after a jump, none where there are so few that a load may have switched."""
-    jumps = sample_jumps(_volts(recording), lost, resolution=resolution).tolist()
+    jumps = sample_jumps(recording.torque_values(), lost, resolution=resolution).tolist()
     return jumps if len(jumps) >= _FEWEST_JUMPS else []
 
 
 def _jumping_values(recording: Recording, jumps: Sequence[int]) -> Untrue:
-    volts, unit = _volts(recording), recording.channels[recording.torque_name()].si_per_unit
+    volts, unit = recording.torque_values(), recording.channels[recording.torque_name()].si_per_unit
     heights = np.abs(np.diff(volts))[np.array(jumps) - 1]
     sentence = (
         f"{recording.name}: at {in_words([at / recording.sample_rate for at in jumps])} the signal jumps by up to "
@@ -148,10 +147,6 @@ def _jumping_values(recording: Recording, jumps: Sequence[int]) -> Untrue:
         "judged with the jumps bridged"
     )
     return sentence, place_in_time(recording, jumps[0], jumps[0] + 1, excess=0.0)
-
-
-def _volts(recording: Recording) -> NDArray[np.float64]:
-    return recording.channels[recording.torque_name()].values
 
 
 def _stepping(recording: Recording, steps: Sequence[MeanStep], *, taken_out: bool) -> Untrue:

@@ -117,6 +117,10 @@ class Recording:
             )
         return name
 
+    def torque_values(self) -> NDArray[np.float64]:
+        """Return the measured torque as it was recorded, in the unit of its channel, shape (samples,)."""
+        return self.channels[self.torque_name()].values
+
     def torque(self) -> NDArray[np.float64]:
         """Return the measured torque [N m], shape (samples,)."""
         return self.channels[self.torque_name()].in_si()

@@ -33,7 +33,7 @@ def copied(recording: Recording) -> tuple[Copied, ...]:
 
     With the probability p that two steps from sample to sample are the same by chance, L samples repeat with ``p^L``.
     """
-    volts = recording.channels[recording.torque_name()].values
+    volts = recording.torque_values()
     steps = np.diff(volts)
     _, found_codes, counts = np.unique(np.round(steps, 9), return_inverse=True, return_counts=True)
     codes = found_codes.astype(np.int64)

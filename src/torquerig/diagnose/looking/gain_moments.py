@@ -51,7 +51,7 @@ def gain_moments(recording: Recording, *, without: Sequence[tuple[int, int]] = (
     without : sequence of (int, int)
         Moments that are known to hold no signal.
     """
-    volts = recording.channels[recording.torque_name()].values
+    volts = recording.torque_values()
     rate, moving = recording.sample_rate, recording.run.profile != "steady"
     spectra, blocks = short_spectra(volts, rate, without=without, moving=moving), list[tuple[int, int]]()
     for _ in range(_PASSES):  # what was found no longer hides what is like it

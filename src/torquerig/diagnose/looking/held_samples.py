@@ -42,7 +42,7 @@ def _rhythm(recording: Recording) -> float | None:
     Values that stand still on coarse codes change whenever the signal crosses one: those changes keep no rhythm.
     Values that stand at one level most of the time are at a limit.
     """
-    values = recording.channels[recording.torque_name()].values
+    values = recording.torque_values()
     changes = _changes(values)
     number = int(changes.sum())
     noisy = number < np.count_nonzero(np.diff(values))
@@ -60,11 +60,11 @@ def _rhythm(recording: Recording) -> float | None:
 def _in_step(recording: Recording, every: float) -> float | None:
     """Return the period near ``every`` in which the steps of a run grow, None where that is chance."""
     beats, told = _beat(_steps(recording), every)
-    return recording.channels[recording.torque_name()].values.size / beats if told > _NO_CHANCE else None
+    return recording.torque_values().size / beats if told > _NO_CHANCE else None
 
 
 def _steps(recording: Recording) -> NDArray[np.float64]:
-    steps = np.abs(np.diff(recording.channels[recording.torque_name()].values))
+    steps = np.abs(np.diff(recording.torque_values()))
     return np.asarray(np.minimum(steps, _LARGEST * np.median(steps)))
 
 

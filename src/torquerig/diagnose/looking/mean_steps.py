@@ -98,12 +98,12 @@ def _steps(recording: Recording, lost: Moments, resolution: float) -> list[MeanS
 
 def _on_a_limit(recording: Recording) -> float:
     """Return the part of the samples that rest on the signal's highest or lowest value."""
-    volts = recording.channels[recording.torque_name()].values
+    volts = recording.torque_values()
     return (extreme_of(volts).clipped + extreme_of(-volts).clipped) / volts.size
 
 
 def _clearest(recording: Recording, lost: Moments, resolution: float) -> MeanStep | None:
-    volts = recording.channels[recording.torque_name()].values
+    volts = recording.torque_values()
     size = max(1, round(_BLOCK * recording.sample_rate))
     count = volts.size // size
     if count < 4 * _LONG:

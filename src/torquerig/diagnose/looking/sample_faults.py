@@ -78,7 +78,7 @@ def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> C
     The distances of neighbouring values that occur give the candidates; the mean of ``exp(2 pi i V / step)`` over the
     samples is 1 on a lattice and near 0 off it (the characteristic function, Widrow & Kollar).
     """
-    values = np.concatenate([_volts(recording)[::3] for recording in recordings])
+    values = np.concatenate([recording.torque_values()[::3] for recording in recordings])
     distinct = np.unique(np.round(values / (0.25 * converter_step)).astype(np.int64)) * 0.25 * converter_step
     gaps = np.diff(distinct)
     wide = gaps[gaps > _COARSER * converter_step]
@@ -108,7 +108,7 @@ def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float
     """
     found: dict[str, tuple[float, float]] = {}
     for recording in recordings:
-        volts = _volts(recording)
+        volts = recording.torque_values()
         for sign in (1.0, -1.0):
             depth = np.abs(sign * volts - (sign * volts).max())
             piled = int((depth < 0.5 * code).sum())
@@ -130,7 +130,7 @@ def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
         length += recording.duration
         events += [
             (recording.name, level, (stop - start) / recording.sample_rate)
-            for start, stop, level in gaps(_volts(recording), recording.sample_rate)
+            for start, stop, level in gaps(recording.torque_values(), recording.sample_rate)
         ]
     if not events:
         return None
@@ -264,7 +264,7 @@ def _at_one_level(levels: Sequence[float], *, within: float) -> bool:
 
 def moments_lost(recording: Recording) -> list[tuple[int, int]]:
     """Return the first sample and one past the last of every moment without signal."""
-    return [(start, stop) for start, stop, _ in gaps(_volts(recording), recording.sample_rate)]
+    return [(start, stop) for start, stop, _ in gaps(recording.torque_values(), recording.sample_rate)]
 
 
 def bridged(recording: Recording, moments: Sequence[tuple[int, int]], *, ends: int = 1) -> Recording:
@@ -274,16 +274,12 @@ def bridged(recording: Recording, moments: Sequence[tuple[int, int]], *, ends: i
     """
     if not moments:
         return recording
-    volts = _volts(recording).copy()
+    volts = recording.torque_values().copy()
     for start, stop in moments:
         first, last = max(start - 1, 0), min(stop, volts.size - 1)
         before, after = volts[max(first + 1 - ends, 0) : first + 1], volts[last : last + ends]
         volts[first : last + 1] = np.linspace(before.mean(), after.mean(), last + 1 - first)
     return recording.with_values(recording.torque_name(), volts)
-
-
-def _volts(recording: Recording) -> Floats:
-    return recording.channels[recording.torque_name()].values
 
 
 def _on_lattice(values: NDArray[Any], step: float) -> float:

@@ -98,7 +98,7 @@ class _Look:
 
     def _let_go(self, at: int, level: float) -> int:
         """Return the sample from which on something held less than before the blow ``at`` which it gripped again."""
-        volts, step = _volts(self.recording), max(round(_STEP * self.recording.sample_rate), 1)
+        volts, step = self.recording.torque_values(), max(round(_STEP * self.recording.sample_rate), 1)
         for start in range(at, max(at - round(_AT_MOST * self.recording.sample_rate), step), -step):
             if abs(float(np.median(volts[start - step : start])) - level) < _HELD * self.spread:
                 return start
@@ -114,7 +114,7 @@ def _in_rhythm(moments: Sequence[tuple[int, int]]) -> bool:
 
 def _looked_at(recording: Recording) -> _Look | None:
     """Return how far a recording reaches, None where it is short or stands still."""
-    volts, size = _volts(recording), _block_of(recording.sample_rate)
+    volts, size = recording.torque_values(), _block_of(recording.sample_rate)
     blocks = volts[: volts.size // size * size].reshape(-1, size)
     if blocks.shape[0] <= 2 * _ABOUT:
         return None
@@ -146,7 +146,3 @@ def _windows(values: Floats) -> Floats:
 
 def _block_of(rate: float) -> int:
     return max(round(_BLOCK * rate), 1)
-
-
-def _volts(recording: Recording) -> Floats:
-    return recording.channels[recording.torque_name()].values

@@ -78,7 +78,7 @@ def telegraph_noise(
     resolution : float
         One code [V]: a signal that rests on a code steps to the next and back.
     """
-    volts = [recording.channels[recording.torque_name()].values for recording in recordings]
+    volts = [recording.torque_values() for recording in recordings]
     rates = [recording.sample_rate for recording in recordings]
     looks = [*zip(volts, rates, lost, strict=True)]
     each_lag = [_one_telegraph([_jumps(*look, lag=lag, resolution=resolution) for look in looks], lag) for lag in _LAGS]
@@ -125,7 +125,7 @@ def _load(recording: Recording) -> float:
 
 
 def _at_lower(recording: Recording, own: Telegraph | None) -> Floats:
-    volts = recording.channels[recording.torque_name()].values
+    volts = recording.torque_values()
     return volts if own is None else volts - own.level(volts.size)
 
 

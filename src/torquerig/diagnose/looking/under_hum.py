@@ -37,7 +37,7 @@ def flat_under_hum(recordings: Sequence[Recording], *, full_range: float = float
     """
     found: dict[str, tuple[float, float]] = {}
     for recording in recordings:
-        volts = recording.channels[recording.torque_name()].values
+        volts = recording.torque_values()
         for frequency, harmonics in _tones(volts, recording.sample_rate):
             waves = tone_waves(np.arange(volts.size) / recording.sample_rate, frequency, harmonics)
             hum = np.hstack([np.ones((volts.size, 1)), waves])

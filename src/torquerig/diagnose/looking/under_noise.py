@@ -31,7 +31,7 @@ def flat_under_noise(recordings: Sequence[Recording], *, full_range: float = flo
     """
     found: dict[str, tuple[float, float]] = {}
     for recording in recordings:
-        volts = recording.channels[recording.torque_name()].values
+        volts = recording.torque_values()
         noise = spread_about_zero(np.diff(volts, 2)) / np.sqrt(6)
         piles = [pile for sign in (1.0, -1.0) if (pile := _pile(sign * volts, noise)) is not None]
         piles = [pile for pile in piles if pile[0] < full_range - _HALF * noise]
