@@ -16,9 +16,10 @@ from torquerig.diagnose.judging.changing import changing
 from torquerig.diagnose.judging.combined_lines import may_be_combined
 from torquerig.diagnose.judging.fixed_after_all import looked_at_as_found
 from torquerig.diagnose.judging.growing_lines import growing_lines
-from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
+from torquerig.diagnose.judging.held_out import held_out
 from torquerig.diagnose.judging.leftover import detail_of, mismatches, of_flights, stands_at
 from torquerig.diagnose.judging.passing import passing
+from torquerig.diagnose.judging.untold_runs import flat_in_the_model_alone, of_untold_loads
 from torquerig.diagnose.judging.whole_fit import FAR, missed_everywhere
 from torquerig.diagnose.judging.withdrawn import (
     COMES_AND_GOES,
@@ -134,6 +135,7 @@ def _foretold(known: _Known, sought: Searched, *, why: str) -> Believed:
         width = start.own_gap.told(completed)
         completed, fitted = start.own_gap.reopened(completed), start.own_gap.reopened(fitted, width=width)
     untold = of_untold_loads(start.held, fitted={run.name for run in before.runs})
+    untold |= flat_in_the_model_alone(fitted, completed, held)
     fit = held_out(start.whole, fitted, completed, held, seed=known.seed, untold=untold)
     came_and_went = passing(after, completed)
     moved = (mismatch for _, mismatch in known.changes)

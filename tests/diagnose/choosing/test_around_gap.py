@@ -1,4 +1,4 @@
-"""A gap and a further effect: the width is told again around it, and then less is asked of what it gains."""
+"""A gap and a further effect: the width is told again around it, or without it, and less is asked of what it gains."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 from torquerig.diagnose.case import Candidate, Case
 from torquerig.diagnose.choosing import around_gap
-from torquerig.diagnose.choosing.around_gap import told_again
+from torquerig.diagnose.choosing.around_gap import gap_anew, told_again
 from torquerig.diagnose.choosing.convincing import convincing
 from torquerig.diagnose.choosing.gap_fits import FittedGap
 from torquerig.diagnose.choosing.revising import Accepted, with_gap
@@ -83,6 +83,24 @@ def test_a_width_that_comes_no_nearer_is_not_taken(case: Case, beside: Trial, mo
         monkeypatch.setattr(around_gap, "fitted_gap", gap_trial)
         assert told_again(case, beside) is None
     assert told_again(replace(case, accepted=()), beside) is None
+
+
+def test_a_gap_is_told_anew_beside_what_is_left(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What it added to lines was simulated with an effect that is gone: nothing of that is asked again."""
+
+    def fitted(bare: Case, base: Rig) -> FittedGap:
+        assert not bare.has("backlash")
+        assert not bare.model.corrections
+        assert "backlash" not in {part.name for part in base.parts}
+        return told(case, *[1.0] * 40)
+
+    monkeypatch.setattr(around_gap, "fitted_gap", fitted)
+    anew = gap_anew(case)
+    assert anew is not None
+    assert anew.accepted == (WIDE,)
+    assert anew.model.rig.part("backlash") == WIDE.parts[0]
+    monkeypatch.setattr(around_gap, "fitted_gap", lambda *_: None)
+    assert gap_anew(case) is None
 
 
 @pytest.mark.parametrize(("of_the_gap", "alone", "around"), [(1000.0, True, True), (6000.0, False, True)])

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import cast
 
 import numpy as np
 import pytest
@@ -14,28 +11,12 @@ from torquerig.diagnose.expecting.expectation import expected
 from torquerig.diagnose.fitting.calibration import misfits_of
 from torquerig.diagnose.fitting.misfit import robust_squares
 from torquerig.diagnose.judging import held_out as judged
-from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
-from torquerig.diagnose.looking.features import Features, features
-from torquerig.diagnose.looking.lines_left import known_places
-from torquerig.diagnose.looking.observed import observed
-from torquerig.diagnose.looking.shaft_angle import shaft_angles
+from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.looking.features import Features
 from torquerig.errors import SimulationError
 from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.rig import Rig
-from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-
-
-@pytest.fixture(scope="module")
-def held(wear_rig: Scenario, record: Callable[..., Recording]) -> tuple[Features, ...]:
-    rig = wear_rig.rig
-    recordings = [replace(record(rig, seed, duration=12.0), name=f"run{seed}.parquet") for seed in (5, 6, 7)]
-    angles = shaft_angles(recordings, rig)
-    ratio = kinematics_of(rig).ratio
-    runs = [observed(each, angle, ratio=ratio) for each, angle in zip(recordings, angles, strict=True)]
-    return tuple(features(run, known_places(runs, rig), held=True) for run in runs)
 
 
 def loaded(rig: Rig, *, by: float = 1.0, chance: float = 1.0) -> Rig:
@@ -82,28 +63,6 @@ def test_a_run_of_a_load_that_no_fit_has_seen_is_judged_by_its_values_alone(
     assert told[: first.size] == pytest.approx(every[: first.size])
     assert told.size == first.size + 3 * len(untold), "the distribution of values has three features"
     assert told.mean() < every.mean()
-
-
-@pytest.mark.parametrize(
-    ("occupancies", "rebuilt", "untold"),
-    [
-        ((5.0, 0.0), True, {"run1"}),
-        ((5.0, 15.0), True, set()),
-        ((5.0, 15.0), False, {"run1"}),
-        ((0.0, 0.0), True, set()),
-    ],
-)
-def test_a_load_is_untold_where_all_that_was_fitted_ran_without_or_a_limit_took_much_of_it(
-    occupancies: tuple[float, ...], *, rebuilt: bool, untold: set[str]
-) -> None:
-    held = [
-        cast(
-            "Features",
-            SimpleNamespace(observed=SimpleNamespace(name=name, run=Run(occupancy_percent=at), rebuilt=mended)),
-        )
-        for name, at, mended in zip(("run1", "run2"), occupancies, (rebuilt, False), strict=True)
-    ]
-    assert of_untold_loads(held, fitted={"run2"}) == untold
 
 
 @pytest.mark.parametrize("blown", [[], [40_000]])

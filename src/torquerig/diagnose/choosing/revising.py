@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.case import Candidate, Case
-from torquerig.diagnose.choosing.around_gap import told_again
+from torquerig.diagnose.choosing.around_gap import gap_anew, told_again
 from torquerig.diagnose.choosing.opened_gap import GAP
 from torquerig.diagnose.choosing.possible import can_be
 from torquerig.diagnose.choosing.search import Tried, extended, trials, unexplained
@@ -23,6 +23,7 @@ from torquerig.diagnose.side_by_side import of_each
 
 _RIVALS = 0.02  # of an effect's gain
 _BESIDE_ANOTHER = 0.25  # of what another gains at the same line
+_BESIDE_A_GAP = 0.1  # of what the gap gains
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -57,8 +58,10 @@ def revised(first: Case, accepted: Sequence[Accepted]) -> tuple[Accepted, ...]:
         others = _without(first, kept, at)
         final = kept[-1].trial.model
         needed = max(_of_the_same_line(kept, at), LEAST_GAIN + PER_KNOB * len(kept[at].trial.candidate.knobs))
+        if others.model.cost - final.cost < needed and final.corrections:
+            others, needed = _beside_a_gap(first, others), max(needed, _of_the_gap(kept))
         if others.model.cost - final.cost < needed:
-            kept = [*kept[:at], *kept[at + 1 :]]
+            kept = with_gap([*kept[:at], *kept[at + 1 :]], _gap_of(others))
             kept[-1] = replace(kept[-1], trial=_as_last(kept, others.model))  # the one without what is gone
             before = _without(first, kept, len(kept) - 1) if len(kept) > 1 else first
             kept[-1] = replace(kept[-1], before=before)
@@ -111,6 +114,21 @@ def _of_the_same_line(kept: Sequence[Accepted], at: int) -> float:
     return max((_BESIDE_ANOTHER * each.gain for each in later), default=0.0)
 
 
+def _beside_a_gap(first: Case, others: Case) -> Case:
+    """Return the case without an effect, with its gap simulated without it too, where a gap is still told."""
+    anew = gap_anew(others)
+    return others if anew is None else replace(anew, left=unexplained(first.left, first, anew.model))
+
+
+def _gap_of(case: Case) -> Candidate | None:
+    return next((each for each in case.accepted if each.mechanism == GAP), None)
+
+
+def _of_the_gap(kept: Sequence[Accepted]) -> float:
+    """Return what an effect must take away beside a gap, whose own fit is only as good as its simulations."""
+    return max((_BESIDE_A_GAP * each.trial.gain for each in kept if each.trial.candidate.mechanism == GAP), default=0.0)
+
+
 def _alike(one: Place | None, other: Place) -> bool:
     return one is not None and one.domain == other.domain and abs(one.at - other.at) < SAME_ORDER
 
@@ -144,7 +162,7 @@ def _without(first: Case, accepted: Sequence[Accepted], index: int) -> Case:
     final = accepted[-1].trial.model
     rows = [row for row, knob in enumerate(final.knobs) if knob.part not in gone]
     knobs = tuple(final.knobs[row] for row in rows)
-    corrections = final.corrections or None
+    corrections = None if accepted[index].trial.candidate.mechanism == GAP else final.corrections or None
     known = None if final.jacobian is None else final.jacobian[:, rows]
 
     def fitted(start: NDArray[np.float64]) -> Calibrated:

@@ -55,7 +55,7 @@ def _looked_at(recording: Recording, rig: Rig, observed: Observed) -> Observed:
     return replace(
         observed,
         recording=recording,
-        torque=_mended(recording, rig).torque(),
+        torque=rebuilt(recording, limit=limit_of(rig)).torque(),
         angle=angle,
         speed=speed_of(angle, observed.rate),
         origin="simulated",
@@ -63,11 +63,12 @@ def _looked_at(recording: Recording, rig: Rig, observed: Observed) -> Observed:
     )
 
 
-def _mended(recording: Recording, rig: Rig) -> Recording:
+def limit_of(rig: Rig) -> float:
+    """Return the lowest limit at which a reading of the rig stops, either way [V]; infinite where it has none."""
     ranges = [sensor.converter_range for sensor in rig.parts_of(TorqueSensor)]
     placed = [each for part in rig.parts for each in part.stages(rig) if each.position == PlacedStage.INPUT]
     limits = [each.stage.limit for each in placed if isinstance(each.stage, Clip)]
-    return rebuilt(recording, limit=min((*ranges, *limits), default=inf))
+    return min((*ranges, *limits), default=inf)
 
 
 def _never_silent(rig: Rig) -> Rig:

@@ -3,6 +3,7 @@
 leftover       where it is significantly wrong         whole_fit   whether it fits as a whole
 by_simulation  whether a simulation is wrong there too  one_load    whether runs differ as no load does
 held_out       how well it predicts what no fit has seen
+untold_runs    of which the distribution of values alone tells that
 narrow_humps   noise at one order or one frequency    fixed_after_all  orders that turned out to be tones
 spread_lines   lines a hertz or two wide              passing   what comes and goes within a run
 band_excess    what two runs are compared by

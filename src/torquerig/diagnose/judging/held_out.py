@@ -99,20 +99,6 @@ def _width(missed: Misfit, model: Expectation) -> NDArray[np.float64]:
     return np.concatenate([np.zeros(before), called_chance(model), np.zeros(after)])
 
 
-def of_untold_loads(held: Sequence[Features], *, fitted: Collection[str]) -> frozenset[str]:
-    """Return the loaded runs that no fit has seen, and whose load nothing tells but its prior.
-
-    All where the runs that fits have seen ran without load; else those that stand at a limit too long to be rebuilt:
-    how much of a load it takes away grows steeply with the load, and their spectrum is that of flat tops.
-    """
-    loaded = {each.observed.name for each in held if each.observed.run.occupancy_percent}
-    unseen = loaded.difference(fitted)
-    if unseen == loaded:
-        return frozenset(loaded)
-    flat = {each.observed.name for each in held if not each.observed.rebuilt}
-    return frozenset(unseen & flat)
-
-
 def held_out(
     nominal: Rig, before: Rig, after: Rig, held: Sequence[Features], *, seed: int, untold: Collection[str] = ()
 ) -> HeldOut:
@@ -122,7 +108,7 @@ def held_out(
     logarithm of the spread is counted, over the nominal model's, as in a likelihood. Where one of them has a gap, so is
     how often flanks fly across it.
 
-    Of the runs that are ``untold`` (``of_untold_loads``) the distribution of values alone counts.
+    Of the runs that are ``untold`` (``untold_runs``) the distribution of values alone counts.
 
     Where the fitted numbers of one cannot be simulated, all three are judged by their linear twins, and it is said.
     """

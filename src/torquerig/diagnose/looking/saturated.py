@@ -6,6 +6,7 @@ A flat top of a few milliseconds rings through all bands of a quiet spectrum, wh
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 
 from torquerig.diagnose.looking.moments_of import moments_of
@@ -14,6 +15,16 @@ from torquerig.signals.recording import Recording
 _AT_LIMIT = 0.9995  # of it
 _SLOPE = 5e-4  # [s] each side, over which the slope into and out of the moment is taken
 _MOST = 0.02  # share of the samples beyond which nothing can be rebuilt
+
+
+def at_limit(recording: Recording, *, limit: float) -> NDArray[np.bool_]:
+    """Return which samples of the torque channel stand at a limit, either way [V]."""
+    return np.abs(recording.channels[recording.torque_name()].values) >= _AT_LIMIT * limit
+
+
+def too_long(stuck: NDArray[np.bool_]) -> bool:
+    """Whether so many samples stand at a limit that nothing can be rebuilt."""
+    return bool(stuck.mean() > _MOST)
 
 
 def rebuilt(recording: Recording, *, limit: float) -> Recording:
@@ -29,8 +40,8 @@ def rebuilt(recording: Recording, *, limit: float) -> Recording:
     """
     name = recording.torque_name()
     volts = recording.channels[name].values
-    stuck = np.abs(volts) >= _AT_LIMIT * limit
-    if not stuck.any() or stuck.mean() > _MOST:
+    stuck = at_limit(recording, limit=limit)
+    if not stuck.any() or too_long(stuck):
         return recording
     reach = max(2, round(_SLOPE * recording.sample_rate))
     stuck |= np.convolve(stuck, np.ones(2 * reach + 1), "same") > reach  # what returns for a moment is one with it
