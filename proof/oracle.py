@@ -12,7 +12,8 @@ from torquerig.diagnose.choosing.search import extended, trials
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import Diagnosis, Finding
-from torquerig.diagnose.judging.held_out import held_out, of_untold_loads
+from torquerig.diagnose.judging.held_out import held_out
+from torquerig.diagnose.judging.untold_runs import of_untold_loads
 from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario
 from torquerig.signals.recording import Recording

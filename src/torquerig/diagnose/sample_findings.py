@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 from torquerig import mechanisms
 from torquerig.diagnose.broken_time import broken_time
 from torquerig.diagnose.case import Candidate
+from torquerig.diagnose.looking.flat_tops import FlatTops, flat_tops
 from torquerig.diagnose.looking.held_samples import on_straight_lines, renewed_every
 from torquerig.diagnose.looking.refilled import Moments
-from torquerig.diagnose.looking.sample_faults import FlatTops, bridged, coarse_codes, dropouts, flat_tops, moments_lost
+from torquerig.diagnose.looking.sample_faults import bridged, coarse_codes, dropouts, moments_lost
 from torquerig.diagnose.looking.saturated import rebuilt
 from torquerig.diagnose.looking.under_hum import flat_under_hum
 from torquerig.diagnose.looking.under_noise import flat_under_noise
@@ -102,7 +103,8 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     still = zip(recordings, held, strict=True)
     lost_of_each: tuple[Moments, ...] = tuple([] if by_itself else moments_lost(each) for each, by_itself in still)
     mended = tuple(map(bridged, recordings, lost_of_each))
-    flat = flat_tops(mended, full_range=full, code=codes.step if codes else step or 1e-12)
+    code = codes.step if codes else step or 1e-12
+    flat = flat_tops(mended, full_range=full, code=code, coarse=codes is not None)
     behind = None if flat is not None or codes is not None else _cut_before_noise(mended, full_range=full)
     if flat is not None:
         add("clipping", "Clipping", limit=flat.limit)

@@ -7,12 +7,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from torquerig.diagnose.looking.flat_tops import flat_tops
 from torquerig.diagnose.looking.sample_faults import (
     _gaps,
     bridged,
     coarse_codes,
     dropouts,
-    flat_tops,
     gaps,
     moments_lost,
 )

@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from torquerig.diagnose.looking.sample_faults import flat_tops
+from torquerig.diagnose.looking.flat_tops import flat_tops
 from torquerig.diagnose.looking.under_hum import flat_under_hum
 from torquerig.signals.recording import Channel, Recording
 from torquerig.signals.run import Run

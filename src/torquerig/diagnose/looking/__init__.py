@@ -1,7 +1,7 @@
 """What recordings show, before any model is asked.
 
 shaft_angle     the motor's angle of each run          observed     a run made ready to compare
-sample_faults   coarse codes, flat tops, dropouts      value_features  how the values are spread
+sample_faults   coarse codes, dropouts                 value_features  how the values are spread
 places          an order or a frequency                waves        the waves of lines
 regression      lines of a stretch by least squares    smeared      lines of an angle that was not measured
 bands           the spectrum beside the lines          turning      a run that turns back, block by block
@@ -22,7 +22,8 @@ angle_jumps     a measured angle that jumps            flights_beyond_lines   fl
 as_well_known   a simulated run with its angle known no better than the recording's
 mean_steps      a mean that steps and stays            telegraph_noise   a zero that jumps between two levels
 strong_alias    a tone that hides faults of samples    under_hum    a limit behind which a hum was picked up
-under_noise     a limit behind which it is noisy
+under_noise     a limit behind which it is noisy       strong_hum     a hum that hides them
+flat_tops       where a reading stops at a limit
 sweep_course    a sweep's ends, and a run without it   flight_statistics   what flights tell of the gap
 kept            worked out once for all models         robust_spread   how far values scatter
 orders_standing_out   whether lines stand at some orders

@@ -1,8 +1,8 @@
-"""Faults that the samples show before any model is asked: coarse codes, flat tops, moments without signal."""
+"""Faults that the samples show before any model is asked: coarse codes, moments without signal."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 from torquerig.diagnose.looking.moments_of import moments_of
 from torquerig.diagnose.looking.robust_spread import spread_about_median, spread_about_zero
 from torquerig.diagnose.looking.strong_alias import without_tone
+from torquerig.diagnose.looking.strong_hum import without_hum
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
 
 _COARSER = 1.7  # a lattice must be so many converter steps wide
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
-FLAT_SHARE, FEWEST_FLAT = 2e-4, 20
-_LOWEST_LIMIT = 4.0  # codes: a signal that stops nearer to zero holds nothing
 _JUMP = 12.0
 _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
 _SHORTEST, _FEWEST = 8e-4, 3  # [s] half a period of what rings is shorter; samples of which two may stand still
@@ -44,21 +43,6 @@ class Codes:
 
     step: float
     score: float
-
-
-@dataclass(frozen=True)
-class FlatTops:
-    """Values that never pass ``limit`` [V] and stop at it in ``share`` of the samples of the worst run."""
-
-    limit: float
-    share: float
-    runs: tuple[str, ...]
-
-    @classmethod
-    def of_runs(cls, found: Mapping[str, tuple[float, float]]) -> FlatTops:
-        """Return what the runs tell together, each by its level [V] and share; one or more."""
-        limit = float(np.median([level for level, _ in found.values()]))
-        return cls(limit, max(share for _, share in found.values()), tuple(found))
 
 
 @dataclass(frozen=True)
@@ -94,34 +78,6 @@ def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> C
     return Codes(step, reached) if reached > _LATTICE_SCORE else None
 
 
-def flat_tops(recordings: Sequence[Recording], *, full_range: float, code: float) -> FlatTops | None:
-    """Return the level at which the signal stops, where the samples pile up at their largest magnitude.
-
-    A tail thins out towards its end; a limit leaves more samples on its last code than on the codes before it.
-
-    Parameters
-    ----------
-    full_range : float
-        Of the converter [V]: what stops there, or on the last code below it, is the converter's own limit.
-    code : float
-        Distance of two codes of the samples [V].
-    """
-    found: dict[str, tuple[float, float]] = {}
-    for recording in recordings:
-        volts = recording.torque_values()
-        for sign in (1.0, -1.0):
-            depth = np.abs(sign * volts - (sign * volts).max())
-            piled = int((depth < 0.5 * code).sum())
-            before = int(((depth >= 0.5 * code) & (depth < 5.5 * code)).sum())
-            level = float((sign * volts).max())
-            largest = level > max(float(np.abs(volts).max()) - 0.5 * code, _LOWEST_LIMIT * code)
-            if largest and piled >= max(FEWEST_FLAT, FLAT_SHARE * volts.size, 2 * before):
-                found[recording.name] = (level, piled / volts.size)
-    if not found or max(level for level, _ in found.values()) > min(0.999 * full_range, full_range - 0.5 * code):
-        return None
-    return FlatTops.of_runs(found)
-
-
 def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
     """Return the moments in which the signal stands still at a level of its own, away from its neighbourhood."""
     events: list[tuple[str, float, float]] = []
@@ -142,13 +98,18 @@ def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
 def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
 
-    A strong alias goes on while the signal is lost, and makes jumps of its own: what is left without it is asked too,
-    and believed where it shows more. Where the signal passes near the level, it jumps there or back by little.
+    A strong alias goes on while the signal is lost, and makes jumps of its own; so does a hum, and moves the level:
+    what is left without them is asked too, and believed where it shows more. Where the signal passes near the level, it
+    jumps there or back by little.
     """
     found, without = _gaps(volts, rate), without_tone(volts, rate)
-    if without is None:
-        return _with_quiet_ones(volts, found, rate)
-    return _with_quiet_ones(without, max(found, _gaps(without, rate), key=len), rate)
+    if without is not None:
+        volts, found = without, max(found, _gaps(without, rate), key=len)
+    still = without_hum(volts, rate)
+    unmoved = [] if still is None else _gaps(still, rate)
+    if still is not None and len(unmoved) > len(found):
+        return _with_quiet_ones(still, unmoved, rate)
+    return _with_quiet_ones(volts, found, rate)
 
 
 def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: float) -> list[tuple[int, int, float]]:

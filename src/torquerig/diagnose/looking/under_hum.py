@@ -7,16 +7,13 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnose.looking.hum import GRIDS, TOLERANCE
-from torquerig.diagnose.looking.peaks import between_bins
-from torquerig.diagnose.looking.sample_faults import FEWEST_FLAT, FLAT_SHARE, FlatTops
+from torquerig.diagnose.looking.flat_tops import FEWEST_FLAT, FLAT_SHARE, FlatTops
 from torquerig.diagnose.looking.strong_alias import power_of, strongest_tone, tone_waves
+from torquerig.diagnose.looking.strong_hum import grid_line
 from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
 
-_BESIDE = 8.0  # [Hz] either way of the grid's frequency
-_STANDS_OUT = 30.0  # power over the median beside it
 _HARMONICS = 3
 _TOP = 1e-3  # share of the samples above which a first guess of the limit lies
 _FIRST, _LAST = 0.02, 2e-3  # of the signal's span, and [V]: around a guess, within which samples are taken as its pile
@@ -51,26 +48,11 @@ def flat_under_hum(recordings: Sequence[Recording], *, full_range: float = float
 def _tones(volts: Floats, rate: float) -> Iterator[tuple[float, int]]:
     """Yield the frequency [Hz] of a hum and of an alias that stand out, each with how many harmonics it has."""
     power, step = power_of(volts, rate)
-    grid, alias = _grid_line(power, step), strongest_tone(power, step)
+    grid, alias = grid_line(power, step), strongest_tone(power, step)
     if grid is not None:
         yield grid, _HARMONICS
     if alias is not None:
         yield alias, 1
-
-
-def _grid_line(power: Floats, step: float) -> float | None:
-    """Return the frequency [Hz] of the clearest line at a grid's frequency, between the bins; None where none is."""
-    clearest, answer = _STANDS_OUT, None
-    for grid in GRIDS:
-        low, high = int(grid * (1 - TOLERANCE) / step), int(np.ceil(grid * (1 + TOLERANCE) / step)) + 1
-        near = power[max(int((grid - _BESIDE) / step), 0) : int((grid + _BESIDE) / step)]
-        if low < 1 or high >= power.size:
-            continue
-        at = low + int(np.argmax(power[low:high]))
-        height = float(power[at] / (np.median(near) + 1e-300))
-        if height > clearest:
-            clearest, answer = height, step * between_bins(power, at)
-    return answer
 
 
 def _pile(volts: Floats, hum: Floats) -> tuple[float, float] | None:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.flat_tops import FEWEST_FLAT, FLAT_SHARE, FlatTops
 from torquerig.diagnose.looking.robust_spread import spread_about_zero
-from torquerig.diagnose.looking.sample_faults import FEWEST_FLAT, FLAT_SHARE, FlatTops
 from torquerig.signals.inspection.runs import runs_of
 from torquerig.signals.recording import Recording
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.diagnose.looking.flat_tops import FlatTops, flat_tops
 from torquerig.diagnose.looking.moments_of import moments_of
-from torquerig.diagnose.looking.sample_faults import Dropouts, FlatTops, bridged, dropouts, flat_tops, moments_lost
+from torquerig.diagnose.looking.sample_faults import Dropouts, bridged, dropouts, moments_lost
 from torquerig.signals.recording import Channel, Recording
 
 Floats = NDArray[np.float64]
