@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.robust_spread import spread_about_median
+from torquerig.diagnose.looking.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]
 
@@ -25,12 +25,14 @@ def of_values(volts: Floats) -> Floats:
     """Return the share of equal neighbours, the share of samples on the end value, and the jumps, shape (3,).
 
     Jumps are steps of more than 12 spreads of those steps that move at all: a reading that stands at its limit for a
-    third of the time would otherwise seem to jump wherever it does not. They are counted as twice the root of their
+    third of the time would otherwise seem to jump wherever it does not. Steps up and down make up for each other, so that
+    their spread is taken about zero: on coarse codes nearly all are one code, up or down, and the median is either, with
+    no spread about it. They are counted as twice the root of their
     number, which chance spreads by 1 (Anscombe 1948, Biometrika 35).
     """
     steps = np.diff(volts)
     moving = steps[steps != 0]
-    sigma = spread_about_median(moving) if moving.size else 0.0
+    sigma = spread_about_zero(moving) if moving.size else 0.0
     on_end = max(float(np.mean(volts == volts.max())), float(np.mean(volts == volts.min())))
     jumps = float(np.sum(np.abs(steps) > _JUMP * sigma)) if sigma > 0 else 0.0
     return np.array([float(np.mean(steps == 0)), on_end, 2 * np.sqrt(jumps + 0.375)])
