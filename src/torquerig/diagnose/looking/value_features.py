@@ -25,10 +25,10 @@ def of_values(volts: Floats) -> Floats:
     """Return the share of equal neighbours, the share of samples on the end value, and the jumps, shape (3,).
 
     Jumps are steps of more than 12 spreads of those steps that move at all: a reading that stands at its limit for a
-    third of the time would otherwise seem to jump wherever it does not. Steps up and down make up for each other, so that
-    their spread is taken about zero: on coarse codes nearly all are one code, up or down, and the median is either, with
-    no spread about it. They are counted as twice the root of their
-    number, which chance spreads by 1 (Anscombe 1948, Biometrika 35).
+    third of the time would otherwise seem to jump wherever it does not. Steps up and down make up for each other, so
+    that their spread is taken about zero: on coarse codes nearly all are one code, up or down, and the median is
+    either, with no spread about it. They are counted as twice the root of their number, which chance spreads by 1
+    (Anscombe 1948, Biometrika 35).
     """
     steps = np.diff(volts)
     moving = steps[steps != 0]
