@@ -41,6 +41,7 @@ def test_found_lines_are_no_family_of_the_model(
             runs=(run,),
             seen=(seen,),
             model=SimpleNamespace(rig=wear_rig.rig),
+            left=(),
             misfit_of=lambda rig: 0.0,
         ),
     )
