@@ -43,7 +43,12 @@ def without_tone(volts: Floats, rate: float) -> Floats | None:
     frequency = strongest_tone(*power_of(volts, rate))
     if frequency is None:
         return None
-    waves = tone_waves(np.arange(volts.size) / rate, frequency, 1)
+    return without_waves(volts, rate, frequency, harmonics=1)
+
+
+def without_waves(volts: Floats, rate: float, frequency: float, *, harmonics: int) -> Floats:
+    """Return the samples [V] without a tone [Hz] and its harmonics, their amplitudes and phases straight in time."""
+    waves = tone_waves(np.arange(volts.size) / rate, frequency, harmonics)
     left = volts - volts.mean()
     return np.asarray(volts - waves @ np.linalg.lstsq(waves.T @ waves, waves.T @ left, rcond=None)[0])
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnose.looking.hum import GRIDS, TOLERANCE
 from torquerig.diagnose.looking.peaks import between_bins
-from torquerig.diagnose.looking.strong_alias import power_of, tone_waves
+from torquerig.diagnose.looking.strong_alias import power_of, without_waves
 
 Floats = NDArray[np.float64]
 
@@ -19,12 +19,7 @@ _HARMONICS = 8
 def grid_line(power: Floats, step: float) -> float | None:
     """Return the frequency [Hz] of the clearest line at a grid's frequency, between the bins; None where none is.
 
-    Parameters
-    ----------
-    power : ndarray, shape (bins,)
-        Of a run under a Hann window.
-    step : float
-        Of its frequencies [Hz].
+    ``power`` and ``step`` are as of ``power_of``.
     """
     clearest, answer = _STANDS_OUT, None
     for grid in GRIDS:
@@ -44,6 +39,4 @@ def without_hum(volts: Floats, rate: float) -> Floats | None:
     frequency = grid_line(*power_of(volts, rate))
     if frequency is None:
         return None
-    waves = tone_waves(np.arange(volts.size) / rate, frequency, _HARMONICS)
-    left = volts - volts.mean()
-    return np.asarray(volts - waves @ np.linalg.lstsq(waves.T @ waves, waves.T @ left, rcond=None)[0])
+    return without_waves(volts, rate, frequency, harmonics=_HARMONICS)
