@@ -50,15 +50,21 @@ def limited(rig: Rig, limit: float, *, load: float) -> Rig:
     return Candidate(mechanism="clipping", parts=(Clipping(name="rail", limit=limit),), knobs=()).added_to(heavier)
 
 
+def highest(held: tuple[Features, ...]) -> float:
+    """The furthest from zero that any of the recordings comes [V]."""
+    return max(float(np.abs(each.observed.recording.torque_values()).max()) for each in held)
+
+
 @pytest.mark.parametrize(("load", "limit", "flat"), [(3.0, 1.2, True), (1.0, 1.2, False), (3.0, 0.8, False)])
 def test_a_model_may_stand_at_a_limit_that_the_recording_never_reaches(
     load: float, limit: float, *, flat: bool, wear_rig: Scenario, held: tuple[Features, ...]
 ) -> None:
     """With three times the load it stands there; a recording that reaches the limit is compared as it is."""
     rig = wear_rig.rig
-    most = max(float(np.abs(each.observed.recording.torque_values()).max()) for each in held)
     names = {each.observed.name for each in held}
-    assert flat_in_the_model_alone(rig, limited(rig, limit * most, load=load), held) == (names if flat else set())
+    assert flat_in_the_model_alone(rig, limited(rig, limit * highest(held), load=load), held) == (
+        names if flat else set()
+    )
 
 
 def test_without_a_limit_of_its_own_none_is_simulated(
@@ -80,5 +86,4 @@ def test_what_cannot_be_simulated_is_left_to_the_twins(
         raise SimulationError("the shaft stands still")
 
     monkeypatch.setattr(untold_runs, "simulated_runs", failing)
-    most = max(float(np.abs(each.observed.recording.torque_values()).max()) for each in held)
-    assert not flat_in_the_model_alone(wear_rig.rig, limited(wear_rig.rig, 1.2 * most, load=3.0), held)
+    assert not flat_in_the_model_alone(wear_rig.rig, limited(wear_rig.rig, 1.2 * highest(held), load=3.0), held)

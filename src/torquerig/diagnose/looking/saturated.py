@@ -19,7 +19,7 @@ _MOST = 0.02  # share of the samples beyond which nothing can be rebuilt
 
 def at_limit(recording: Recording, *, limit: float) -> NDArray[np.bool_]:
     """Return which samples of the torque channel stand at a limit, either way [V]."""
-    return np.abs(recording.channels[recording.torque_name()].values) >= _AT_LIMIT * limit
+    return np.abs(recording.torque_values()) >= _AT_LIMIT * limit
 
 
 def too_long(stuck: NDArray[np.bool_]) -> bool:
@@ -38,8 +38,7 @@ def rebuilt(recording: Recording, *, limit: float) -> Recording:
     limit : float
         Either way [V].
     """
-    name = recording.torque_name()
-    volts = recording.channels[name].values
+    volts = recording.torque_values()
     stuck = at_limit(recording, limit=limit)
     if not stuck.any() or too_long(stuck):
         return recording
@@ -53,4 +52,4 @@ def rebuilt(recording: Recording, *, limit: float) -> Recording:
         rising, falling = (volts[first] - volts[first - reach]) / reach, (volts[last + reach] - volts[last]) / reach
         cubic = CubicHermiteSpline([first, last], [volts[first], volts[last]], [rising, falling])
         answer[start:stop] = cubic(np.arange(start, stop))
-    return recording.with_values(name, answer)
+    return recording.with_values(recording.torque_name(), answer)

@@ -17,8 +17,8 @@ _FLOORS = np.array([0.01, 2e-3, 1.22])  # the chance of a count and of the mean 
 
 def value_features(observed: Observed, *, held: bool) -> Floats:
     """Return ``of_values`` of the raw torque channel's held-out or other stretches, shape (3,)."""
-    channel = observed.recording.channels[observed.recording.torque_name()]
-    return of_values(np.concatenate([channel.values[s.start : s.stop] for s in observed.stretches if s.held == held]))
+    volts = observed.recording.torque_values()
+    return of_values(np.concatenate([volts[s.start : s.stop] for s in observed.stretches if s.held == held]))
 
 
 def of_values(volts: Floats) -> Floats:
