@@ -72,6 +72,8 @@ class Candidate:
         95 % intervals of fields of its first part that no knob fits, in the part's units.
     below : mapping of str to float
         What fitted fields of its parts must stay below to be told from these recordings, in the parts' units.
+    above : mapping of str to float
+        What they must stay above.
     """
 
     mechanism: str
@@ -90,6 +92,7 @@ class Candidate:
     as_loads: bool = False
     within: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     below: Mapping[str, float] = field(default_factory=dict)
+    above: Mapping[str, float] = field(default_factory=dict)
 
     def added_to(self, rig: Rig) -> Rig:
         """Return the rig with the parts."""

@@ -142,6 +142,13 @@ def test_a_branch_that_hardly_rings_is_no_mode(wear_rig: Scenario) -> None:
         assert is_possible(candidate, wear_rig.rig + part) is possible
 
 
+def test_a_branch_that_is_next_to_weightless_is_no_mode(wear_rig: Scenario) -> None:
+    for inertia, possible in ((1.5e-5, False), (6e-5, True)):
+        part = TorsionalMode(name="mode", after="wear_part", frequency=90.0, inertia=inertia, damping_ratio=0.02)
+        candidate = Candidate(mechanism="torsional_mode", parts=(part,), knobs=(), above={"inertia": 3e-5})
+        assert is_possible(candidate, wear_rig.rig + part) is possible
+
+
 @pytest.mark.parametrize(
     ("static", "backward", "speed", "possible"),
     [(0.4, None, 50.0, True), (0.29, 0.5, 50.0, True), (0.05, None, 50.0, False), (0.4, 0.02, 50.0, False),

@@ -27,6 +27,9 @@ _BEST = 3
 # damping ratio: beyond the one a step swings over by less than half and no mode shows in a spectrum; below the other a
 # shaft would ring longer than steel in one piece, let alone a joint
 _RINGS, _NEVER_DIES = 0.2, 0.001
+# of the loaded part's inertia: a branch lighter than that moves the loaded side within a hundredth of its frequency,
+# and there a line that wanders looks the same
+_LIGHTEST = 0.02
 _WHERE_SWEPT = 100.0  # what one must gain beside where a line swept: what is left of that looks like a light branch
 # a spectrum tells the width of a line no finer than its bands and the wander of the load let it
 TOLD_LOOSELY = {"damping_ratio": 1.0}
@@ -95,7 +98,7 @@ def _branch(body: Body, frequency: float, inertia: float, swept: Iterable[tuple[
     price = _SOUGHT + (_WHERE_SWEPT if any(low <= frequency <= high for low, high in swept) else 0.0)
     return Candidate(
         mechanism="torsional_mode", parts=(part,), knobs=knobs, bends=bends, promised=_PROMISED, resembled=True,
-        price=price, spared=_SOUGHT,
+        price=price, spared=_SOUGHT, above={"inertia": _LIGHTEST * body.inertia},
     )  # fmt: skip
 
 
