@@ -68,3 +68,18 @@ def test_what_was_gathered_tells_how_far_it_reached_and_on_what_it_stood() -> No
     assert line.reach == pytest.approx(0.012 * 250.0 * SAMPLES / RATE)  # no neighbour holds it back
     assert line.floor == pytest.approx(2 * 0.05**2 / RATE, rel=0.3)  # white noise, one-sided, some 70 bins
     assert line.amplitude == pytest.approx(0.3, rel=0.02)
+
+
+def test_a_tone_beneath_an_order_is_taken_out_of_what_the_lines_leave(by_hand: ByHand) -> None:
+    """As the speed wanders, the order's own wave takes up a part of it and leaves ten times the noise beside it."""
+    angle = 2 * pi * TURNS * TIME + 0.08 * np.sin(2 * pi * 1.7 * TIME)
+    fixed = 15 * TURNS + 0.1 / STRETCH
+    noise = 0.02 * np.random.default_rng(4).standard_normal(SAMPLES)
+    torque = 0.05 * np.cos(15 * angle) + 0.2 * np.cos(2 * pi * fixed * TIME + 0.4) + noise
+    run = by_hand(torque, angle, rate=RATE, name="run")
+    alone, both = (features(run, places) for places in ([order(15.0)], [order(15.0), frequency(fixed)]))
+    near = int(np.argmin(np.abs(both.band - fixed)))
+    white = 2 * 0.02**2 / RATE
+    assert alone.power[near] > 10 * white
+    assert both.power[near] == pytest.approx(white, rel=0.25)
+    assert np.isnan(both.amplitude[:, 1]).all()  # its amplitude cannot be told beside the order

@@ -64,7 +64,9 @@ def is_possible(candidate: Candidate, rig: Rig) -> bool:
     """Whether the numbers that a fit gave a candidate in ``rig`` are such as can be, and as its runs can show."""
     fitted = [rig.part(part.name) for part in candidate.parts]
     too_much = (getattr(part, field, 0.0) >= most for field, most in candidate.below.items() for part in fitted)
-    too_little = (getattr(part, field, math.inf) <= least for field, least in candidate.above.items() for part in fitted)
+    too_little = (
+        getattr(part, field, math.inf) <= least for field, least in candidate.above.items() for part in fitted
+    )
     if any(too_much) or any(too_little):
         return False
     return _asked("possible", candidate, fitted)

@@ -76,8 +76,25 @@ def stretch_lines(observed: Observed, stretch: Stretch, places: Sequence[Place])
             at = shown[row]
             amplitude[at], widening[at] = each.amplitude, each.widening
             reach[at], beneath[at] = each.reach, each.floor
+    hidden = _hidden(observed, stretch, places, shown)
+    if hidden:
+        beside = Waves([places[index] for index in (*shown, *hidden)], observed.angle[part], time)
+        found = regressed(observed.torque[part], beside, window=window)
     slow = found.rest + found.level + found.slope * np.linspace(-1.0, 1.0, time.size)
     return StretchLines(amplitude, widening, reach, beneath, slow, found.rest, lines)
+
+
+def _hidden(observed: Observed, stretch: Stretch, places: Sequence[Place], shown: Sequence[int]) -> list[int]:
+    """Return which fixed frequencies of a steady stretch lie within the reach of an order that it shows.
+
+    No amplitude can be told of them, but they are in the torque: as the speed wanders, the order's line takes up a part
+    of such a tone and leaves the rest beside it.
+    """
+    if not observed.steady:
+        return []
+    tones = [index for index, place in enumerate(places) if place.domain == "frequency" and index not in shown]
+    alone = shown_places(observed, stretch, [places[index] for index in tones])
+    return [tones[row] for row in alone]
 
 
 def shown_places(
