@@ -118,8 +118,13 @@ def test_a_missing_scenario_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     assert "nope.yaml: there is no such file" in capsys.readouterr().err
 
 
-def test_a_fault_of_the_samples_is_named_and_its_model_written(folder: Path) -> None:
+def test_a_fault_of_the_samples_is_named_and_its_model_written(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     main(("diagnose", "codes.parquet", "--scenario", WEAR_RIG, "--json", "codes.json"))
+    told = capsys.readouterr().out.splitlines()
+    assert told[0].startswith("The model lacks quantization; with it the misfit on data that no fit has seen")
+    assert told[-2:] == ["wrote codes.json", "wrote codes.model.yaml"]
     data = json.loads((folder / "codes.json").read_text(encoding="utf-8"))
     assert [finding["mechanism"] for finding in data["findings"]] == ["quantization"]
     assert data["findings"][0]["parameters"]["step_V"]["value"] == pytest.approx(STEP, rel=1e-3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shlex
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -97,9 +98,23 @@ def command(
             partial.write_text(page, encoding="utf-8", newline="\n")
     if out == "-":
         click.echo(text, nl=False)
-    else:
-        with whole_file(Path(out)) as partial:
-            partial.write_text(text, encoding="utf-8", newline="\n")
+        return
+    with whole_file(Path(out)) as partial:
+        partial.write_text(text, encoding="utf-8", newline="\n")
+    click.echo("\n".join(_told(outcome)))
+    for path in (out, report, data["model"]):
+        if path is not None:
+            click.echo(f"wrote {path}")
+
+
+def _told(outcome: Outcome | MotionOutcome) -> Iterator[str]:
+    """Yield the verdict and the remarks, a sentence each."""
+    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
+    from torquerig.report.diagnosis_words import EFFORT, FEATURES, verdict_sentence
+
+    yardstick = EFFORT if isinstance(outcome, MotionOutcome) else FEATURES
+    yield verdict_sentence(outcome.diagnosis, outcome.left, yardstick=yardstick)
+    yield from outcome.diagnosis.remarks
 
 
 def _read(paths: tuple[Path, ...]) -> list[Recording]:

@@ -58,7 +58,8 @@ def off_set_points(recordings: Sequence[Recording], runs: Sequence[Observed]) ->
         if not (run.steady and stated) or abs(real / stated - 1) <= SPEED_KEPT:
             continue
         rpm, said = real * 30 / pi, stated * 30 / pi
-        teller = f"its {run.origin} turns at" if run.angle_measured else "the lines of its torque fit"
+        by = run.origin.removeprefix("from ")
+        teller = f"{by} turns at" if run.angle_measured else "the lines of its torque fit"
         sentence = (
             f"{run.name}: its sheet sets {said:.0f} rpm, {teller} {rpm:.0f} rpm; diagnosed at the "
             f"latter, so correct the sheet{', or the counts per turn' if run.angle_measured else ''}"

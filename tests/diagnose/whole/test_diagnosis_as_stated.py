@@ -201,7 +201,7 @@ def test_a_sheet_that_the_encoder_contradicts_is_said_and_located(known_rig: Sce
     wrong = replace(runs[0].run, speed=1.3 * (runs[0].run.speed or 0.0))
     made = diagnose(known_rig, [replace(runs[0], run=wrong), *runs[1:]]).diagnosis
     (off,) = (remark for remark in made.remarks if "its sheet sets" in remark)
-    assert "its sheet sets 1300 rpm" in off
+    assert "its sheet sets 1300 rpm, the channel encoder_count turns at 1004 rpm" in off
     (place,) = [place for place in made.mismatch if place.axis == "rpm"]
     assert place.at == pytest.approx(1004.0, rel=1e-3)
     assert place.recordings == (runs[0].name,)

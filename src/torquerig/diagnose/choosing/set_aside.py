@@ -8,7 +8,7 @@ from torquerig import mechanisms
 from torquerig.diagnose.case import Case
 from torquerig.diagnose.choosing.explained import explained_share
 from torquerig.diagnose.choosing.gap_trial import gap_is_possible
-from torquerig.diagnose.choosing.opened_gap import flanks_may_part
+from torquerig.diagnose.choosing.opened_gap import GAP, flanks_may_part
 from torquerig.diagnose.choosing.search import Tried, excess
 from torquerig.diagnose.choosing.trial import Trial
 from torquerig.diagnose.hypotheses import CLASSES
@@ -20,7 +20,8 @@ SAMPLE_FAULTS = {
     "quantization": ("Quantization", "codes stand as close as the converter's"),
     "signal_dropout": ("SignalDropout", "no moments without signal"),
 }
-CONTRACT = {*CLASSES, *SAMPLE_FAULTS, "backlash"}
+_ALL_CLASSES = {**CLASSES, **{name: of for name, (of, _) in SAMPLE_FAULTS.items()}, GAP: "Backlash"}
+CONTRACT = set(_ALL_CLASSES)
 _NOT_THERE = "not in the library"
 _NEVER_PART = "the torque comes near zero in no run, so flanks never part"
 _SLIPPING = "something slips and grips again, whose blows without load are like those of flanks, so that nothing tells"
@@ -48,9 +49,17 @@ def set_aside(case: Case, tried: Tried, *, known: Sequence[str]) -> dict[str, st
     for name, (class_name, reason) in SAMPLE_FAULTS.items():
         if name not in told:
             answer[name] = reason if hasattr(mechanisms, class_name) else _NOT_THERE
-    if "backlash" not in told:
-        answer["backlash"] = _no_gap(case, tried)
-    return dict(sorted(answer.items()))
+    if GAP not in told:
+        answer[GAP] = _no_gap(case, tried)
+    return {name: _beside_own(name, reason, case) for name, reason in sorted(answer.items())}
+
+
+def _beside_own(name: str, reason: str, case: Case) -> str:
+    """Say first that the scenario has the mechanism, where it has: the reason is then why it has no second one."""
+    of = _ALL_CLASSES[name]
+    if not hasattr(mechanisms, of) or not case.nominal.parts_of(getattr(mechanisms, of)):
+        return reason
+    return f"the scenario has it already; a second one: {reason}"
 
 
 def _fitted(case: Case, trial: Trial) -> str:
