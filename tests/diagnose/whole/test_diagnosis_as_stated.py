@@ -5,16 +5,22 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.shipped import shipped_folder
 from torquerig.diagnose.diagnose import Outcome, diagnose
 from torquerig.diagnose.diagnosis import as_json
 from torquerig.diagnose.fitting.calibration import LIMIT, calibrated
 from torquerig.diagnose.fitting.knobs import Knob, nuisance_knobs, turned
+from torquerig.diagnose.judging.held_out import held_out
+from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.writing import scenario_text
 from torquerig.signals.recording import Recording
 
 ThreeRuns = Callable[..., list[Recording]]
@@ -142,6 +148,18 @@ def test_the_written_json_keeps_the_contract(mesh_outcome: Outcome, meshed: list
     assert [used["file"] for used in data["recordings"]] == [recording.name for recording in meshed]
     assert {used["used_for"] for used in data["recordings"]} <= {"fit", "held_out", "split"}
     assert data["recordings"][0]["speed_rpm"] == pytest.approx(1004.0, rel=1e-3)
+
+
+def test_the_written_model_simulated_again_gives_the_figures_after(
+    known_rig: Scenario, mesh_outcome: Outcome, tmp_path: Path
+) -> None:
+    written = tmp_path / "model.yaml"
+    written.write_text(scenario_text(mesh_outcome.completed, title="mesh", operating_point={}), encoding="utf-8")
+    rig = read_scenario(read_document(written), load_catalog(shipped_folder())).rig
+    before = mesh_outcome.before
+    again = held_out(before.nominal, before.model.rig, rig, mesh_outcome.held, seed=0)
+    assert again.after == pytest.approx(mesh_outcome.diagnosis.fit.after, rel=1e-6)
+    assert again.after < 0.5 * again.before
 
 
 def test_without_its_class_a_mesh_is_unexplained(
