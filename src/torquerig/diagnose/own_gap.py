@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import pi
+from typing import TYPE_CHECKING
 
-from torquerig.mechanisms import Backlash
 from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import gears_to_sensor
+
+if TYPE_CHECKING:
+    from torquerig.mechanisms import Backlash
 
 _ARCMIN = pi / 180 / 60
 
@@ -58,7 +61,7 @@ class OwnGap:
         return f"{said}, and is about {width / _ARCMIN:.1f} arcmin wide"
 
     def _found(self, rig: Rig) -> Backlash | None:
-        return next((part for part in rig.parts_of(Backlash) if part.gear == self.gear), None)
+        return next((part for part in rig.of_kind("backlash") if part.gear == self.gear), None)
 
 
 def closed(rig: Rig) -> tuple[Rig, OwnGap | None]:
@@ -70,7 +73,7 @@ def closed(rig: Rig) -> tuple[Rig, OwnGap | None]:
     if not gears:
         return rig, None
     gear = gears[-1]
-    for part in rig.parts_of(Backlash):
+    for part in rig.of_kind("backlash"):
         if part.gear == gear.name and part.gap > 0:
             return rig.without(part.name), OwnGap(gear.name, part.gap, part)
     if not isinstance(gear, Gear) or gear.backlash <= 0:

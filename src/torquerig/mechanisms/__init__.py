@@ -27,88 +27,107 @@ Sensor, cable and file
     noise_hump           a band of noise, no cause claimed
 """
 
-from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics
-from torquerig.mechanisms.backlash import Backlash
-from torquerig.mechanisms.bearing_defect import BearingDefect
-from torquerig.mechanisms.belt_lines import BeltLines
-from torquerig.mechanisms.bending_crosstalk import BendingCrosstalk
-from torquerig.mechanisms.blade_pass import BladePass
-from torquerig.mechanisms.clipping import Clipping
-from torquerig.mechanisms.cogging import Cogging
-from torquerig.mechanisms.commutation_ripple import CommutationRipple
-from torquerig.mechanisms.current_gain import CurrentGain
-from torquerig.mechanisms.current_offset import CurrentOffset
-from torquerig.mechanisms.dead_time import DeadTime
-from torquerig.mechanisms.eccentricity import Eccentricity
-from torquerig.mechanisms.encoder_error import EncoderError
-from torquerig.mechanisms.field_oriented_control import FieldOrientedControl
-from torquerig.mechanisms.gear_mesh import GearMesh
-from torquerig.mechanisms.granular_drag import GranularDrag
-from torquerig.mechanisms.hall_misplacement import HallMisplacement
-from torquerig.mechanisms.imbalance import Imbalance
-from torquerig.mechanisms.jaw_coupling import JawCoupling
-from torquerig.mechanisms.lugre_friction import LugreFriction
-from torquerig.mechanisms.mains_interference import MainsInterference
-from torquerig.mechanisms.misalignment import Misalignment
-from torquerig.mechanisms.noise_hump import NoiseHump
-from torquerig.mechanisms.parallel_offset import ParallelOffset
-from torquerig.mechanisms.particle_load import ParticleLoad
-from torquerig.mechanisms.phase_unbalance import PhaseUnbalance
-from torquerig.mechanisms.pwm_aliasing import PwmAliasing
-from torquerig.mechanisms.pwm_ripple import PwmRipple
-from torquerig.mechanisms.quadratic_drag import QuadraticDrag
-from torquerig.mechanisms.quantization import Quantization
-from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth
-from torquerig.mechanisms.sensor_drift import SensorDrift
-from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis
-from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity
-from torquerig.mechanisms.signal_dropout import SignalDropout
-from torquerig.mechanisms.six_step_commutation import SixStepCommutation
-from torquerig.mechanisms.stribeck_friction import StribeckFriction
-from torquerig.mechanisms.tooth_mesh import ToothMesh
-from torquerig.mechanisms.torque_ripple import TorqueRipple
-from torquerig.mechanisms.torsional_mode import TorsionalMode
+from __future__ import annotations
 
-__all__ = [
-    "BackEmfHarmonics",
-    "Backlash",
-    "BearingDefect",
-    "BeltLines",
-    "BendingCrosstalk",
-    "BladePass",
-    "Clipping",
-    "Cogging",
-    "CommutationRipple",
-    "CurrentGain",
-    "CurrentOffset",
-    "DeadTime",
-    "Eccentricity",
-    "EncoderError",
-    "FieldOrientedControl",
-    "GearMesh",
-    "GranularDrag",
-    "HallMisplacement",
-    "Imbalance",
-    "JawCoupling",
-    "LugreFriction",
-    "MainsInterference",
-    "Misalignment",
-    "NoiseHump",
-    "ParallelOffset",
-    "ParticleLoad",
-    "PhaseUnbalance",
-    "PwmAliasing",
-    "PwmRipple",
-    "QuadraticDrag",
-    "Quantization",
-    "SensorBandwidth",
-    "SensorDrift",
-    "SensorHysteresis",
-    "SensorNonlinearity",
-    "SignalDropout",
-    "SixStepCommutation",
-    "StribeckFriction",
-    "ToothMesh",
-    "TorqueRipple",
-    "TorsionalMode",
-]
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import TYPE_CHECKING
+
+from torquerig.rig.part import Part
+
+if TYPE_CHECKING:
+    from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics
+    from torquerig.mechanisms.backlash import Backlash
+    from torquerig.mechanisms.bearing_defect import BearingDefect
+    from torquerig.mechanisms.belt_lines import BeltLines
+    from torquerig.mechanisms.bending_crosstalk import BendingCrosstalk
+    from torquerig.mechanisms.blade_pass import BladePass
+    from torquerig.mechanisms.clipping import Clipping
+    from torquerig.mechanisms.cogging import Cogging
+    from torquerig.mechanisms.commutation_ripple import CommutationRipple
+    from torquerig.mechanisms.current_gain import CurrentGain
+    from torquerig.mechanisms.current_offset import CurrentOffset
+    from torquerig.mechanisms.dead_time import DeadTime
+    from torquerig.mechanisms.eccentricity import Eccentricity
+    from torquerig.mechanisms.encoder_error import EncoderError
+    from torquerig.mechanisms.field_oriented_control import FieldOrientedControl
+    from torquerig.mechanisms.gear_mesh import GearMesh
+    from torquerig.mechanisms.granular_drag import GranularDrag
+    from torquerig.mechanisms.hall_misplacement import HallMisplacement
+    from torquerig.mechanisms.imbalance import Imbalance
+    from torquerig.mechanisms.jaw_coupling import JawCoupling
+    from torquerig.mechanisms.lugre_friction import LugreFriction
+    from torquerig.mechanisms.mains_interference import MainsInterference
+    from torquerig.mechanisms.misalignment import Misalignment
+    from torquerig.mechanisms.noise_hump import NoiseHump
+    from torquerig.mechanisms.parallel_offset import ParallelOffset
+    from torquerig.mechanisms.particle_load import ParticleLoad
+    from torquerig.mechanisms.phase_unbalance import PhaseUnbalance
+    from torquerig.mechanisms.pwm_aliasing import PwmAliasing
+    from torquerig.mechanisms.pwm_ripple import PwmRipple
+    from torquerig.mechanisms.quadratic_drag import QuadraticDrag
+    from torquerig.mechanisms.quantization import Quantization
+    from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth
+    from torquerig.mechanisms.sensor_drift import SensorDrift
+    from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis
+    from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity
+    from torquerig.mechanisms.signal_dropout import SignalDropout
+    from torquerig.mechanisms.six_step_commutation import SixStepCommutation
+    from torquerig.mechanisms.stribeck_friction import StribeckFriction
+    from torquerig.mechanisms.tooth_mesh import ToothMesh
+    from torquerig.mechanisms.torque_ripple import TorqueRipple
+    from torquerig.mechanisms.torsional_mode import TorsionalMode
+
+    __all__ = [
+        "BackEmfHarmonics",
+        "Backlash",
+        "BearingDefect",
+        "BeltLines",
+        "BendingCrosstalk",
+        "BladePass",
+        "Clipping",
+        "Cogging",
+        "CommutationRipple",
+        "CurrentGain",
+        "CurrentOffset",
+        "DeadTime",
+        "Eccentricity",
+        "EncoderError",
+        "FieldOrientedControl",
+        "GearMesh",
+        "GranularDrag",
+        "HallMisplacement",
+        "Imbalance",
+        "JawCoupling",
+        "LugreFriction",
+        "MainsInterference",
+        "Misalignment",
+        "NoiseHump",
+        "ParallelOffset",
+        "ParticleLoad",
+        "PhaseUnbalance",
+        "PwmAliasing",
+        "PwmRipple",
+        "QuadraticDrag",
+        "Quantization",
+        "SensorBandwidth",
+        "SensorDrift",
+        "SensorHysteresis",
+        "SensorNonlinearity",
+        "SignalDropout",
+        "SixStepCommutation",
+        "StribeckFriction",
+        "ToothMesh",
+        "TorqueRipple",
+        "TorsionalMode",
+    ]
+else:  # whatever files there are, so that a mechanism goes with its file
+    _rooms = [import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__)]
+    _classes = {
+        name: thing
+        for room in _rooms
+        for name, thing in vars(room).items()
+        if isinstance(thing, type) and issubclass(thing, Part) and thing.__module__ == room.__name__
+    }
+    globals().update(_classes)
+    __all__ = list(_classes)

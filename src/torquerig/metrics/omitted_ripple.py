@@ -8,7 +8,6 @@ import numpy as np
 
 from torquerig.catalog.entry import counts_of
 from torquerig.catalog.motor import Motor
-from torquerig.mechanisms import SixStepCommutation
 from torquerig.metrics.figure import Figure
 from torquerig.rig.parts import SpeedController
 from torquerig.rig.rig import Rig
@@ -28,7 +27,7 @@ def omitted_six_pulse(rig: Rig, motor: Motor, *, motor_torque: float) -> Figure:
     motor_torque : float
         Mean torque of the motor [N m].
     """
-    if rig.parts_of(SixStepCommutation):
+    if rig.of_kind("six_step_commutation"):
         return Figure(unit="N*m")
     share, known = motor.ripple.six_pulse_ripple, motor.ripple.known_lines
     poles = counts_of(motor.pole_pairs)

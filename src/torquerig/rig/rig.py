@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isclose
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.rig.part import Part
@@ -74,6 +74,10 @@ class Rig:
     def parts_of(self, kind: type[AnyPart]) -> tuple[AnyPart, ...]:
         """Return the parts of one class, in their order."""
         return tuple(part for part in self.parts if isinstance(part, kind))
+
+    def of_kind(self, kind: str) -> tuple[Any, ...]:
+        """Return the parts that a scenario calls by this word, in their order, also of a library without the class."""
+        return tuple(part for part in self.parts if part.kind == kind)
 
     def node(self, name: str) -> str:
         """Return the node that the part ``name`` turns with (of a gear, sensor or coupling: its output side)."""

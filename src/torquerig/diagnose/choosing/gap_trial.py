@@ -53,7 +53,7 @@ def _no_chatter(case: Case, shown: WithGaps) -> bool:
 
     Stays are asked beside what was found before, which may leave a rest that looks like chatter.
     """
-    return bool(case.nominal.parts_of(mechanisms.Quantization) or (case.accepted and stays_speak_against(shown)))
+    return bool(case.nominal.of_kind("quantization") or (case.accepted and stays_speak_against(shown)))
 
 
 def simulated_model(candidate: Candidate, model: Calibrated) -> Calibrated:

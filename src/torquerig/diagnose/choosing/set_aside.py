@@ -56,10 +56,7 @@ def set_aside(case: Case, tried: Tried, *, known: Sequence[str]) -> dict[str, st
 
 def _beside_own(name: str, reason: str, case: Case) -> str:
     """Say first that the scenario has the mechanism, where it has: the reason is then why it has no second one."""
-    of = _ALL_CLASSES[name]
-    if not hasattr(mechanisms, of) or not case.nominal.parts_of(getattr(mechanisms, of)):
-        return reason
-    return f"the scenario has it already; a second one: {reason}"
+    return f"the scenario has it already; a second one: {reason}" if case.nominal.of_kind(name) else reason
 
 
 def _fitted(case: Case, trial: Trial) -> str:

@@ -17,7 +17,7 @@ from torquerig.diagnose.looking.places import order
 from torquerig.diagnose.looking.regression import regressed
 from torquerig.diagnose.looking.turning import turns_back
 from torquerig.diagnose.looking.waves import Waves
-from torquerig.mechanisms import Backlash, TorqueRipple
+from torquerig.mechanisms import TorqueRipple
 from torquerig.rig.parts import Gear
 from torquerig.rig.rig import Rig
 
@@ -57,7 +57,9 @@ def with_phases_of(rig: Rig, observed: Observed, *, held: bool | None = None) ->
 
 def phases_tell(rig: Rig) -> bool:
     """Whether more than the lines depends on their phases: flanks may part where several meet."""
-    return any(part.gap > 0 for part in rig.parts_of(Backlash)) or any(part.backlash > 0 for part in rig.parts_of(Gear))
+    return any(part.gap > 0 for part in rig.of_kind("backlash")) or any(
+        part.backlash > 0 for part in rig.parts_of(Gear)
+    )
 
 
 def as_in_runs(rig: Rig, seen: Sequence[Features]) -> list[Rig]:

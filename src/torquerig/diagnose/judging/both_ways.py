@@ -12,7 +12,7 @@ _NARROW = 0.5  # of its middle: a wider stretch of a spectrum is wrong for other
 
 def rings_both_ways(left: Sequence[Mismatch], rig: Rig) -> bool:
     """Whether a mode in the rig leaves the band in which it rings wrong, upwards in a run and downwards in another."""
-    return any(_both_ways(left, part.frequency) for part in rig.parts if part.kind == "torsional_mode")  # type: ignore[attr-defined]
+    return any(_both_ways(left, part.frequency) for part in rig.of_kind("torsional_mode"))
 
 
 def _both_ways(left: Sequence[Mismatch], frequency: float) -> bool:

@@ -99,7 +99,7 @@ def _flies_more(case: Case, copies: Sequence[Sequence[Observed]]) -> bool:
 
 def _rings(case: Case) -> float:
     """Return how many impacts of bearings in the model the runs show."""
-    struck = sum(getattr(part, "order_output", 0.0) for part in case.model.rig.parts if part.kind == "bearing_defect")
+    struck = sum(part.order_output for part in case.model.rig.of_kind("bearing_defect"))
     turned = sum(np.ptp(features.observed.angle[features.observed.seen]) for features in case.seen)
     return float(struck * turned / (2 * np.pi * abs(case.nominal.run.gear_ratio or 1.0)))
 

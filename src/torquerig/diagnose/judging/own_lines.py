@@ -8,7 +8,6 @@ from torquerig.diagnose.case import Case
 from torquerig.diagnose.looking.features import Features
 from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.places import SAME_ORDER, Place
-from torquerig.mechanisms import BearingDefect
 
 _LAW = 0.05  # of an effect's own line: no law of an effect tells its harmonics to better
 _NEAR = 0.02  # of the order of impacts, which slip by up to two per cent: so near to a multiple a line is theirs
@@ -32,7 +31,7 @@ def of_impacts(case: Case, place: Place, run: Observed) -> bool:
     # a line that one run alone shows may be told at its frequency
     at = place.at if place.domain == "order" else place.at / turns_a_second
     own = {part.name for candidate in case.accepted for part in candidate.parts}
-    orders = [part.order / ratio for part in case.model.rig.parts_of(BearingDefect) if part.name in own]
+    orders = [part.order / ratio for part in case.model.rig.of_kind("bearing_defect") if part.name in own]
     times = [at / each for each in orders]
     return any(round(one) >= 1 and abs(one - round(one)) < _NEAR for one in times)
 

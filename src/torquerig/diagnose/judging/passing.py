@@ -19,7 +19,6 @@ from torquerig.diagnose.looking.observed import Observed
 from torquerig.diagnose.looking.sample_faults import moments_lost
 from torquerig.diagnose.looking.short_spectra import short_spectra
 from torquerig.errors import SimulationError
-from torquerig.mechanisms import Quantization
 from torquerig.rig.rig import Rig
 
 _LENGTHS = (8, 16, 32)  # blocks
@@ -38,7 +37,7 @@ def passing(case: Case, completed: Rig) -> tuple[Mismatch, ...]:
     completed : Rig
         The finished rig, faults of the samples included.
     """
-    step = max((part.step for part in completed.parts_of(Quantization)), default=0.0)
+    step = max((part.step for part in completed.of_kind("quantization")), default=0.0)
     largest = [_largest(run, step) for run in case.runs]
     return tuple(each.mismatch for each in largest if each is not None and _alone(each, completed, step))
 

@@ -25,7 +25,7 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     motor = model.rig.part(imposed.at) if imposed else None
     if not isinstance(motor, Motor) or motor.slots is None or motor.pole_pairs is None:
         return
-    if not hasattr(mechanisms, "Cogging") or any(part.kind == "cogging" for part in model.rig.parts):
+    if not hasattr(mechanisms, "Cogging") or model.rig.of_kind("cogging"):
         return
     poles = 2 * motor.pole_pairs
     native = lcm(motor.slots, poles)
