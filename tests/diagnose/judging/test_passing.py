@@ -24,7 +24,7 @@ THERE = (TIME > 4.0) & (TIME < 4.8)
 
 
 def rig_with(*parts: Quantization) -> Rig:
-    return cast("Rig", SimpleNamespace(parts_of=lambda kind: [part for part in parts if isinstance(part, kind)]))
+    return cast("Rig", SimpleNamespace(of_kind=lambda kind: [part for part in parts if part.kind == kind]))
 
 
 RIG = rig_with()
