@@ -36,91 +36,47 @@ from typing import TYPE_CHECKING
 from torquerig.rig.part import Part
 
 if TYPE_CHECKING:
-    from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics
-    from torquerig.mechanisms.backlash import Backlash
-    from torquerig.mechanisms.bearing_defect import BearingDefect
-    from torquerig.mechanisms.belt_lines import BeltLines
-    from torquerig.mechanisms.bending_crosstalk import BendingCrosstalk
-    from torquerig.mechanisms.blade_pass import BladePass
-    from torquerig.mechanisms.clipping import Clipping
-    from torquerig.mechanisms.cogging import Cogging
-    from torquerig.mechanisms.commutation_ripple import CommutationRipple
-    from torquerig.mechanisms.current_gain import CurrentGain
-    from torquerig.mechanisms.current_offset import CurrentOffset
-    from torquerig.mechanisms.dead_time import DeadTime
-    from torquerig.mechanisms.eccentricity import Eccentricity
-    from torquerig.mechanisms.encoder_error import EncoderError
-    from torquerig.mechanisms.field_oriented_control import FieldOrientedControl
-    from torquerig.mechanisms.gear_mesh import GearMesh
-    from torquerig.mechanisms.granular_drag import GranularDrag
-    from torquerig.mechanisms.hall_misplacement import HallMisplacement
-    from torquerig.mechanisms.imbalance import Imbalance
-    from torquerig.mechanisms.jaw_coupling import JawCoupling
-    from torquerig.mechanisms.lugre_friction import LugreFriction
-    from torquerig.mechanisms.mains_interference import MainsInterference
-    from torquerig.mechanisms.misalignment import Misalignment
-    from torquerig.mechanisms.noise_hump import NoiseHump
-    from torquerig.mechanisms.parallel_offset import ParallelOffset
-    from torquerig.mechanisms.particle_load import ParticleLoad
-    from torquerig.mechanisms.phase_unbalance import PhaseUnbalance
-    from torquerig.mechanisms.pwm_aliasing import PwmAliasing
-    from torquerig.mechanisms.pwm_ripple import PwmRipple
-    from torquerig.mechanisms.quadratic_drag import QuadraticDrag
-    from torquerig.mechanisms.quantization import Quantization
-    from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth
-    from torquerig.mechanisms.sensor_drift import SensorDrift
-    from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis
-    from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity
-    from torquerig.mechanisms.signal_dropout import SignalDropout
-    from torquerig.mechanisms.six_step_commutation import SixStepCommutation
-    from torquerig.mechanisms.stribeck_friction import StribeckFriction
-    from torquerig.mechanisms.tooth_mesh import ToothMesh
-    from torquerig.mechanisms.torque_ripple import TorqueRipple
-    from torquerig.mechanisms.torsional_mode import TorsionalMode
-
-    __all__ = [
-        "BackEmfHarmonics",
-        "Backlash",
-        "BearingDefect",
-        "BeltLines",
-        "BendingCrosstalk",
-        "BladePass",
-        "Clipping",
-        "Cogging",
-        "CommutationRipple",
-        "CurrentGain",
-        "CurrentOffset",
-        "DeadTime",
-        "Eccentricity",
-        "EncoderError",
-        "FieldOrientedControl",
-        "GearMesh",
-        "GranularDrag",
-        "HallMisplacement",
-        "Imbalance",
-        "JawCoupling",
-        "LugreFriction",
-        "MainsInterference",
-        "Misalignment",
-        "NoiseHump",
-        "ParallelOffset",
-        "ParticleLoad",
-        "PhaseUnbalance",
-        "PwmAliasing",
-        "PwmRipple",
-        "QuadraticDrag",
-        "Quantization",
-        "SensorBandwidth",
-        "SensorDrift",
-        "SensorHysteresis",
-        "SensorNonlinearity",
-        "SignalDropout",
-        "SixStepCommutation",
-        "StribeckFriction",
-        "ToothMesh",
-        "TorqueRipple",
-        "TorsionalMode",
-    ]
+    from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics as BackEmfHarmonics
+    from torquerig.mechanisms.backlash import Backlash as Backlash
+    from torquerig.mechanisms.bearing_defect import BearingDefect as BearingDefect
+    from torquerig.mechanisms.belt_lines import BeltLines as BeltLines
+    from torquerig.mechanisms.bending_crosstalk import BendingCrosstalk as BendingCrosstalk
+    from torquerig.mechanisms.blade_pass import BladePass as BladePass
+    from torquerig.mechanisms.clipping import Clipping as Clipping
+    from torquerig.mechanisms.cogging import Cogging as Cogging
+    from torquerig.mechanisms.commutation_ripple import CommutationRipple as CommutationRipple
+    from torquerig.mechanisms.current_gain import CurrentGain as CurrentGain
+    from torquerig.mechanisms.current_offset import CurrentOffset as CurrentOffset
+    from torquerig.mechanisms.dead_time import DeadTime as DeadTime
+    from torquerig.mechanisms.eccentricity import Eccentricity as Eccentricity
+    from torquerig.mechanisms.encoder_error import EncoderError as EncoderError
+    from torquerig.mechanisms.field_oriented_control import FieldOrientedControl as FieldOrientedControl
+    from torquerig.mechanisms.gear_mesh import GearMesh as GearMesh
+    from torquerig.mechanisms.granular_drag import GranularDrag as GranularDrag
+    from torquerig.mechanisms.hall_misplacement import HallMisplacement as HallMisplacement
+    from torquerig.mechanisms.imbalance import Imbalance as Imbalance
+    from torquerig.mechanisms.jaw_coupling import JawCoupling as JawCoupling
+    from torquerig.mechanisms.lugre_friction import LugreFriction as LugreFriction
+    from torquerig.mechanisms.mains_interference import MainsInterference as MainsInterference
+    from torquerig.mechanisms.misalignment import Misalignment as Misalignment
+    from torquerig.mechanisms.noise_hump import NoiseHump as NoiseHump
+    from torquerig.mechanisms.parallel_offset import ParallelOffset as ParallelOffset
+    from torquerig.mechanisms.particle_load import ParticleLoad as ParticleLoad
+    from torquerig.mechanisms.phase_unbalance import PhaseUnbalance as PhaseUnbalance
+    from torquerig.mechanisms.pwm_aliasing import PwmAliasing as PwmAliasing
+    from torquerig.mechanisms.pwm_ripple import PwmRipple as PwmRipple
+    from torquerig.mechanisms.quadratic_drag import QuadraticDrag as QuadraticDrag
+    from torquerig.mechanisms.quantization import Quantization as Quantization
+    from torquerig.mechanisms.sensor_bandwidth import SensorBandwidth as SensorBandwidth
+    from torquerig.mechanisms.sensor_drift import SensorDrift as SensorDrift
+    from torquerig.mechanisms.sensor_hysteresis import SensorHysteresis as SensorHysteresis
+    from torquerig.mechanisms.sensor_nonlinearity import SensorNonlinearity as SensorNonlinearity
+    from torquerig.mechanisms.signal_dropout import SignalDropout as SignalDropout
+    from torquerig.mechanisms.six_step_commutation import SixStepCommutation as SixStepCommutation
+    from torquerig.mechanisms.stribeck_friction import StribeckFriction as StribeckFriction
+    from torquerig.mechanisms.tooth_mesh import ToothMesh as ToothMesh
+    from torquerig.mechanisms.torque_ripple import TorqueRipple as TorqueRipple
+    from torquerig.mechanisms.torsional_mode import TorsionalMode as TorsionalMode
 else:  # whatever files there are, so that a mechanism goes with its file
     _rooms = [import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__)]
     _classes = {

@@ -83,3 +83,10 @@ def test_a_tone_beneath_an_order_is_taken_out_of_what_the_lines_leave(by_hand: B
     assert alone.power[near] > 10 * white
     assert both.power[near] == pytest.approx(white, rel=0.25)
     assert np.isnan(both.amplitude[:, 1]).all()  # its amplitude cannot be told beside the order
+
+
+def test_a_tone_beneath_a_tone_is_one_with_it(by_hand: ByHand) -> None:
+    run = beside_order_three(by_hand, 5.0, size=0.13)
+    tone, near = (frequency(3 * TURNS + bins / STRETCH) for bins in (5.0, 5.3))
+    alone, both = (features(run, places).power for places in ([tone], [tone, near]))
+    assert np.array_equal(alone, both)

@@ -92,9 +92,10 @@ def _hidden(observed: Observed, stretch: Stretch, places: Sequence[Place], shown
     """
     if not observed.steady:
         return []
-    tones = [index for index, place in enumerate(places) if place.domain == "frequency" and index not in shown]
-    alone = shown_places(observed, stretch, [places[index] for index in tones])
-    return [tones[row] for row in alone]
+    tones = [index for index, place in enumerate(places) if place.domain == "frequency"]
+    tones.sort(key=lambda index: index not in shown)  # beside a tone that is shown there is no other
+    without_orders = shown_places(observed, stretch, [places[index] for index in tones])
+    return [tones[row] for row in without_orders if tones[row] not in shown]
 
 
 def shown_places(

@@ -95,7 +95,7 @@ def with_codes(after: FittedMotion, runs: Sequence[Moved]) -> tuple[FittedMotion
     if (
         (step / 4) ** 2 < _OF_THE_NOISE * float(np.median(np.abs(np.concatenate(left)))) ** 2
         or step < _OF_THE_EFFORT * root_mean_square([run.effort for run in runs])
-        or any(part.kind == "quantization" for part in after.rig.parts)
+        or after.rig.of_kind("quantization")
     ):
         return after, None
     coded = residuals_of(after.rig + mechanisms.Quantization(name="quantization", step=step), runs, zero=after.zero)

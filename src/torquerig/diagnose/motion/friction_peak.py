@@ -26,10 +26,10 @@ def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     contact passes through standstill, which no model knows.
     """
     imposed = imposed_part(model.rig)
-    stated = [part for part in model.rig.parts if part.kind == "stribeck_friction"]
+    stated = model.rig.of_kind("stribeck_friction")
     if len(stated) != 1 or not hasattr(mechanisms, "StribeckFriction"):
         return
-    part: Any = stated[0]
+    part = stated[0]
     if part.static > _NONE * part.coulomb or (part.static_backward or 0.0) > _NONE * (part.coulomb_backward or 0.0):
         return
     if imposed is None or model.rig.node(part.at) != model.rig.node(imposed.at):

@@ -18,7 +18,7 @@ _GAPS = (0.01, 0.04, 0.12)  # of the stroke
 
 def propose(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[Candidate]:
     """Yield gaps of three sizes in each gear and link that has none."""
-    if not hasattr(mechanisms, "Backlash") or any(part.kind == "backlash" for part in model.rig.parts):
+    if not hasattr(mechanisms, "Backlash") or model.rig.of_kind("backlash"):
         return
     stroke = max(float(np.ptp(run.position)) for run in runs)
     for joint in model.rig.parts:

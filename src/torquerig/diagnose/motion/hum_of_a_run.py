@@ -17,7 +17,7 @@ Floats = NDArray[np.float64]
 
 def hums_of(rig: Rig) -> tuple[Part, ...]:
     """Return the parts of a rig that hum."""
-    return tuple(part for part in rig.parts if part.kind == "mains_interference")
+    return rig.of_kind("mains_interference")
 
 
 def hum_in(hums: Sequence[Any], run: Moved, left: Floats) -> Floats:
