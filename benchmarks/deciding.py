@@ -1,7 +1,7 @@
 """Joint draws of a 15 x 6 matrix with full rank acceptability, beside other programs in the same run.
 
 Limits: 10 000 draws in 5 ms, a million in 0.5 s, both readings of 15 x 6. Run: python benchmarks/deciding.py
-Beside it, where installed: pymcdm and scikit-criteria (pip install torquerig[benchmark]) and pySensMCDA
+Beside it, where installed: pymcdm and scikit-criteria (pip install --group benchmark) and pySensMCDA
 (pip install --no-deps pysensmcda npy-append-array, because it pins older libraries).
 """
 

@@ -1,7 +1,7 @@
 """Where the real recordings stand: public source, revision and SHA-256 of every file; nothing of them is shipped.
 
 They are read from the folder that the environment variable TORQUERIG_REAL_DATA names (with one subfolder per source),
-or fetched by pooch (``pip install torquerig[proof]``) into the user's cache, each checked against its SHA-256.
+or fetched by pooch (``pip install --group proof``) into the user's cache, each checked against its SHA-256.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class Source:
         except ImportError:
             raise FileNotFoundError(
                 f"the recordings of {self.repository} are not here; set {VARIABLE} to a folder that holds them, or "
-                "pip install torquerig[proof] to fetch them"
+                "pip install pooch to fetch them"
             ) from None
         known = f"sha256:{self.sha256[name]}"
         return Path(pooch.retrieve(self.address(name), known_hash=known, path=pooch.os_cache("torquerig"), fname=None))

@@ -1,6 +1,6 @@
 """The same matrices given to other programs: equal where they compute the same thing, and what one missing cell does.
 
-scikit-criteria and pymcdm come with ``pip install torquerig[benchmark]``; pySensMCDA with
+scikit-criteria and pymcdm come with ``pip install --group benchmark``; pySensMCDA with
 ``pip install --no-deps pysensmcda npy-append-array``, because it pins older libraries than are needed here.
 """
 

@@ -11,7 +11,7 @@ from torquerig.machines.field_oriented import FieldOriented
 from torquerig.machines.permanent_magnet import PHASE_LAG, PermanentMagnetMachine
 from torquerig.machines.shaft import ImposedSpeed
 
-drive = pytest.importorskip("motulator.drive.model", reason="motulator is not installed: pip install torquerig[dev]")
+drive = pytest.importorskip("motulator.drive.model", reason="motulator is not installed: pip install motulator")
 pars = pytest.importorskip("motulator.drive.utils")
 
 PAIRS, R, L, FLUX, SPEED = 7, 0.2, 0.6e-3, 0.02, 60.0

@@ -89,7 +89,7 @@ def find_proof(checkout: Path = CHECKOUT) -> None:
             sys.path.remove(str(folder))
     raise InputError(
         "prove needs the folder proof/, which the installed package does not hold; get a checkout of the project, "
-        "pip install -e '.[proof]' there, and run torquerig prove from its top"
+        "pip install -e . --group proof there, and run torquerig prove from its top"
     )
 
 
