@@ -21,11 +21,11 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.mechanisms import Backlash, CommutationRipple, GearMesh, SensorDrift, StribeckFriction
+from torquerig.recordings.files import write_recording
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import read_scenario
-from torquerig.signals.files import write_recording
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 WEAR_RIG = shipped_scenarios() / "wear_rig.yaml"
 RUNS = ((1000.0, 5.0, "steady"), (600.0, 5.0, "steady"), (1000.0, 0.0, "steady"), (1400.0, 5.0, "ramp"))

@@ -16,14 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import butter, filtfilt, iirnotch, sosfiltfilt
 
-from torquerig.signals.filters.biquad_stream import zero_phase_pieces
-from torquerig.signals.filters.biquads import time_constants, zero_phase, zero_phase_notched
-from torquerig.signals.filters.ideal_bandstop import without_bands
-from torquerig.signals.filters.order_bandstop import OrderBandstop
-from torquerig.signals.kinematics import KinematicLine
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
-from torquerig.signals.stages.encoder import Encoder
+from torquerig.filters.biquad_stream import zero_phase_pieces
+from torquerig.filters.biquads import time_constants, zero_phase, zero_phase_notched
+from torquerig.filters.ideal_bandstop import without_bands
+from torquerig.filters.order_bandstop import OrderBandstop
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
+from torquerig.sensor_stages.encoder import Encoder
 
 Floats = NDArray[np.float64]
 RATE, SAMPLES, TURNS, QUALITY = 25_000.0, 10_000_000, 5, 30.0

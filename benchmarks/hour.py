@@ -17,9 +17,9 @@ from pathlib import Path
 import numpy as np
 from child import cost_of
 
-from torquerig.signals.files.block_writing import write_blocks
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
+from torquerig.recordings.files.block_writing import write_blocks
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
 
 RATE, BLOCK = 25_000.0, 2**20
 SPEED = 1000 * 2 * np.pi / 60

@@ -17,13 +17,13 @@ from threadpoolctl import threadpool_limits
 from torquerig.catalog.reading import load_catalog
 from torquerig.document import read_document
 from torquerig.scenario.reading import read_scenario
-from torquerig.simulate.inputs import Span, filled
-from torquerig.simulate.linear_path import simulate_linear
-from torquerig.simulate.linear_start import prepared
-from torquerig.simulate.simulate import simulate
-from torquerig.simulate.twin.blocks import lifted, run
-from torquerig.simulate.twin.operating_point import mean_torques
-from torquerig.simulate.twin.plant import plant
+from torquerig.simulation.inputs import Span, filled
+from torquerig.simulation.linear_path import simulate_linear
+from torquerig.simulation.linear_start import prepared
+from torquerig.simulation.simulator import simulate
+from torquerig.simulation.twin.blocks import lifted, run
+from torquerig.simulation.twin.operating_point import mean_torques
+from torquerig.simulation.twin.plant import plant
 
 SECONDS, RATE, TURNS = 10.0, 25_000.0, 9
 root = Path(__file__).resolve().parents[1]

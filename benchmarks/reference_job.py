@@ -22,8 +22,8 @@ import numpy as np
 from torquerig.catalog.reading import Catalog
 from torquerig.document import read_document
 from torquerig.scenario.reading import read_scenario
-from torquerig.simulate.batch import simulate_batch
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.batch import simulate_batch
+from torquerig.simulation.simulator import simulate
 
 SECONDS, SPEED, TURNS, RATE = 10.0, 1000 * pi / 30, 9, 25_000
 BATCH = 8 * (os.cpu_count() or 1)  # rigs, each with a seed of its own

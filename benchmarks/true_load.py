@@ -13,18 +13,18 @@ import numpy as np
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
+from torquerig.filters.chains.chain_file import read_chains
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.load_inverse import LoadInverse
+from torquerig.filters.load_response import LoadResponse
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
-from torquerig.rig.rig import Rig
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.chain import Chain
-from torquerig.signals.chain_file import read_chains
-from torquerig.signals.filters.load_inverse import LoadInverse
-from torquerig.signals.load_response import LoadResponse
-from torquerig.signals.recording import Recording
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 OCCUPANCIES = (5, 11, 15, 21)
 SPEED_ERROR = 1.005

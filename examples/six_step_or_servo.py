@@ -13,7 +13,7 @@ import numpy as np
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
-from torquerig.report.picture import new_figure, write_picture
+from torquerig.reporting.figures.picture import new_figure, write_picture
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
 from torquerig.scenario.overrides import overridden

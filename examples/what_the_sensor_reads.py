@@ -9,13 +9,13 @@ from pathlib import Path
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
+from torquerig.filters.chains.filter_chain import seed_code_chain
 from torquerig.metrics.truth_error import truth_error
-from torquerig.report.picture import write_picture
-from torquerig.report.spectrum_figure import spectrum_figure
+from torquerig.reporting.figures.picture import write_picture
+from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
-from torquerig.signals.chain import seed_code_chain
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 document = read_document(shipped_scenarios() / "wear_rig.yaml")
 rig = read_scenario(document, load_catalog(shipped_folder()), seed=1).rig

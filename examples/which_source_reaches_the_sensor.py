@@ -12,10 +12,10 @@ import numpy as np
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
-from torquerig.report.picture import new_figure, write_picture
+from torquerig.reporting.figures.picture import new_figure, write_picture
 from torquerig.scenario.reading import read_scenario
-from torquerig.simulate.linear import matrices, spring_response
-from torquerig.simulate.lower import lower
+from torquerig.simulation.linear import matrices, spring_response
+from torquerig.simulation.lower import lower
 
 document = read_document(shipped_scenarios() / "wear_rig.yaml")
 rig = read_scenario(document, load_catalog(shipped_folder()), seed=1).rig

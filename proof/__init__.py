@@ -5,7 +5,7 @@
 - ``riddle``        the seed's 280 Hz riddle: mesh, comb or resonance, with and without wander, at one speed and at two
 - ``sealed``        answers written apart, their hash printed before anything is diagnosed, verified when opened
 - ``scoring``       what a set of diagnoses is worth against the sealed answers
-- ``prove``         what ``torquerig prove`` does, stage by stage
+- ``prove``         what ``python -m proof`` does, stage by stage
 - ``page``          its page, chapter by chapter
 - ``baselines``     what others would say of the same recordings
 - ``oracle``        what the true mechanisms reach with the diagnosis' own fits

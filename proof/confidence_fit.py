@@ -15,7 +15,7 @@ from scipy.optimize import minimize
 
 from proof.scoring.trial import read_trials
 from proof.sealed import unseal
-from torquerig.diagnose.choosing.confidence import COEFFICIENTS, terms
+from torquerig.diagnosis.choosing.confidence import COEFFICIENTS, terms
 
 _SPREAD = 1.0  # of each coefficient around the present one: few findings are wrong, and a free fit runs away
 

@@ -1,6 +1,6 @@
 """``python -m proof.null --seed N ... --cases K --out FOLDER``: a scenario's least gains, from clean rigs alone.
 
-Of the rigs that ``torquerig prove`` would draw, those with nothing hidden, and no page: it takes a fifth of the time.
+Of the rigs that ``python -m proof`` would draw, those with nothing hidden, and no page: it takes a fifth of the time.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from proof.prove.jobs import run_jobs
 from proof.rig_program.draw import Case, answer_of, record_case
 from proof.thresholds import FEWEST, as_table, thresholds
 from proof.trials import draw_trials
-from torquerig.diagnose.judging.share_explained import LEAST_SHARE
-from torquerig.diagnose.null_table import content_key
+from torquerig.diagnosis.judging.share_explained import LEAST_SHARE
+from torquerig.diagnosis.null_table import content_key
 
 RECORDINGS, GAINS, TABLE = "recordings", "gains", "null_table.yaml"
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from proof.library import library_of
-from torquerig.diagnose.choosing.convincing import share_of
-from torquerig.diagnose.choosing.search import trials
-from torquerig.diagnose.choosing.trial import Trial
-from torquerig.diagnose.diagnose import diagnose
+from torquerig.diagnosis.choosing.convincing import share_of
+from torquerig.diagnosis.choosing.search import trials
+from torquerig.diagnosis.choosing.trial import Trial
+from torquerig.diagnosis.engine import diagnose
+from torquerig.recordings.recording import Recording
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.recording import Recording
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,17 +6,17 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from proof.library import library_of
-from torquerig.diagnose.case import Case
-from torquerig.diagnose.choosing.identifying import identifying
-from torquerig.diagnose.choosing.search import extended, trials
-from torquerig.diagnose.choosing.trial import Trial
-from torquerig.diagnose.diagnose import Outcome, diagnose
-from torquerig.diagnose.diagnosis import Diagnosis, Finding
-from torquerig.diagnose.judging.held_out import held_out
-from torquerig.diagnose.judging.untold_runs import of_untold_loads
-from torquerig.rig.rig import Rig
+from torquerig.diagnosis.case import Case
+from torquerig.diagnosis.choosing.identifying import identifying
+from torquerig.diagnosis.choosing.search import extended, trials
+from torquerig.diagnosis.choosing.trial import Trial
+from torquerig.diagnosis.engine import Outcome, diagnose
+from torquerig.diagnosis.judging.held_out import held_out
+from torquerig.diagnosis.judging.untold_runs import of_untold_loads
+from torquerig.diagnosis.outcome import Diagnosis, Finding
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.recording import Recording
 
 
 def oracle(scenario: Scenario, recordings: Sequence[Recording], *, true: Collection[str], seed: int = 0) -> Diagnosis:

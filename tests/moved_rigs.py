@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.catalog.reading import Catalog
-from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
+from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.document import parse_document
+from torquerig.recordings.recording import Channel, Recording
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.recording import Channel, Recording
 
 Floats = NDArray[np.float64]
 Extra = Callable[[Floats, Floats, Floats], Floats]

@@ -19,7 +19,7 @@ from typing import Any
 from proof.baselines.refit_only import refit_only
 from proof.baselines.residual_fft import residual_fft
 from proof.baselines.sparse_regression import sparse_regression
-from torquerig.diagnose.diagnose import Outcome
+from torquerig.diagnosis.engine import Outcome
 
 BASELINES: dict[str, Callable[[Outcome], dict[str, Any]]] = {
     "residual_fft": residual_fft,

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from proof.baselines.named_lines import BLADES, MAINS, TEETH
-from torquerig.diagnose.linear.twin import Twin
-from torquerig.diagnose.looking.observed import Observed
-from torquerig.diagnose.looking.places import SAME_ORDER
+from torquerig.diagnosis.linear.twin import Twin
+from torquerig.diagnosis.looking.observed import Observed
+from torquerig.diagnosis.looking.places import SAME_ORDER
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor
-from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
 Floats = NDArray[np.float64]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import pi
 
-from torquerig.rig.rig import Rig
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
 FAMILIES = {

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from proof.baselines.verdict import verdict
-from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.diagnosis import METRIC
-from torquerig.diagnose.judging.leftover import mismatches
+from torquerig.diagnosis.engine import Outcome
+from torquerig.diagnosis.judging.leftover import mismatches
+from torquerig.diagnosis.outcome import METRIC
 
 
 def refit_only(outcome: Outcome) -> dict[str, Any]:

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from proof.baselines.named_lines import NamedLine, named_lines
 from proof.baselines.verdict import Named, verdict
-from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.linear.twin import Twin
-from torquerig.diagnose.looking.observed import Observed
-from torquerig.rig.rig import Rig
+from torquerig.diagnosis.engine import Outcome
+from torquerig.diagnosis.linear.twin import Twin
+from torquerig.diagnosis.looking.observed import Observed
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
 CLEAR = 36.0  # power over the local median; chance leaves one bin in 1e10

@@ -13,9 +13,9 @@ from proof.baselines.columns import Column, columns_of
 from proof.baselines.residual_fft import lines_of
 from proof.baselines.stlsq import solver, stlsq
 from proof.baselines.verdict import Named, verdict
-from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.looking.observed import Observed
-from torquerig.rig.rig import Rig
+from torquerig.diagnosis.engine import Outcome
+from torquerig.diagnosis.looking.observed import Observed
+from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
 

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from torquerig.diagnose.diagnose import Outcome
-from torquerig.diagnose.diagnosis import SCHEMA
+from torquerig.diagnosis.engine import Outcome
+from torquerig.diagnosis.outcome import SCHEMA
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from proof.scoring.parameters import ErrorFigures
 from proof.scoring.summary import Share
 from proof.scoring.trial import Trial
-from torquerig.report.layout import Cell, number
+from torquerig.reporting.layout import Cell, number
 
 PER_CENT = 100.0
 

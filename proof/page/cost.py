@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from proof.prove.scored import Cost
-from torquerig.report.layout import Cell, Table, number, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 
 def cost(costs: Sequence[Cost], *, workers: int, duration: float) -> Chapter:

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from proof.page.cells import had, said
 from proof.scoring.outcome import Outcome
 from proof.scoring.trial import Trial
-from torquerig.report.layout import Cell, Table, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 WORST_FIRST = (
     Outcome.FALSE_NAME, Outcome.NO_ANSWER, Outcome.MISSED, Outcome.UNEXPLAINED, Outcome.PARTIAL,

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from proof.baselines import TITLES
 from proof.page.cells import error_cells, percent, share_cells
 from proof.scoring.summary import Summary
-from torquerig.report.layout import Cell, Table, number, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 Row = tuple[Cell, ...]
 

@@ -6,8 +6,8 @@ from proof.page.cells import had, said
 from proof.prove.scored import OURS, ScoredSet
 from proof.scoring.outcome import Outcome
 from proof.scoring.parameters import errors_of
-from torquerig.report.layout import Cell, Table, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 PERCENT = 100.0
 

@@ -8,13 +8,13 @@ import numpy as np
 
 from proof.null_gains import NullGain
 from proof.page.cells import percent
+from proof.page.figures import gains_figure
 from proof.thresholds import CHANCE, FEWEST, Threshold, best_gains
-from torquerig.diagnose.choosing.trial import LEAST_GAIN
-from torquerig.diagnose.judging.share_explained import LEAST_SHARE
-from torquerig.report.layout import Table, number, words
-from torquerig.report.matrix_chapters import Chapter
-from torquerig.report.picture import Picture, picture
-from torquerig.report.proof_figures import gains_figure
+from torquerig.diagnosis.choosing.trial import LEAST_GAIN
+from torquerig.diagnosis.judging.share_explained import LEAST_SHARE
+from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.layout import Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 
 def null(rigs: Sequence[Sequence[NullGain]], found: Sequence[Threshold]) -> Chapter:

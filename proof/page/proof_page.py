@@ -14,6 +14,7 @@ from proof.page.failures import failures
 from proof.page.headline import beside, headline
 from proof.page.known import practice
 from proof.page.null import null, null_picture
+from proof.page.page_file import ProofPage, write_proof
 from proof.page.riddle import riddle
 from proof.page.strata import laws_compared, parameters, strata
 from proof.page.trials_made import trials_made
@@ -25,10 +26,9 @@ from proof.prove.trial_set import riddle_set
 from proof.scoring.summary import Summary, summarise
 from proof.scoring.trial import Trial
 from proof.thresholds import Threshold, as_table, thresholds
-from torquerig.diagnose.judging.share_explained import LEAST_SHARE
-from torquerig.diagnose.null_table import content_key, null_table
-from torquerig.report.matrix_chapters import Chapter
-from torquerig.report.proof_page import ProofPage, write_proof
+from torquerig.diagnosis.judging.share_explained import LEAST_SHARE
+from torquerig.diagnosis.null_table import content_key, null_table
+from torquerig.reporting.matrix.chapters import Chapter
 
 TITLE = "Blind trials of the diagnosis"
 

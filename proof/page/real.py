@@ -6,8 +6,8 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
-from torquerig.report.layout import Cell, Table, number, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 ASKED = {
     "emps": "68.6 to 5.1 with dry friction, 4.3 by direction; a ripple of 400 cycles/m left unexplained",

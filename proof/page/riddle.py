@@ -9,8 +9,8 @@ from proof.page.cells import said
 from proof.prove.scored import OURS, ScoredSet
 from proof.rig_program.plan import PlanKind
 from proof.scoring.trial import Trial
-from torquerig.report.layout import Cell, Table, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 RIVALS = {"gear_mesh": "planetary mesh 21/84", "pwm_aliasing": "comb of fixed frequency",
           "torsional_mode": "resonance at 280 Hz"}  # fmt: skip

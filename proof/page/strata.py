@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from proof.page.cells import error_cells, percent, share_cells
 from proof.scoring.summary import Share, Summary
-from torquerig.report.layout import Table, number, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 
 def strata(ours: Summary) -> Chapter:

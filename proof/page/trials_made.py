@@ -6,8 +6,8 @@ from collections import Counter
 
 from proof.prove.campaign import Proved
 from proof.prove.scored import OURS, ScoredSet
-from torquerig.report.layout import Cell, Table, number, words
-from torquerig.report.matrix_chapters import Chapter
+from torquerig.reporting.layout import Cell, Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 KINDS = ("clean", "wrong parameters only", "in no library", "one effect", "two effects")
 

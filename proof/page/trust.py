@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from proof.page.cells import percent
+from proof.page.figures import reliability_figure
 from proof.scoring.summary import Summary
 from proof.scoring.trial import Trial
-from torquerig.report.layout import Table, number, words
-from torquerig.report.matrix_chapters import Chapter
-from torquerig.report.picture import Picture, picture
-from torquerig.report.proof_figures import reliability_figure
+from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.layout import Table, number, words
+from torquerig.reporting.matrix.chapters import Chapter
 
 
 def calibration(ours: Summary) -> Chapter:

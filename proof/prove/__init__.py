@@ -1,4 +1,4 @@
-"""What ``torquerig prove`` does, stage by stage.
+"""What ``python -m proof`` does, stage by stage.
 
 - ``plan``        what is asked for
 - ``trial_set``   the rigs of one seed: sealed, then recorded, or found as they were left

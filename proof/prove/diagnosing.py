@@ -13,12 +13,12 @@ from typing import Any
 from proof.prove.trial_set import BASELINE_VERDICTS, COSTS, DIAGNOSES, REFUSED
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.diagnose.diagnose import Outcome, diagnose
-from torquerig.diagnose.diagnosis import as_json
+from torquerig.diagnosis.engine import Outcome, diagnose
+from torquerig.diagnosis.outcome import as_json
 from torquerig.document import read_document
+from torquerig.recordings.files import read_recording
+from torquerig.recordings.recording import Recording
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.files import read_recording
-from torquerig.signals.recording import Recording
 from torquerig.whole_file import whole_file
 
 SCENARIO = "wear_rig.yaml"

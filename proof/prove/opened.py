@@ -11,7 +11,7 @@ from proof.null_gains import as_rows, null_gains
 from proof.oracle import oracle
 from proof.prove.diagnosing import nominal_scenario, read_all, refusal_path, refuse, write_json
 from proof.prove.trial_set import NULL, ORACLE, RECORDINGS
-from torquerig.diagnose.diagnosis import as_json
+from torquerig.diagnosis.outcome import as_json
 
 
 @dataclass(frozen=True, kw_only=True)

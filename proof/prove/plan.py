@@ -45,7 +45,7 @@ class Plan:
     @property
     def command(self) -> str:
         """The command that makes the same again, without any folder of this machine."""
-        words = ["torquerig prove", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
+        words = ["python -m proof", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
         words += [] if self.oracle_cases is None else [f"--oracle-cases {self.oracle_cases}"]
         flags = {"--same-laws": self.same_laws, "--riddle": self.riddle}

@@ -7,7 +7,7 @@ import json
 import numpy as np
 
 from proof.real.public import Source
-from torquerig.signals.recording import Channel, Recording
+from torquerig.recordings.recording import Channel, Recording
 
 _FOLDER = "data/dataset-3/characterization tests"
 _NAMES = tuple(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from proof.real.public import Source
-from torquerig.signals.recording import Channel, Recording
+from torquerig.recordings.recording import Channel, Recording
 
 FIT, HELD = "DATA_EMPS.mat", "DATA_EMPS_PULSES.mat"
 

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.catalog.reading import Catalog
-from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion
-from torquerig.diagnose.motion.evidence import root_mean_square
-from torquerig.diagnose.motion.fitted import FittedMotion
-from torquerig.diagnose.motion.moved import Moved, low_passed
-from torquerig.diagnose.motion.tried import Tried
+from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
+from torquerig.diagnosis.motion.evidence import root_mean_square
+from torquerig.diagnosis.motion.fitted import FittedMotion
+from torquerig.diagnosis.motion.moved import Moved, low_passed
+from torquerig.diagnosis.motion.tried import Tried
 from torquerig.document import read_document
 from torquerig.scenario.reading import Scenario, read_scenario
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from proof.real.public import Source
-from torquerig.signals.recording import Channel, Recording
+from torquerig.recordings.recording import Channel, Recording
 
 MAPPING = "mapping_stopped_data.txt"
 FIT, HELD = "forward", "backward"

@@ -9,7 +9,7 @@ import yaml
 from torquerig.catalog.entry import estimates
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
-from torquerig.signals.teeth import Planetary
+from torquerig.orders.kinematics.teeth import Planetary
 
 RIG = Path(__file__).resolve().parents[2] / ".." / "shared" / "reference-rig.yaml"
 CATALOG = load_catalog(shipped_folder())

@@ -137,7 +137,7 @@ def test_ctrl_c_leaves_the_old_report_and_no_half_new_one(
 
 
 def test_ctrl_c_while_the_report_is_written_leaves_none(tmp_path: Path) -> None:
-    from torquerig.report.replaced_folder import replaced_folder
+    from torquerig.reporting.replaced_folder import replaced_folder
 
     def broken_off() -> None:
         with replaced_folder(tmp_path / "reports" / "wear_rig") as fresh:
@@ -154,7 +154,7 @@ def test_ctrl_c_leaves_no_half_recording(command: str, monkeypatch: pytest.Monke
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("torquerig.signals.files.writing.sidecar_text", interrupted)
+    monkeypatch.setattr("torquerig.recordings.files.writing.sidecar_text", interrupted)
     arguments = {
         "simulate": ["simulate", WEAR_RIG, "--duration", "0.1 s", "--out", "x.csv"],
         "filter": ["filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "x.csv"],

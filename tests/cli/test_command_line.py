@@ -11,7 +11,7 @@ import pytest
 
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli import COMMANDS, main
-from torquerig.signals.files import read_recording
+from torquerig.recordings.files import read_recording
 
 # ruff: noqa: E501 (a table: one case in a row)
 WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")

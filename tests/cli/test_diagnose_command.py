@@ -16,10 +16,10 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
 from torquerig.document import read_document
 from torquerig.mechanisms import Quantization
-from torquerig.rig.rig import Rig
+from torquerig.recordings.files import write_recording
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.files import write_recording
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")
 STEP = 0.0231  # [V]

@@ -3,7 +3,7 @@
 import pytest
 
 from torquerig.cli import main
-from torquerig.signals.files import write_recording
+from torquerig.recordings.files import write_recording
 
 
 @pytest.fixture
@@ -13,8 +13,8 @@ def reading(tmp_path, monkeypatch):
     from torquerig.cli.inputs import catalog_beside
     from torquerig.document import read_document
     from torquerig.scenario.reading import read_scenario
-    from torquerig.simulate.simulate import simulate
-    from torquerig.simulate.true_lines import with_true_lines
+    from torquerig.simulation.simulator import simulate
+    from torquerig.simulation.true_lines import with_true_lines
 
     monkeypatch.chdir(tmp_path)
     scenario = Path(__file__).resolve().parents[2] / "scenarios" / "wear_rig.yaml"

@@ -140,7 +140,7 @@ def test_a_bad_call_writes_nothing(arguments, said, tmp_path, capsys, monkeypatc
 
 def test_a_matrix_is_worked_out_without_plotting_and_read_without_a_compiler():
     code = (
-        "import sys; from pathlib import Path; from torquerig.decide.matrix_file import read_matrix; "
+        "import sys; from pathlib import Path; from torquerig.decide.matrix_io.matrix_file import read_matrix; "
         f"case = read_matrix(Path({str(EXAMPLE)!r})); heavy = {{'numba', 'matplotlib', 'pandas', 'openpyxl'}}; "
         "assert not heavy & set(sys.modules), heavy & set(sys.modules); "
         "from torquerig.decide.working import work_out; work_out(case); assert 'matplotlib' not in sys.modules"

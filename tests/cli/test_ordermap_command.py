@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from torquerig.cli import main
-from torquerig.signals.files import write_recording
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
+from torquerig.recordings.files import write_recording
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
 
 RATE, SECONDS = 5000.0, 10.0
 SCENARIO = Path(__file__).resolve().parents[2] / "scenarios" / "wear_rig.yaml"

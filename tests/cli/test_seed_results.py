@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from torquerig.cli import main
-from torquerig.study.seed.published import CELLS
+from torquerig.study.reference_report.published import CELLS
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 
@@ -14,12 +14,12 @@ SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 def short(monkeypatch, tmp_path):
     """Two seconds instead of ten, one copy instead of three, three cells of nine."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("torquerig.study.seed.conditions.DURATION", 2.0)
-    monkeypatch.setattr("torquerig.study.seed.cells.COPIES", 1)
+    monkeypatch.setattr("torquerig.study.reference_report.conditions.DURATION", 2.0)
+    monkeypatch.setattr("torquerig.study.reference_report.cells.COPIES", 1)
     few = (CELLS[0], CELLS[3], CELLS[6])
     for room in ("results", "fitting"):
-        monkeypatch.setattr(f"torquerig.study.seed.{room}.OCCUPANCIES", (5.0, 21.0))
-    monkeypatch.setattr("torquerig.study.seed.results.CELLS", few)
+        monkeypatch.setattr(f"torquerig.study.reference_report.{room}.OCCUPANCIES", (5.0, 21.0))
+    monkeypatch.setattr("torquerig.study.reference_report.results.CELLS", few)
 
 
 def test_it_prints_every_cell_and_writes_the_same_page_twice(tmp_path, capsys):

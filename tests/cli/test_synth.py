@@ -7,7 +7,7 @@ import pytest
 
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli import main
-from torquerig.signals.files import read_recording
+from torquerig.recordings.files import read_recording
 
 EXAMPLE = str(shipped_scenarios() / "mixture_example.yaml")
 WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from torquerig.decide.matrix_file import matrix_from, read_matrix
+from torquerig.decide.matrix_io.matrix_file import matrix_from, read_matrix
 from torquerig.document import parse_document
 from torquerig.errors import InputError, UnknownNameError
 

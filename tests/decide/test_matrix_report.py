@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from torquerig.decide.computed_sheets import computed_book, survivors
-from torquerig.decide.matrix_file import read_matrix
-from torquerig.decide.matrix_report import matrix_report
+from torquerig.decide.matrix_io.computed_sheets import computed_book, survivors
+from torquerig.decide.matrix_io.matrix_file import read_matrix
+from torquerig.decide.matrix_io.matrix_report import matrix_report
 from torquerig.errors import InputError
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"

@@ -11,9 +11,9 @@ from torquerig.decide.cell import Cell, Origin, Override
 from torquerig.decide.criterion import YES_NO, Better, Criterion, Demand, Indifference, Kind, ValueFunction
 from torquerig.decide.draws import Doubt
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_file import matrix_from, read_matrix
-from torquerig.decide.matrix_writing import matrix_yaml
-from torquerig.decide.sheet import Alias
+from torquerig.decide.matrix_io.matrix_file import matrix_from, read_matrix
+from torquerig.decide.matrix_io.matrix_writing import matrix_yaml
+from torquerig.decide.matrix_io.sheet import Alias
 from torquerig.document import parse_document
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "matrix_example.yaml"

@@ -7,15 +7,15 @@ import pytest
 from torquerig.decide.eliminate import Decision
 from torquerig.decide.fillings import fillings
 from torquerig.decide.kesselring import TEACHING, Profile
-from torquerig.decide.ranks import competition_ranks, dense_ranks
-from torquerig.decide.recompute import (
+from torquerig.decide.matrix_io.recompute import (
     recomputed_chart,
     recomputed_kesselring,
     recomputed_pugh,
     technical_shares,
     undeciding_rows,
 )
-from torquerig.decide.seed_tables import read_tables, tables_from
+from torquerig.decide.matrix_io.seed_tables import read_tables, tables_from
+from torquerig.decide.ranks import competition_ranks, dense_ranks
 from torquerig.document import parse_document
 from torquerig.errors import InputError
 

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from torquerig.decide.cell import Cell, Origin, Override
 from torquerig.decide.comparing import reordering
-from torquerig.decide.matrix_file import read_matrix
-from torquerig.decide.telling_sure import tell_reordering, tell_trace
+from torquerig.decide.matrix_io.certainty_text import tell_reordering, tell_trace
+from torquerig.decide.matrix_io.matrix_file import read_matrix
 from torquerig.decide.trace import all_traces, trace
 from torquerig.decide.working import work_out
 from torquerig.errors import UnknownNameError

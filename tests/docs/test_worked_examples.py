@@ -11,13 +11,13 @@ import pytest
 
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
-from torquerig.diagnose.motion.diagnose_motion import diagnose_motion, under_measured_motion
+from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion, under_measured_motion
 from torquerig.document import read_document
+from torquerig.recordings.files import read_recording
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.files import read_recording
-from torquerig.simulate.linear import matrices
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.linear import matrices
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -15,7 +15,7 @@ from torquerig.machines.ripple_orders import ripple_orders
 from torquerig.machines.shaft import ImposedSpeed
 from torquerig.machines.six_step import SixStep
 from torquerig.mechanisms import CommutationRipple
-from torquerig.rig.rig import Rig
+from torquerig.rig.assembly import Rig
 
 
 def machine(back_emf):

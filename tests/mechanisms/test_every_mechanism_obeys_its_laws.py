@@ -59,13 +59,13 @@ from torquerig.mechanisms import (
     TorqueRipple,
     TorsionalMode,
 )
+from torquerig.orders.kinematics.teeth import Planetary
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, MotorEncoder, MotorPhases, SpeedController, TorqueSensor
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.signals.teeth import Planetary
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 WINDING = {"slots": 12, "pole_pairs": 7}
 BELT = {"pinion": 20, "wheel": 100, "belt_teeth": 160}

@@ -9,11 +9,11 @@ import pytest
 
 from torquerig.errors import InputError
 from torquerig.mechanisms import GranularDrag, LugreFriction
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Body, Coupling, ImposedMotion
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import AngleLoad
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 BED = GranularDrag(name="bed", mean_by_occupancy_percent={0.0: 0.1, 20.0: 4.0}, rms=0.15, correlation_angle=0.08)
 

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from torquerig.mechanisms import LugreFriction, StribeckFriction
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, MotorEncoder, SpeedController, TorqueController
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 MOTOR, LOAD = 4e-4, 5e-4
 INERTIA = MOTOR + LOAD  # their spring is stiff against all that happens here

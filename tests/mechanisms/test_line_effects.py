@@ -17,14 +17,14 @@ from torquerig.mechanisms import (
     Misalignment,
     QuadraticDrag,
 )
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.simulate.linear import spring_response
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.linear import spring_response
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
 
 SPEEDS = pytest.mark.parametrize("speed_rpm", [600.0, 930.0])
 

@@ -29,14 +29,14 @@ from torquerig.mechanisms import (
     TorqueRipple,
     TorsionalMode,
 )
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import AppliedTorque, Term
 from torquerig.scenario.reading import KINDS
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 # as a scenario writes it, and what is meant
 WRITTEN: dict[str, tuple[str, Part]] = {

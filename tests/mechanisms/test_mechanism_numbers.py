@@ -20,14 +20,14 @@ from torquerig.mechanisms import (
     TorsionalMode,
 )
 from torquerig.mechanisms.particle_load import ParticleProcess
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import HarmonicTorque, Load, Spring
-from torquerig.signals.run import Run
-from torquerig.simulate.linear import matrices
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.linear import matrices
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
 
 
 def held(*effects: Part, speed: float, run: Run | None = None) -> Rig:

@@ -26,6 +26,9 @@ from torquerig.mechanisms import (
     PwmRipple,
     SixStepCommutation,
 )
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import (
     Body,
@@ -37,16 +40,13 @@ from torquerig.rig.parts import (
     SpeedController,
     TorqueController,
 )
-from torquerig.rig.rig import Rig
 from torquerig.rig.steady import steady_torque
 from torquerig.rig.terms import HarmonicTorque, Wave
 from torquerig.scenario.reading import KINDS
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.simulate.linear import spring_response
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
-from torquerig.simulate.twin.twin import twin_of
+from torquerig.simulation.linear import spring_response
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
+from torquerig.simulation.twin.linear_twin import twin_of
 
 SPEEDS = pytest.mark.parametrize("speed_rpm", [600.0, 930.0])
 PHASES = MotorPhases(

@@ -9,12 +9,12 @@ import pytest
 
 from torquerig.errors import InputError
 from torquerig.mechanisms import BearingDefect, BeltLines, BendingCrosstalk, Eccentricity, ParallelOffset
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Body, Coupling, Gear, Motor, SpeedController, TorqueSensor
-from torquerig.rig.rig import Rig
-from torquerig.signals.run import Run
-from torquerig.signals.stages.crosstalk import Crosstalk
-from torquerig.simulate.simulate import simulate
+from torquerig.sensor_stages.crosstalk import Crosstalk
+from torquerig.simulation.simulator import simulate
 
 SKF_6205 = {"balls": 9, "ball_diameter": 0.3126 * 0.0254, "pitch_diameter": 1.537 * 0.0254}
 

@@ -9,14 +9,14 @@ import pytest
 from numpy.typing import NDArray
 
 from torquerig.mechanisms import Backlash, StribeckFriction, TorqueRipple
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.simulate.linear import spring_response
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.linear import spring_response
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
 
 RIPPLE = TorqueRipple(name="ripple", at="motor", group="electrical", amplitudes={7.0: 0.05})
 

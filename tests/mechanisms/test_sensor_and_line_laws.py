@@ -35,12 +35,12 @@ from torquerig.mechanisms import (
     SignalDropout,
     TorqueRipple,
 )
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, MotorEncoder, SpeedController, TorqueSensor
-from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import KINDS, read_scenario
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 # as a scenario writes it, and what is meant
 EFFECTS: list[tuple[str, Part]] = [

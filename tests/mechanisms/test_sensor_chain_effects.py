@@ -22,20 +22,20 @@ from torquerig.mechanisms import (
     SignalDropout,
     TorqueRipple,
 )
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, SpeedController, TorqueSensor
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.signals.stages.amplifier import AmplifierLowPass
-from torquerig.signals.stages.clip import Clip
-from torquerig.signals.stages.converter import Converter
-from torquerig.signals.stages.dropout import Dropout
-from torquerig.signals.stages.noise import WhiteNoise
-from torquerig.signals.stages.ringing import Ringing
-from torquerig.signals.stages.rounding import Rounding
-from torquerig.signals.stages.tone import Tone
-from torquerig.simulate.simulate import simulate
+from torquerig.sensor_stages.amplifier import AmplifierLowPass
+from torquerig.sensor_stages.clip import Clip
+from torquerig.sensor_stages.converter import Converter
+from torquerig.sensor_stages.dropout import Dropout
+from torquerig.sensor_stages.noise import WhiteNoise
+from torquerig.sensor_stages.ringing import Ringing
+from torquerig.sensor_stages.rounding import Rounding
+from torquerig.sensor_stages.tone import Tone
+from torquerig.simulation.simulator import simulate
 
 SPEEDS = pytest.mark.parametrize("speed_rpm", [600.0, 930.0])
 LSB = 20 / 2**32  # of the fine converter that these rigs have

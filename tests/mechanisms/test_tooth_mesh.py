@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 from torquerig.mechanisms import GearMesh, StribeckFriction, ToothMesh
+from torquerig.orders.kinematics.teeth import Planetary, Spur
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, ImposedMotion, Motor, SpeedController, TorqueSensor
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.signals.run import Run
-from torquerig.signals.teeth import Planetary, Spur
-from torquerig.simulate.linear import spring_response
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
-from torquerig.simulate.twin.twin import twin_of
+from torquerig.simulation.linear import spring_response
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
+from torquerig.simulation.twin.linear_twin import twin_of
 
 IN_PHASE, SEQUENTIAL = Planetary(21, 84, 3), Planetary(22, 62, 3)
 LEVER = 0.5 * 1e-3 * cos(pi / 9)  # module 1 mm, per tooth

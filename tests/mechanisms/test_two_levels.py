@@ -14,13 +14,13 @@ from torquerig.machines.demand import SpeedDemand
 from torquerig.machines.drive_run import run_drive
 from torquerig.machines.shaft import TwoMasses
 from torquerig.mechanisms import FieldOrientedControl, SixStepCommutation
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Motor, MotorPhases, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.steady import steady_torque
 from torquerig.rig.terms import Load, Term
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 ROTOR, LOAD, STIFFNESS, DAMPING, TORQUE = 1e-3, 3e-3, 700.0, 0.02, 1.0
 KP, KI = 0.05, 0.5

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import torquerig
-from torquerig.diagnose.hypotheses import CLASSES
+from torquerig.diagnosis.hypotheses import CLASSES
 
 GONE = (*CLASSES, "clipping", "quantization", "signal_dropout", "backlash")
 EVERY_MODULE = """

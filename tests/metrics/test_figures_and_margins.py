@@ -17,13 +17,13 @@ from torquerig.metrics.figure import Figure, scaled, total
 from torquerig.metrics.shares import Shares, disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
 from torquerig.parameter import Estimate
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Motor, SpeedController
-from torquerig.rig.rig import Rig
-from torquerig.signals.run import Run
-from torquerig.simulate.linear import spring_response
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.linear import spring_response
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
 
 DUTY = Duty(output_speed=200 * pi / 30, mean_torque=1.0, ratio=5.0, efficiency=0.97, torque_limit=2.0)
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from torquerig.errors import RecordingError
+from torquerig.filters.chains.filter_chain import Chain, seed_code_chain
 from torquerig.metrics.judgement import judged
 from torquerig.metrics.load_error import TRUE_SPEED, load_error
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
-from torquerig.signals.chain import Chain, seed_code_chain
-from torquerig.signals.kinematics import Kinematics
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
 
 RATE = 5000.0
 SPEED = 1000 * pi / 30

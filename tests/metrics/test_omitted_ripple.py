@@ -11,7 +11,7 @@ from torquerig.document import read_document
 from torquerig.mechanisms import CommutationRipple
 from torquerig.metrics.omitted_ripple import omitted_six_pulse
 from torquerig.scenario.reading import read_scenario
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 CATALOG = load_catalog(shipped_folder())
 

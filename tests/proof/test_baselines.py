@@ -15,9 +15,9 @@ from proof.baselines.stlsq import own_stlsq, pysindy_stlsq, stlsq
 from proof.baselines.verdict import Named, verdict
 from proof.prove.diagnosing import nominal_scenario
 from proof.scoring.claims import claim_of
-from torquerig.diagnose.looking.observed import Observed, Stretch
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
+from torquerig.diagnosis.looking.observed import Observed, Stretch
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
 
 RATE, DURATION = 4000.0, 6.0
 RIG = nominal_scenario().rig

@@ -245,7 +245,7 @@ def test_the_page_holds_every_figure_in_both_forms(proved):
     assert f"≥ {100 * exact.lower:.1f} %" in html
     assert "run at 400 rpm" in html
     assert 'src="data:image/svg+xml' in html
-    assert "torquerig prove --seed 7 --cases 12 --duration 2 --riddle" in html
+    assert "python -m proof --seed 7 --cases 12 --duration 2 --riddle" in html
     assert "http" not in html.replace("http://www.w3.org", "")
 
 
@@ -265,7 +265,7 @@ def test_the_table_of_gains_is_keyed_and_says_its_command(proved):
     entry = yaml.safe_load((proved.plan.out / "null_table.yaml").read_text())["tables"][0]
     clean = [t for t in proved.blind[0].trials[OURS] if t.due == "adequate"]
     assert entry["clean_rigs"] == len(clean)
-    assert entry["made_by"].startswith("torquerig prove --seed 7 --cases 12")
+    assert entry["made_by"].startswith("python -m proof --seed 7 --cases 12")
     assert entry["seeds"] == [7]
     assert entry["thresholds"] == {}  # too few rigs for a tail
     assert len(entry["scenario"]) == 64

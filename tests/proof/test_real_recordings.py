@@ -13,8 +13,8 @@ import pytest
 from proof.real import brfd, emps, laas
 from proof.real.figures import TOLD, diagnosed, error, figures, scenario_of
 from proof.real.public import VARIABLE
-from torquerig.diagnose.motion.fitted import FittedMotion, fitted
-from torquerig.diagnose.motion.moved import moved_runs
+from torquerig.diagnosis.motion.fitted import FittedMotion, fitted
+from torquerig.diagnosis.motion.moved import moved_runs
 from torquerig.mechanisms import Backlash, LugreFriction, StribeckFriction
 from torquerig.rig.part import Part
 

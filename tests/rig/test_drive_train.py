@@ -14,13 +14,13 @@ from torquerig.mechanisms import (
     SixStepCommutation,
     StribeckFriction,
 )
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import drive_train
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, MotorPhases, SpeedController, TorqueController
-from torquerig.rig.rig import Rig
 from torquerig.rig.steady import steady_torque, steady_torque_in
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 RATIO, EFFICIENCY, SPEED = 4.0, 0.9, 40.0
 TURNING = SPEED / RATIO  # of the wear part

@@ -9,12 +9,12 @@ import pytest
 
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.mechanisms import QuadraticDrag
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 MOTOR = Motor(name="motor", inertia=1.5e-4, torque_limit=50.0)
 

@@ -12,16 +12,16 @@ from torquerig.catalog.shipped import shipped_folder
 from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.mechanisms import QuadraticDrag
+from torquerig.orders.kinematics.belt import Belt
+from torquerig.orders.kinematics.teeth import Planetary, Spur
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Body, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.belt import Belt
-from torquerig.signals.run import Run
-from torquerig.signals.teeth import Planetary, Spur
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 CATALOG = load_catalog(shipped_folder())
 

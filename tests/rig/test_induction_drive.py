@@ -15,13 +15,13 @@ from torquerig.catalog.shipped import shipped_folder
 from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.machines.induction_run import InductionSupply, run_induction
+from torquerig.recordings.run import Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, InductionDrive, Motor
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load, Term
 from torquerig.scenario.reading import read_scenario
-from torquerig.signals.run import Run
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 RPM = pi / 30
 DRIVE = InductionDrive(

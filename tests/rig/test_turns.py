@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from torquerig.errors import InputError
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.turns import turns_per_motor_turn
 
 

@@ -14,7 +14,7 @@ from torquerig.document import parse_document, read_document
 from torquerig.errors import InputError
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 # ruff: noqa: E501 (a table: one case in a row)
 RPM = pi / 30

@@ -12,7 +12,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
-from torquerig.rig.rig import Rig
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.reading import Scenario, read_scenario
 
 REFERENCE = Path(__file__).resolve().parents[2] / ".." / "shared" / "reference-rig.yaml"

@@ -11,13 +11,13 @@ import pytest
 from torquerig.catalog.reading import Catalog
 from torquerig.document import parse_document
 from torquerig.errors import InputError
-from torquerig.rig.rig import Rig
+from torquerig.recordings.files import write_recording
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.reading import Scenario, read_scenario
-from torquerig.signals.files import write_recording
-from torquerig.signals.recording import Channel, Recording
-from torquerig.simulate.linear import matrices
-from torquerig.simulate.lower import lower
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.linear import matrices
+from torquerig.simulation.lower import lower
+from torquerig.simulation.simulator import simulate
 
 RIG = """
 operating_point: {motor_speed: 600 rpm}

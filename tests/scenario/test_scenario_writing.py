@@ -24,8 +24,8 @@ from torquerig.mechanisms import (
     StribeckFriction,
     TorqueRipple,
 )
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
 

@@ -9,13 +9,13 @@ import pytest
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
+from torquerig.filters.chains.chain_file import read_chains
 from torquerig.metrics.truth_error import truth_error
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import read_scenario
-from torquerig.signals.chain_file import read_chains
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 
 SPEED_ERROR = 1.005
 

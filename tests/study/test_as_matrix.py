@@ -11,17 +11,17 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
 from torquerig.decide.case import MatrixCase
-from torquerig.decide.matrix_file import matrix_from
-from torquerig.decide.matrix_sheet import read_matrix_sheet
+from torquerig.decide.matrix_io.matrix_file import matrix_from
+from torquerig.decide.matrix_io.matrix_sheet import read_matrix_sheet
 from torquerig.decide.trace import trace
 from torquerig.decide.working import work_out
 from torquerig.document import read_document
-from torquerig.report.matrix_files import write_matrix
+from torquerig.reporting.matrix.files import write_matrix
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
+from torquerig.study.definition import open_study
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
-from torquerig.study.study import open_study
 from torquerig.study.verdict import verdict
 
 WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")

@@ -8,7 +8,7 @@ from torquerig.document import read_document
 from torquerig.mechanisms import FieldOrientedControl, SixStepCommutation
 from torquerig.rig.parts import MotorPhases
 from torquerig.study.candidates import candidates, scenario_of
-from torquerig.study.study import open_study
+from torquerig.study.definition import open_study
 
 CATALOG = load_catalog(shipped_folder())
 STUDY = open_study(read_document(shipped_scenarios() / "bldc_or_servo.yaml"), CATALOG)

@@ -11,20 +11,26 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
 from torquerig.decide.criterion import Better, Criterion, Demand
-from torquerig.decide.sheet import Method
+from torquerig.decide.matrix_io.sheet import Method
 from torquerig.decide.verdict import Word
 from torquerig.document import parse_document, read_document
 from torquerig.errors import TorquerigError
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.motor_facts import FACT_UNITS, motor_facts
-from torquerig.report.redone_page import redone_markdown, redone_page
-from torquerig.report.redone_trace import trace_chapter
-from torquerig.study.redone.beside import table_beside
-from torquerig.study.redone.computed import computed_table
-from torquerig.study.redone.decision import redone
-from torquerig.study.redone.figures import Known
-from torquerig.study.redone.plan import read_plan
-from torquerig.study.redone.reasons import Cause, Compared, reason_of_demand, reason_of_points, reason_of_sign
+from torquerig.reporting.reference_report.decision_page import redone_markdown, redone_page
+from torquerig.reporting.reference_report.decision_trace import trace_chapter
+from torquerig.study.reference_decision.beside import table_beside
+from torquerig.study.reference_decision.computed import computed_table
+from torquerig.study.reference_decision.decision import redone
+from torquerig.study.reference_decision.figures import Known
+from torquerig.study.reference_decision.plan import read_plan
+from torquerig.study.reference_decision.reasons import (
+    Cause,
+    Compared,
+    reason_of_demand,
+    reason_of_points,
+    reason_of_sign,
+)
 from torquerig.study.results import StudyRuns
 from torquerig.study.verdict import verdict
 

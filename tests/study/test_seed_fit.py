@@ -9,16 +9,16 @@ import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.document import read_document
-from torquerig.signals.chain import seed_code_chain
-from torquerig.signals.effect import chain_effect
-from torquerig.signals.kinematics import Kinematics
-from torquerig.signals.recording import Channel, Recording
-from torquerig.study.seed.bulk import half_power_frequency
-from torquerig.study.seed.conditions import SeedRig
-from torquerig.study.seed.fitting import fitted, place_of
-from torquerig.study.seed.published import CELLS, MECHANICAL_DROP, OCCUPANCIES, Cell
-from torquerig.study.seed.steps import seed_steps
-from torquerig.study.seed.superposed import Superposed, superposed
+from torquerig.filters.chains.filter_chain import seed_code_chain
+from torquerig.filters.effect import chain_effect
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.study.reference_report.bulk import half_power_frequency
+from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.fitting import fitted, place_of
+from torquerig.study.reference_report.published import CELLS, MECHANICAL_DROP, OCCUPANCIES, Cell
+from torquerig.study.reference_report.steps import seed_steps
+from torquerig.study.reference_report.superposed import Superposed, superposed
 
 ROOT = Path(__file__).resolve().parents[2]
 REPORT = ROOT.parent / "shared" / "seed"

@@ -10,16 +10,16 @@ import pytest
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
+from torquerig.filters.chains.filter_chain import Chain
 from torquerig.metrics.left_disturbance import with_and_without
-from torquerig.metrics.sizing.sizing import SIZING_UNITS
-from torquerig.signals.chain import Chain
+from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.criteria import UNITS, criteria_of
+from torquerig.study.definition import open_study
 from torquerig.study.drive_run import run_drive
 from torquerig.study.ratio_sweep import middle, ratio_sweep
 from torquerig.study.settings import CriterionRow, Metric
 from torquerig.study.sized_candidates import sized_candidate, sizing_figures, with_cycle
-from torquerig.study.study import open_study
 
 PRESENT = Candidate(motor="bldc-12n14p", gearbox="reference-5-1", ratio=5.0)
 

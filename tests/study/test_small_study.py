@@ -22,11 +22,11 @@ from torquerig.scenario.kinematics import gears_to_sensor
 from torquerig.scenario.overrides import overridden
 from torquerig.study.asked import in_words
 from torquerig.study.candidates import Candidate, candidates, scenario_of
+from torquerig.study.definition import Study, open_study
 from torquerig.study.points import points_of
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import decide
-from torquerig.study.study import Study, open_study
 from torquerig.study.verdict import verdict
 from torquerig.study.what_if import changes
 

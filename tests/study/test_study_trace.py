@@ -13,12 +13,12 @@ from torquerig.document import read_document
 from torquerig.errors import UnknownNameError
 from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import candidates, scenario_of
+from torquerig.study.definition import Study, open_study
 from torquerig.study.drive_run import settling_of
 from torquerig.study.rated_drives import left_over, rated_drives
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.settings import SpeedLoopRule
-from torquerig.study.study import Study, open_study
 from torquerig.study.trace import check_traced, traced_cell, traced_combinations, traced_drives
 from torquerig.study.verdict import Verdict, verdict
 

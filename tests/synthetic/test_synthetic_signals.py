@@ -7,12 +7,12 @@ import pytest
 
 from torquerig.document import parse_document
 from torquerig.errors import InputError, RecordingError
-from torquerig.signals.chain import seed_code_chain
-from torquerig.signals.files import read_recording, write_recording
-from torquerig.signals.kinematics import Kinematics
-from torquerig.signals.recording import Recording, random_for
-from torquerig.signals.run import Run
-from torquerig.signals.spectrum import amplitude_spectrum
+from torquerig.filters.chains.filter_chain import seed_code_chain
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.recordings.files import read_recording, write_recording
+from torquerig.recordings.recording import Recording, random_for
+from torquerig.recordings.run import Run
+from torquerig.recordings.spectrum import amplitude_spectrum
 from torquerig.synthetic.control_signal import control_signal
 from torquerig.synthetic.description import read_mixture
 from torquerig.synthetic.mixture import components_of, mixed, volts

@@ -7,10 +7,10 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.mechanisms import MainsInterference
-from torquerig.rig.rig import Rig
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.reading import read_scenario
-from torquerig.signals.recording import Recording
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 from torquerig.synthetic.mixture import components_of
 from torquerig.synthetic.simulated import DIFFERENCE, STAGE, taken_apart
 

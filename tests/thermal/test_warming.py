@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
 from torquerig.scenario.drive_demand import DriveDemand
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
 from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand, duty_of_recording
 from torquerig.thermal.thermal_motor import ThermalMotor
 from torquerig.thermal.two_node import TwoNode

@@ -11,9 +11,9 @@ from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
 from torquerig.errors import InputError
 from torquerig.machines.winding import winding_pairs
+from torquerig.orders.kinematics.teeth import Teeth
 from torquerig.parameter import Estimate
-from torquerig.signals.recording import random_for
-from torquerig.signals.teeth import Teeth
+from torquerig.recordings.recording import random_for
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
 

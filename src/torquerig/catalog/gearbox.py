@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 
 from torquerig.catalog.entry import UNKNOWN, Entry, Evidenced, Record
 from torquerig.errors import InputError
+from torquerig.orders.kinematics.teeth import Planetary, Spur, Teeth
 from torquerig.parameter import Estimate, Parameter
-from torquerig.signals.teeth import Planetary, Spur, Teeth
 
 Count = Annotated[int, Field(ge=1, strict=True)]
 

@@ -10,7 +10,7 @@ from torquerig.catalog.drawing import Drawn
 from torquerig.catalog.motor import Motor
 from torquerig.errors import InputError
 from torquerig.parameter import Estimate
-from torquerig.signals.recording import random_for
+from torquerig.recordings.recording import random_for
 from torquerig.units import in_unit
 
 VOLTAGE_RESERVE = 1.1  # DC link over what the largest speed needs at rated torque, where no supply is stated

@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose  prove
+init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose
 seed-results  seed-decision  compare
 """
 
@@ -31,7 +31,6 @@ COMMANDS = {
     "diagnose": "say where recordings and model differ, and which physics was left out",
     "seed-results": "set the simulated rig beside the seed report's tables and figures",
     "seed-decision": "make the seed report's motor decision again, cell by cell beside its tables",
-    "prove": "make blind trials of the diagnosis, seal them, and say what it is worth beside three baselines",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 
@@ -73,8 +72,13 @@ def group() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line; exit 0 when it went well, 2 with one sentence for bad input, 130 when interrupted."""
+    run(group, arguments, name="torquerig")
+
+
+def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -> None:
+    """Run a command by this name; exit 0 when it went well, 2 with one sentence for bad input, 130 when interrupted."""
     try:
-        group.main(args=None if arguments is None else list(arguments), prog_name="torquerig", standalone_mode=False)
+        command.main(args=None if arguments is None else list(arguments), prog_name=name, standalone_mode=False)
     except TorquerigError as error:
         _say(f"torquerig: {error}")
         sys.exit(2)

@@ -10,21 +10,21 @@ import click
 from torquerig.cli.inputs import catalog_beside, catalog_option, set_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
-from torquerig.decide.telling_sure import tell_trace
+from torquerig.decide.matrix_io.certainty_text import tell_trace
 from torquerig.decide.working import work_out
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import grid
-from torquerig.report.matrix_files import write_matrix
-from torquerig.report.study_report import write_study_report
-from torquerig.report.study_text import ranked_text, shares_text
+from torquerig.reporting.matrix.files import write_matrix
+from torquerig.reporting.study.report import write_study_report
+from torquerig.reporting.study.text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
+from torquerig.study.definition import Study, open_study
 from torquerig.study.points import Point, points_of
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
-from torquerig.study.study import Study, open_study
 from torquerig.study.trace import check_traced, traced_cell
 from torquerig.study.verdict import Verdict, verdict
 from torquerig.study.what_if import Change, changes

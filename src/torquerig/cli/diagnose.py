@@ -14,17 +14,17 @@ import click
 from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
 from torquerig.cli.targets import check_targets
 from torquerig.errors import InputError
+from torquerig.recordings.files import read_recording
+from torquerig.recordings.files.sidecar import sidecar_path
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.readings import other_readings
 from torquerig.scenario.writing import scenario_text, write_scenario
-from torquerig.signals.files import read_recording
-from torquerig.signals.files.sidecar import sidecar_path
 from torquerig.whole_file import whole_file
 
 if TYPE_CHECKING:
-    from torquerig.diagnose.diagnose import Outcome
-    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
-    from torquerig.signals.recording import Recording
+    from torquerig.diagnosis.engine import Outcome
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.recordings.recording import Recording
 
 _PAGE = "<!-- written by torquerig diagnose -->"
 _MOST_WORKERS = 4  # of their own accord: each holds some 200 MB of its own
@@ -59,10 +59,10 @@ def command(
     Exit code 0 means that a diagnosis was reached, whatever it says.
     """
     from torquerig.cli.progress import stages
-    from torquerig.diagnose.diagnose import diagnose
-    from torquerig.diagnose.diagnosis import SCHEMA, as_json
-    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
-    from torquerig.diagnose.side_by_side import side_by_side
+    from torquerig.diagnosis.engine import diagnose
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
+    from torquerig.diagnosis.outcome import SCHEMA, as_json
+    from torquerig.diagnosis.side_by_side import side_by_side
 
     if check:
         _check(recordings, scenario, settings, catalogs, seed=seed)
@@ -109,8 +109,8 @@ def command(
 
 def _told(outcome: Outcome | MotionOutcome) -> Iterator[str]:
     """Yield the verdict and the remarks, a sentence each."""
-    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
-    from torquerig.report.diagnosis_words import EFFORT, FEATURES, verdict_sentence
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.reporting.diagnosis.sentences import EFFORT, FEATURES, verdict_sentence
 
     yardstick = EFFORT if isinstance(outcome, MotionOutcome) else FEATURES
     yield verdict_sentence(outcome.diagnosis, outcome.left, yardstick=yardstick)
@@ -134,9 +134,9 @@ def _check(
 
 
 def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: str | None, seed: int) -> str:
-    from torquerig.diagnose.motion.diagnose_motion import MotionOutcome
-    from torquerig.report.diagnosis_page import diagnosis_page
-    from torquerig.report.motion_page import motion_page
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+    from torquerig.reporting.diagnosis.motion_page import motion_page
+    from torquerig.reporting.diagnosis.page import diagnosis_page
 
     if isinstance(outcome, MotionOutcome):
         return motion_page(outcome, title=title, command=command, model=model, seed=seed)

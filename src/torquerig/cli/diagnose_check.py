@@ -7,14 +7,14 @@ from math import pi
 
 import numpy as np
 
-from torquerig.diagnose.motion.diagnose_motion import under_measured_motion
-from torquerig.diagnose.motion.lines import in_a_line
-from torquerig.diagnose.motion.moved import BAND, moved_runs
-from torquerig.diagnose.rig_under_test import check_recordings, check_rig
-from torquerig.diagnose.sheet_ratio import at_ratio_of
+from torquerig.diagnosis.motion.diagnose_motion import under_measured_motion
+from torquerig.diagnosis.motion.lines import in_a_line
+from torquerig.diagnosis.motion.moved import BAND, moved_runs
+from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
+from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
+from torquerig.recordings.recording import Recording
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.recording import Recording
 
 _HEAD = ["recording", "samples", "per second", "compared", "rms", "motion"]
 

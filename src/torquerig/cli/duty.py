@@ -12,9 +12,9 @@ from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile
 from torquerig.cli.one_drive import scenario_or_candidate
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
+from torquerig.recordings.files import read_recording
 from torquerig.scenario.demand_check import check_demand, entry_of
 from torquerig.scenario.drive_demand import drive_demand
-from torquerig.signals.files import read_recording
 from torquerig.thermal.copies import ThermalCopies, thermal_copies
 from torquerig.thermal.judged import JudgedDuty, judged_duty
 from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand, duty_of_recording
@@ -103,8 +103,8 @@ def _tell(asked: _Asked, copies: ThermalCopies, judged: JudgedDuty, *, ambient: 
 
 
 def _draw(asked: _Asked, copies: ThermalCopies, path: Path, *, ambient: float, force: bool) -> None:
-    from torquerig.report.duty_figure import duty_figure
-    from torquerig.report.picture import write_picture
+    from torquerig.reporting.figures.picture import write_picture
+    from torquerig.reporting.sizing.duty_figure import duty_figure
 
     figure = duty_figure(asked.duty, copies, ambient=ambient, title=asked.told)
     write_picture(figure, path, overwrite=force)

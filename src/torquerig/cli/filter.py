@@ -13,16 +13,16 @@ from torquerig.cli.filter_judge import judge_chains, judged_pictures
 from torquerig.cli.filter_long import blocks_for, described, filter_long
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
 from torquerig.errors import InputError, UnitError, did_you_mean
+from torquerig.filters.chains.chain_file import read_chains
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import grid
-from torquerig.signals.chain import Chain
-from torquerig.signals.chain_file import read_chains
-from torquerig.signals.effect import FilterEffect, chain_effect
-from torquerig.signals.files import check_target, open_stream, read_recording, write_recording
-from torquerig.signals.files.blocks import Blocking
-from torquerig.signals.files.stream import RecordingStream
-from torquerig.signals.kinematics import Kinematics
-from torquerig.signals.recording import Recording
+from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
+from torquerig.recordings.files.blocks import Blocking
+from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.recording import Recording
 from torquerig.units import parse_quantity
 
 # a mean of equal numbers is off by so much
@@ -150,7 +150,7 @@ def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | Non
     if out is not None:
         check_target(out, overwrite=force)
     if picture is not None:
-        from torquerig.report.picture import check_picture
+        from torquerig.reporting.figures.picture import check_picture
 
         check_picture(picture, overwrite=force)
 
@@ -208,8 +208,8 @@ def _tell_families(chain: Chain, effect: FilterEffect) -> None:
 def _draw(
     before: Recording, after: Recording, chain: Chain, kinematics: Kinematics, path: Path, *, force: bool
 ) -> None:
-    from torquerig.report.picture import write_picture
-    from torquerig.report.spectrum_figure import spectrum_figure
+    from torquerig.reporting.figures.picture import write_picture
+    from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 
     lines = chain.lines or kinematics.lines()
     speed = before.run.speed or 0.0

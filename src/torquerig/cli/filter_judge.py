@@ -8,14 +8,14 @@ from pathlib import Path
 import click
 
 from torquerig.errors import InputError
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.evaluation.inserted import HIT_DECAY, StepShown
+from torquerig.filters.evaluation.placebo import Placebo
 from torquerig.metrics.judgement import Judgement, judged
 from torquerig.metrics.load_error import LoadError
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import grid, wrapped
-from torquerig.signals.chain import Chain
-from torquerig.signals.judging.inserted import HIT_DECAY, StepShown
-from torquerig.signals.judging.placebo import Placebo
-from torquerig.signals.kinematics import Kinematics
-from torquerig.signals.recording import Recording
+from torquerig.recordings.recording import Recording
 
 KNOWN_HARMONICS = 30  # of each family, that a placebo keeps clear of
 
@@ -28,7 +28,7 @@ def judged_pictures(path: Path, names: Sequence[str], picture: Path | None, *, f
     InputError
         For several chains and one picture, or a picture that is there already.
     """
-    from torquerig.report.picture import check_picture
+    from torquerig.reporting.figures.picture import check_picture
 
     if picture is not None and len(names) != 1:
         raise InputError("--picture takes one chain; leave it out, and each chain's panels get a name of their own")
@@ -48,8 +48,8 @@ def judge_chains(
     force: bool,
 ) -> None:
     """Judge each chain on ``recording``, tell it and ``where`` in its file that is, and draw the panels."""
-    from torquerig.report.judged_figure import judged_figure
-    from torquerig.report.picture import write_picture
+    from torquerig.reporting.figures.judged_figure import judged_figure
+    from torquerig.reporting.figures.picture import write_picture
 
     known = kinematics.lines(KNOWN_HARMONICS)
     for chain in chains:

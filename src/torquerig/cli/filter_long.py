@@ -10,15 +10,15 @@ import click
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.effect import FilterEffect
+from torquerig.filters.effect_joined import joined_effect
+from torquerig.filters.streaming import FilteredBlock, blocking_for, filtered_blocks
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
-from torquerig.signals.chain import Chain
-from torquerig.signals.effect import FilterEffect
-from torquerig.signals.effect_joined import joined_effect
-from torquerig.signals.files.block_writing import write_blocks
-from torquerig.signals.files.blocks import Blocking
-from torquerig.signals.files.stream import RecordingStream
-from torquerig.signals.recording import Recording
-from torquerig.signals.streaming import FilteredBlock, blocking_for, filtered_blocks
+from torquerig.recordings.files.block_writing import write_blocks
+from torquerig.recordings.files.blocks import Blocking
+from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.recording import Recording
 
 _LONG = 16_000_000
 """Samples of all channels together above which a recording is filtered in blocks: 128 MB."""

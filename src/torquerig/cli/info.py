@@ -12,13 +12,13 @@ import numpy as np
 
 from torquerig.cli.inputs import catalog_beside, winding_of
 from torquerig.errors import TorquerigError, UnknownNameError
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
-from torquerig.signals.files import open_stream, stream_info
-from torquerig.signals.files.blocks import Blocking
-from torquerig.signals.files.info import RecordingInfo
-from torquerig.signals.files.stream import RecordingStream
-from torquerig.signals.kinematics import KinematicLine, Kinematics
-from torquerig.signals.recording import Recording
+from torquerig.recordings.files import open_stream
+from torquerig.recordings.files.blocks import Blocking
+from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.inspection.recording_info import RecordingInfo, stream_info
+from torquerig.recordings.recording import Recording
 
 
 @click.command("info")
@@ -33,7 +33,7 @@ def command(*, recording: Path, picture: Path | None, force: bool) -> None:
     long recording is read block by block.
     """
     if picture is not None:
-        from torquerig.report.picture import check_picture
+        from torquerig.reporting.figures.picture import check_picture
 
         check_picture(picture, overwrite=force)
     stream = open_stream(recording)
@@ -56,7 +56,7 @@ def command(*, recording: Path, picture: Path | None, force: bool) -> None:
 
 def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     """Return the motor's mean speed over the first block [rad/s], and how it was found in words."""
-    from torquerig.signals.best_angle import best_motor_speed
+    from torquerig.orders.angle.best_angle import best_motor_speed
 
     head = next(Blocking(samples=2**20).cut(stream)).answer()
     first, head = _sound_stretch(head)
@@ -105,8 +105,8 @@ def _lines(stream: RecordingStream) -> tuple[KinematicLine, ...]:
 
 
 def _draw(info: RecordingInfo, stream: RecordingStream, speed: float | None, path: Path, *, force: bool) -> None:
-    from torquerig.report.info_figure import info_figure
-    from torquerig.report.picture import write_picture
+    from torquerig.reporting.figures.info_figure import info_figure
+    from torquerig.reporting.figures.picture import write_picture
 
     measured = [name for name, one in info.channels.items() if not one.truth] or list(info.channels)
     main = next((name for name in measured if info[name].quantity in ("torque", "force")), measured[0])

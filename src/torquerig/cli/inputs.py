@@ -14,8 +14,8 @@ from torquerig.catalog.reading import Catalog, load_catalog
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError, did_you_mean
+from torquerig.recordings.run import PROFILES
 from torquerig.scenario.overrides import overridden
-from torquerig.signals.run import PROFILES
 
 catalog_option = click.option(
     "--catalog", "catalogs", multiple=True, type=click.Path(path_type=Path), metavar="FOLDER",

@@ -38,8 +38,8 @@ def command(
     if isinstance(document.data, dict) and "tables" in document.data:
         if outs or traced or before:
             raise InputError(f"{file}: holds published tables; --out, --trace and --before want a matrix of one's own")
-        from torquerig.decide.matrix_report import tell_book
-        from torquerig.decide.seed_tables import tables_from
+        from torquerig.decide.matrix_io.matrix_report import tell_book
+        from torquerig.decide.matrix_io.seed_tables import tables_from
 
         click.echo(tell_book(tables_from(document)), nl=False)
         return
@@ -48,7 +48,7 @@ def command(
     worked = _worked_out(document)
     click.echo(_told(worked, traced, before), nl=False)
     for path in outs:
-        from torquerig.report.matrix_files import write_matrix
+        from torquerig.reporting.matrix.files import write_matrix
 
         write_matrix(worked, path)
         click.echo(f"wrote {path}", err=True)
@@ -56,8 +56,8 @@ def command(
 
 def _told(worked: WorkedOut, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
     from torquerig.decide.comparing import reordering
-    from torquerig.decide.matrix_report import tell_worked_out
-    from torquerig.decide.telling_sure import tell_reordering, tell_trace
+    from torquerig.decide.matrix_io.certainty_text import tell_reordering, tell_trace
+    from torquerig.decide.matrix_io.matrix_report import tell_worked_out
     from torquerig.decide.trace import trace
 
     parts = [tell_trace(trace(worked, *pair)) for pair in traced]
@@ -67,7 +67,7 @@ def _told(worked: WorkedOut, traced: Sequence[tuple[str, str]], before: Path | N
 
 
 def _worked_out(document: Document) -> WorkedOut:
-    from torquerig.decide.matrix_file import matrix_from
+    from torquerig.decide.matrix_io.matrix_file import matrix_from
     from torquerig.decide.working import work_out
 
     catalog = None
@@ -80,7 +80,7 @@ def _worked_out(document: Document) -> WorkedOut:
 
 def _read(file: Path) -> Document:
     if file.suffix.lower() == ".xlsx":
-        from torquerig.decide.matrix_sheet import read_matrix_sheet
+        from torquerig.decide.matrix_io.matrix_sheet import read_matrix_sheet
 
         return read_matrix_sheet(file)
     document = read_document(file)

@@ -13,10 +13,10 @@ from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
-from torquerig.simulate.twin.crossings import Crossing, nearest_to
-from torquerig.simulate.twin.margins import Margins
-from torquerig.simulate.twin.modes import Mode, Pole
-from torquerig.simulate.twin.twin import Twin, twin_of
+from torquerig.simulation.twin.crossings import Crossing, nearest_to
+from torquerig.simulation.twin.linear_twin import Twin, twin_of
+from torquerig.simulation.twin.margins import Margins
+from torquerig.simulation.twin.modes import Mode, Pole
 from torquerig.units import parse_quantity
 
 _IMPOSED = (
@@ -74,8 +74,8 @@ def command(
     for left_out in twin.point.left_out:
         click.echo(wrapped(f"left out: {left_out}"))
     if picture is not None:
-        from torquerig.report.modes_figure import modes_figure
-        from torquerig.report.picture import write_picture
+        from torquerig.reporting.figures.modes_figure import modes_figure
+        from torquerig.reporting.figures.picture import write_picture
 
         figure = modes_figure(twin, lines, found, top_speed=top, title=made.title)
         write_picture(figure, picture, overwrite=force)

@@ -12,7 +12,7 @@ from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.parts import SpeedController
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.study.candidates import Candidate, scenario_of
-from torquerig.study.study import open_study
+from torquerig.study.definition import open_study
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
 

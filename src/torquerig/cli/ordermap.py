@@ -11,22 +11,22 @@ import numpy as np
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
 from torquerig.errors import InputError, UnitError
+from torquerig.orders.analysis.even_angle import output_turns, over_angle
+from torquerig.orders.analysis.found_lines import FoundLine, found_lines
+from torquerig.orders.analysis.labels import label_of
+from torquerig.orders.analysis.line_domain import DECIDED
+from torquerig.orders.analysis.order_spectrum import line_amplitude, order_spectrum
+from torquerig.orders.analysis.peaks import floor_of
+from torquerig.orders.angle.best_angle import best_motor_angle
+from torquerig.orders.angle.measured_angle import MotorAngle
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import cut, grid, wrapped
-from torquerig.signals.angle import MotorAngle
-from torquerig.signals.best_angle import best_motor_angle
-from torquerig.signals.files import read_recording
-from torquerig.signals.kinematics import KinematicLine, Kinematics
-from torquerig.signals.order_analysis.even_angle import output_turns, over_angle
-from torquerig.signals.order_analysis.found_lines import FoundLine, found_lines
-from torquerig.signals.order_analysis.labels import label_of
-from torquerig.signals.order_analysis.line_domain import DECIDED
-from torquerig.signals.order_analysis.order_spectrum import line_amplitude, order_spectrum
-from torquerig.signals.order_analysis.peaks import floor_of
-from torquerig.signals.recording import Recording
+from torquerig.recordings.files import read_recording
+from torquerig.recordings.recording import Recording
 from torquerig.units import parse_quantity
 
 if TYPE_CHECKING:
-    from torquerig.report.order_figure import OrderPicture
+    from torquerig.reporting.figures.order_figure import OrderPicture
 
 _ENDS = (1, 99)  # per cent of the samples between whose speeds the range is told
 
@@ -54,7 +54,7 @@ def command(
     frequency. Which of the two axes gathers a line more is tested line by line; a steady run cannot tell.
     """
     if picture is not None:
-        from torquerig.report.picture import check_picture
+        from torquerig.reporting.figures.picture import check_picture
 
         check_picture(picture, overwrite=force)
     grid_frequency = _hertz(mains)
@@ -70,8 +70,8 @@ def command(
     for sentence in _sentences(found, kinematics):
         click.echo(wrapped(sentence))
     if picture is not None:
-        from torquerig.report.order_figure import order_figure
-        from torquerig.report.picture import write_picture
+        from torquerig.reporting.figures.order_figure import order_figure
+        from torquerig.reporting.figures.picture import write_picture
 
         shown = _shown(read, turns, lines=lines, found=found, ratio=kinematics.ratio, modes=modes)
         write_picture(order_figure(shown, title=f"{read.name}: orders of the torque"), picture, overwrite=force)
@@ -106,7 +106,7 @@ def _of_scenario(scenario: Path, catalogs: Sequence[Path]) -> tuple[Kinematics, 
     from torquerig.document import read_document
     from torquerig.scenario.kinematics import kinematics_of
     from torquerig.scenario.reading import read_scenario
-    from torquerig.simulate.twin.twin import twin_of
+    from torquerig.simulation.twin.linear_twin import twin_of
 
     made = read_scenario(read_document(scenario), catalog_beside(scenario, catalogs), seed=1)
     modes = {
@@ -172,8 +172,8 @@ def _shown(
     read: Recording, turns: np.ndarray, *, lines: Sequence[KinematicLine], found: Sequence[FoundLine], ratio: float,
     modes: dict[str, float],
 ) -> OrderPicture:  # fmt: skip
-    from torquerig.report.order_figure import OrderPicture
-    from torquerig.signals.order_analysis.maps import order_map, speed_map
+    from torquerig.orders.analysis.maps import order_map, speed_map
+    from torquerig.reporting.figures.order_figure import OrderPicture
 
     even, rate = over_angle(read, turns), read.sample_rate
     fastest = float(np.percentile(np.diff(turns), 99.9)) * rate

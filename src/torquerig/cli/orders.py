@@ -8,11 +8,11 @@ import click
 
 from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
 from torquerig.errors import InputError, UnitError
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.orders.kinematics.order_report import orders_report
+from torquerig.orders.kinematics.order_report_text import ORDERS_HEADER, name_of, orders_rows, orders_sentences
+from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.plain_table import grid, wrapped
-from torquerig.signals.kinematics import Kinematics
-from torquerig.signals.orders import orders_report
-from torquerig.signals.orders_telling import ORDERS_HEADER, name_of, orders_rows, orders_sentences
-from torquerig.signals.teeth import Planetary
 from torquerig.units import parse_quantity
 
 

@@ -13,7 +13,7 @@ from torquerig.document import read_document
 from torquerig.errors import InputError
 
 if TYPE_CHECKING:
-    from torquerig.study.redone.decision import RedoneDecision
+    from torquerig.study.reference_decision.decision import RedoneDecision
 
 ENDINGS = (".html", ".md")
 
@@ -38,8 +38,8 @@ def command(
     """
     from torquerig.catalog.shipped import shipped_scenarios
     from torquerig.cli.progress import drive_progress
-    from torquerig.study.redone.decision import redone
-    from torquerig.study.redone.plan import read_plan
+    from torquerig.study.reference_decision.decision import redone
+    from torquerig.study.reference_decision.plan import read_plan
 
     for path in outs:
         _check_target(path, force=force)
@@ -49,7 +49,7 @@ def command(
         decision = redone(made, progress=progress, workers=workers)
     _tell(decision)
     for target in outs:
-        from torquerig.report.redone_page import write_decision
+        from torquerig.reporting.reference_report.decision_page import write_decision
 
         write_decision(decision, target)
         click.echo(f"wrote {target}", err=True)
@@ -57,7 +57,7 @@ def command(
 
 def _tell(decision: RedoneDecision) -> None:
     from torquerig.plain_table import grid, wrapped
-    from torquerig.study.redone.reasons import Cause
+    from torquerig.study.reference_decision.reasons import Cause
 
     rows = [["table", "cells", *(str(cause) for cause in Cause)]]
     for one in decision.tables:

@@ -35,9 +35,9 @@ def command(
     if not out.resolve().parent.is_dir():
         raise InputError(f"{out}: there is no folder {out.parent}; make it first")
     path = scenario or shipped_scenarios() / "wear_rig.yaml"
-    from torquerig.report.seed_page import seed_page
-    from torquerig.study.seed.reasons import fit_sentences, mechanical_sentences, table_sentences
-    from torquerig.study.seed.results import SeedResults, seed_results
+    from torquerig.reporting.reference_report.results_page import seed_page
+    from torquerig.study.reference_report.reasons import fit_sentences, mechanical_sentences, table_sentences
+    from torquerig.study.reference_report.results import SeedResults, seed_results
 
     with drive_progress("seed results") as progress:
         results: SeedResults = seed_results(

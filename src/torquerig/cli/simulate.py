@@ -11,11 +11,11 @@ from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile
 from torquerig.cli.one_drive import scenario_or_candidate
 from torquerig.errors import UnitError
 from torquerig.plain_table import grid, wrapped
+from torquerig.recordings.files import check_target, write_recording
 from torquerig.scenario.demand_check import check_demand
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.files import check_target, write_recording
-from torquerig.simulate.simulate import simulate
-from torquerig.simulate.true_lines import with_true_lines
+from torquerig.simulation.simulator import simulate
+from torquerig.simulation.true_lines import with_true_lines
 from torquerig.units import IN_A_LINE, parse_quantity
 
 DURATION = 10.0  # [s]
@@ -74,7 +74,7 @@ def command(
 
 def _proof(made: Scenario, *, duration: float, seed: int) -> str:
     """Return in one sentence what fixed the integration step and what halving it changes."""
-    from torquerig.simulate.step_proof import prove_step
+    from torquerig.simulation.step_proof import prove_step
 
     wander = made.operating_point.slow_speed_wander
     return prove_step(made.rig, duration=duration, seed=seed, wander=wander).sentence()

@@ -14,9 +14,9 @@ from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
 from torquerig.scenario.demand_check import check_demand
+from torquerig.study.definition import Study, open_study
 from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
 from torquerig.study.sized_candidates import with_cycle
-from torquerig.study.study import Study, open_study
 
 COPIES = 3  # of the drive, drawn from what the catalog leaves open, whose disturbance is simulated
 
@@ -50,7 +50,7 @@ def command(
     if every and (motor or gearbox or picture):
         raise InputError("--all sizes every motor x gearbox of the study; leave --motor, --gearbox and --picture out")
     if picture is not None:
-        from torquerig.report.picture import check_picture
+        from torquerig.reporting.figures.picture import check_picture
 
         check_picture(picture, overwrite=force)
     catalog = catalog_beside(scenario, catalogs)
@@ -73,8 +73,8 @@ def command(
 
 
 def _tell(drive: SizedDrive, sweep: RatioSweep | None, *, title: str, ambient: float, flags: tuple[str, ...]) -> None:
-    from torquerig.metrics.sizing.sizing import sizing
-    from torquerig.report.sizing_text import sizing_rows, verdict_text
+    from torquerig.metrics.sizing.drive_sizing import sizing
+    from torquerig.reporting.sizing.sizing_text import sizing_rows, verdict_text
 
     sized = sizing(drive, ambient=ambient)
     click.echo(f"{title}, again and again, surroundings {ambient:g} C\n")
@@ -91,7 +91,7 @@ def _tell_disturbance(
 ) -> None:
     """Say what of the disturbance each chain leaves, at the steady set-point of the same drive."""
     from torquerig.metrics.left_disturbance import with_and_without
-    from torquerig.report.sizing_text import disturbance_rows
+    from torquerig.reporting.sizing.sizing_text import disturbance_rows
     from torquerig.scenario.overrides import overridden
 
     steady = overridden(document, ("operating_point.profile=steady",))
@@ -111,8 +111,8 @@ def _tell_disturbance(
 
 
 def _tell_all(study: Study, *, ambient: float) -> None:
-    from torquerig.metrics.sizing.sizing import Sizing, sizing
-    from torquerig.report.sizing_text import IN_TABLE, told_all
+    from torquerig.metrics.sizing.drive_sizing import Sizing, sizing
+    from torquerig.reporting.sizing.sizing_text import IN_TABLE, told_all
     from torquerig.study.candidates import Candidate, candidates
     from torquerig.study.sized_candidates import sized_candidate
 
@@ -128,8 +128,8 @@ def _tell_all(study: Study, *, ambient: float) -> None:
 
 
 def _draw(drive: SizedDrive, sweep: RatioSweep | None, path: Path, *, title: str, force: bool) -> None:
-    from torquerig.report.picture import write_picture
-    from torquerig.report.speed_torque_figure import sizing_figure
+    from torquerig.reporting.figures.picture import write_picture
+    from torquerig.reporting.sizing.speed_torque_figure import sizing_figure
 
     write_picture(sizing_figure(drive, sweep, title=title), path, overwrite=force)
     click.echo(f"wrote {path}")

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from torquerig.errors import InputError, UnitError
-from torquerig.signals.files import check_target, write_recording
+from torquerig.recordings.files import check_target, write_recording
 from torquerig.units import parse_quantity
 
 if TYPE_CHECKING:
-    from torquerig.signals.recording import Recording
+    from torquerig.recordings.recording import Recording
 
 
 class _Quantity(click.ParamType[float]):

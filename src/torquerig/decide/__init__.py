@@ -21,20 +21,7 @@ ranks           the rank conventions, and the best and worst rank that intervals
 working         all of it for one case
 trace           the way of one cell from the catalog to the verdict
 comparing       what was edited between two versions, and what that did
-sheet           a filled-in table as its readers see it: what the lints look at
-computed_sheets one's own three tables as such sheets
-seed_tables     published tables read from YAML (``scenarios/seed_tables.yaml``)
-recompute       the same engines run over published cells
 fillings        which lost cells would give a printed sum
-matrix_file     one's own matrix read from YAML (``scenarios/matrix_example.yaml``)
-matrix_schema   what that YAML may hold                   matrix_cells    its cells, and those of catalog motors
-matrix_writing  a case as YAML
-matrix_sheet    one's own matrix read from Excel          sheet_layout    where things stand in it
-workbook_tables tables of any workbook, with places
-file_schema     what the YAML of matrices and published tables has in common
 lints           what is wrong with a table: one check per file
-telling         charts, matrices and findings as plain text
-telling_sure    verdict, draws, flips, datum runs, open facts as plain text
-telling_printed published tables beside what their cells give
-matrix_report   the whole text of ``torquerig matrix``
+matrix_io/      matrices in and out: YAML, Excel, published tables, text
 """

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from torquerig.decide.draws import Doubt
 from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.sheet import Alias
+from torquerig.decide.matrix_io.sheet import Alias
 
 
 @dataclass(frozen=True, kw_only=True)

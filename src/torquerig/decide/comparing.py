@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from torquerig.decide.case import MatrixCase
-from torquerig.decide.matrix_writing import case_data
+from torquerig.decide.matrix_io.matrix_writing import case_data
 from torquerig.decide.working import WorkedOut
 
 

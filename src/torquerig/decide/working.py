@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from torquerig.decide.case import MatrixCase
-from torquerig.decide.computed_sheets import computed_book, survivors
 from torquerig.decide.convergence import Convergence, converge, cycles
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Decision, SelectionChart, eliminate
@@ -15,6 +14,7 @@ from torquerig.decide.kesselring import KesselringResult, kesselring
 from torquerig.decide.lints.audit import audit
 from torquerig.decide.lints.finding import Finding
 from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.matrix_io.computed_sheets import computed_book, survivors
 from torquerig.decide.missing import MissingFact, missing_facts
 from torquerig.decide.near_miss import NearMiss, near_misses
 from torquerig.decide.pareto import Dominance, dominance

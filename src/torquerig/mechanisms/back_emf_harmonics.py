@@ -9,9 +9,9 @@ from typing import Annotated, Literal
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
 
 Share = Annotated[float, Parameter("1", "share of the fundamental, negative where turned by half a period")]

@@ -7,10 +7,10 @@ from math import cos, pi
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
 from torquerig.rig.turns import turns_per_motor_turn
-from torquerig.signals.stages.ringing import Ringing
+from torquerig.sensor_stages.ringing import Ringing
 
 
 @dataclass(frozen=True, kw_only=True)

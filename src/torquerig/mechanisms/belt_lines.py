@@ -7,13 +7,13 @@ from math import inf
 from typing import Annotated, Literal
 
 from torquerig.errors import InputError
+from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage
 from torquerig.rig.parts.gear_stage import gear_stage
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
-from torquerig.signals.belt import Belt
 
 Radians = Annotated[float, Parameter("rad", "zero-to-peak error at the output", low=0)]
 

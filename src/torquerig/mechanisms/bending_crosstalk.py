@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
 from torquerig.rig.turns import turns_per_motor_turn
-from torquerig.signals.stages.crosstalk import Crosstalk
+from torquerig.sensor_stages.crosstalk import Crosstalk
 
 GRAVITY = 9.80665  # [m/s^2] standard gravity, 3rd CGPM 1901
 

@@ -7,9 +7,9 @@ from typing import Annotated, Literal
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
 
 

@@ -8,9 +8,9 @@ from math import pi
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import MotorPhases, phases_of
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
 
 MULTIPLES = (1, 2, 3)  # of order 6p; the line at 24p has a fifteenth of the volts of the first

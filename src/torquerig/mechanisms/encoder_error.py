@@ -10,9 +10,9 @@ import numpy as np
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
 
 Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, mechanical", low=0)]

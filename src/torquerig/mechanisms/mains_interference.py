@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
-from torquerig.signals.stages.tone import Tone
+from torquerig.sensor_stages.tone import Tone
 
 Volts = Annotated[float, Parameter("V", "zero-to-peak amplitude of a harmonic", low=0)]
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
-from torquerig.signals.stages.band_noise import BandNoise
+from torquerig.sensor_stages.band_noise import BandNoise
 
 
 @dataclass(frozen=True, kw_only=True)

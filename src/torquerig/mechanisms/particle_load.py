@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.mean_by_occupancy import mean_at, refuse_empty
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Load, Term
-from torquerig.signals.coloured_noise import low_passed_noise
+from torquerig.sensor_stages.coloured_noise import low_passed_noise
 
 Torque = Annotated[float, Parameter("N*m", "mean load torque", low=0)]
 REFERENCE_SIZE = 0.5e-3  # [m] particle size at which the rate and the pulse of the reference rig are stated

@@ -8,9 +8,9 @@ from math import pi
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
 
 Ohms = Annotated[float, Parameter("ohm", "extra resistance of a phase")]

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
-from torquerig.signals.stages.tone import Tone, folded
+from torquerig.sensor_stages.tone import Tone, folded
 
 Hertz = Annotated[float, Parameter("Hz", "frequency", above=0)]
 

@@ -9,12 +9,12 @@ from typing import Annotated, Literal
 import numpy as np
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.parts.motor_phases import phases_of
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia, Spring
-from torquerig.signals.stages.tone import Tone
+from torquerig.sensor_stages.tone import Tone
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
-from torquerig.signals.stages.hysteresis import Hysteresis
+from torquerig.sensor_stages.hysteresis import Hysteresis
 
 
 @dataclass(frozen=True, kw_only=True)

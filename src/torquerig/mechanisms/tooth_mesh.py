@@ -8,12 +8,12 @@ from math import cos, pi
 from typing import Annotated, Literal, NamedTuple
 
 from torquerig.errors import InputError
+from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts.gear_stage import gear_stage
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Term, Wave
-from torquerig.signals.teeth import Planetary, Spur
 
 Length = Annotated[float, Parameter("m", "zero-to-peak error of a harmonic, along the line of action", low=0)]
 Share = Annotated[float, Parameter("1", "zero-to-peak share", low=0)]

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from torquerig.errors import RecordingError
+from torquerig.filters.effect import FilterEffect, chain_effect
+from torquerig.filters.evaluation.delay import Delay, delay_behind
+from torquerig.filters.evaluation.inserted import StepShown, inserted
+from torquerig.filters.evaluation.placebo import Placebo, placebo
 from torquerig.metrics.load_error import LoadError, load_error
 from torquerig.metrics.truth_error import TRUE_LOAD
-from torquerig.signals.effect import FilterEffect, chain_effect
-from torquerig.signals.judging.delay import Delay, delay_behind
-from torquerig.signals.judging.inserted import StepShown, inserted
-from torquerig.signals.judging.placebo import Placebo, placebo
-from torquerig.simulate.true_lines import TRUE_LINES
+from torquerig.simulation.true_lines import TRUE_LINES
 
 if TYPE_CHECKING:
-    from torquerig.signals.chain import Chain
-    from torquerig.signals.kinematics import KinematicLine
-    from torquerig.signals.recording import Recording
+    from torquerig.filters.chains.filter_chain import Chain
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+    from torquerig.recordings.recording import Recording
 
 
 @dataclass(frozen=True, kw_only=True)

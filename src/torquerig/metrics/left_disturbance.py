@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from torquerig.filters.chains.filter_chain import Chain
 from torquerig.metrics.shares import DISTURBANCES
-from torquerig.rig.rig import Rig
-from torquerig.signals.chain import Chain
-from torquerig.signals.recording import Recording
-from torquerig.simulate.simulate import simulate
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
+from torquerig.simulation.simulator import simulate
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.filters.evaluation.bands import band_rms, bands_below
+from torquerig.filters.evaluation.delay import Delay, delay_behind
+from torquerig.filters.evaluation.hits import HitsShown, hits_shown
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
-from torquerig.signals.judging.bands import band_rms, bands_below
-from torquerig.signals.judging.delay import Delay, delay_behind
-from torquerig.signals.judging.hits import HitsShown, hits_shown
-from torquerig.signals.recording import Recording
+from torquerig.recordings.recording import Recording
 
 TRUE_SPEED = "true_output_speed_rad_s"
 

@@ -9,10 +9,10 @@ import numpy as np
 from torquerig.catalog.entry import counts_of
 from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import SpeedController
-from torquerig.rig.rig import Rig
-from torquerig.simulate.linear import spring_response
-from torquerig.simulate.lower import lower
+from torquerig.simulation.linear import spring_response
+from torquerig.simulation.lower import lower
 
 
 def omitted_six_pulse(rig: Rig, motor: Motor, *, motor_torque: float) -> Figure:

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Recording
-from torquerig.simulate.simulate import simulate
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
+from torquerig.simulation.simulator import simulate
 
 SENSED = "true_sensor_torque_Nm"
 DISTURBANCES = ("cogging", "electrical", "mechanical")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.signals.recording import Recording
+from torquerig.recordings.recording import Recording
 
 TRUE_LOAD = "true_load_Nm"
 

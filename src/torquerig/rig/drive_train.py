@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from math import copysign, exp
 from typing import NamedTuple
 
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.torque_controller import TorqueController
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import (
     GROUND,
     AngleLoad,

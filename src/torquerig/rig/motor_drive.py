@@ -6,9 +6,9 @@ from dataclasses import replace
 from math import pi
 
 from torquerig.errors import InputError
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.encoder import MotorEncoder
 from torquerig.rig.parts.motor import Motor
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Drive, Sensing, Signal
 
 

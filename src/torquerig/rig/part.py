@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 if TYPE_CHECKING:
-    from torquerig.rig.rig import Rig
+    from torquerig.recordings.stage import Stage
+    from torquerig.rig.assembly import Rig
     from torquerig.rig.terms import Term, Wave
-    from torquerig.signals.stage import Stage
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.motor_phases import MotorPhases
-from torquerig.rig.rig import Rig
 from torquerig.rig.steady import steady_torque
 from torquerig.rig.terms import Wave
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion
-from torquerig.rig.rig import Rig
 
 
 def reading_place(rig: Rig) -> str:

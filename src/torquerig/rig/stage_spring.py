@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from torquerig.rig.rig import Rig
+from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Spring
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import DriveTrain, drive_train, passive_terms, places_from, springs_of
-from torquerig.rig.rig import Rig
 
 
 def steady_torque(rig: Rig, motor: str) -> float:

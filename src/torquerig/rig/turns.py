@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from torquerig.errors import InputError
-from torquerig.rig.rig import Rig
+from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Drive, ImposedMotion, Inertia
 
 

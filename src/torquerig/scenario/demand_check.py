@@ -9,11 +9,11 @@ from torquerig.catalog.motor import Motor as Entry
 from torquerig.catalog.reading import Catalog
 from torquerig.errors import InputError
 from torquerig.parameter import Estimate
+from torquerig.recordings.profiles.gaps import refuse_short
+from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
-from torquerig.rig.rig import Rig
 from torquerig.scenario.drive_demand import DriveDemand, drive_demand
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.profiles.gaps import refuse_short
 
 RPM = 30 / pi
 

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError
+from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.tabulated import Tabulated
+from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import DriveTrain, drive_train, driven_motor
-from torquerig.rig.rig import Rig
-from torquerig.signals.profiles.corners import Corners
-from torquerig.signals.profiles.tabulated import Tabulated
 
 Floats = NDArray[np.float64]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import prod
 
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor
 from torquerig.rig.parts.gear_stage import GearStage
-from torquerig.rig.rig import Rig
-from torquerig.signals.kinematics import Kinematics
 
 
 def kinematics_of(rig: Rig) -> Kinematics:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from torquerig.errors import InputError
-from torquerig.rig.rig import Rig
+from torquerig.filters.load_response import LoadResponse
+from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
-from torquerig.signals.load_response import LoadResponse
-from torquerig.signals.stages.amplifier import AmplifierLowPass
-from torquerig.simulate.twin.plant import load_input
-from torquerig.simulate.twin.twin import twin_of
+from torquerig.sensor_stages.amplifier import AmplifierLowPass
+from torquerig.simulation.twin.linear_twin import twin_of
+from torquerig.simulation.twin.plant import load_input
 
 LOWEST, HIGHEST, POINTS = 0.05, 12_500.0, 6_000  # Hz; 0.2 % from one to the next, a tenth of the sharpest mode
 

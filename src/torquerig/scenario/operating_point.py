@@ -11,14 +11,14 @@ from pydantic import BaseModel, ConfigDict, model_validator
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.recordings.run import Profile, Run
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion, InductionDrive, Motor, SpeedController, TorqueController
 from torquerig.rig.reading_place import reading_place
-from torquerig.rig.rig import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.percent import Percent
 from torquerig.scenario.planned import planned
 from torquerig.scenario.profile_text import DutyCycleText, TableText
-from torquerig.signals.run import Profile, Run
 
 
 class Load(BaseModel):

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from torquerig.rig.rig import Rig
+from torquerig.recordings.profiles.duty_cycle import Segment, duty_cycle
+from torquerig.recordings.profiles.from_file import read_profile
+from torquerig.recordings.profiles.tabulated import Tabulated
+from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
 from torquerig.scenario.profile_text import DutyCycleText, SegmentText, TableText
-from torquerig.signals.profiles.duty_cycle import Segment, duty_cycle
-from torquerig.signals.profiles.from_file import read_profile
-from torquerig.signals.profiles.tabulated import Tabulated
 
 
 def planned(written: DutyCycleText | TableText, rig: Rig, *, motor_turns: float, folder: Path) -> Tabulated:

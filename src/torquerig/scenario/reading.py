@@ -16,8 +16,8 @@ from torquerig.document import Document, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig import parts
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.operating_point import OperatingPoint, run_at

@@ -10,13 +10,13 @@ from typing import Any
 
 from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import torque_gain
 from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.study.definition import Study
 from torquerig.study.settings import SpeedLoopRule
-from torquerig.study.study import Study
 
 
 @dataclass(frozen=True, kw_only=True)

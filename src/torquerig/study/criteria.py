@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
 from torquerig.decide.kesselring import TEACHING
 from torquerig.errors import InputError, TorquerigError
-from torquerig.metrics.sizing.sizing import SIZING_UNITS
+from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
+from torquerig.study.definition import Study
 from torquerig.study.settings import CriterionRow, DemandRow
-from torquerig.study.study import Study
 
 UNITS: Mapping[str, str] = {
     "truth_error": "N*m",

@@ -7,25 +7,25 @@ from dataclasses import replace
 from math import pi, prod
 
 from torquerig.errors import InputError
+from torquerig.filters.effect import chain_effect
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.left_disturbance import with_and_without
 from torquerig.metrics.omitted_ripple import omitted_six_pulse
 from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor, SpeedController
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Friction, Load
 from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of, torque_gain
 from torquerig.scenario.reading import Scenario
-from torquerig.signals.effect import chain_effect
-from torquerig.simulate.simulate import SETTLING, simulate
+from torquerig.simulation.simulator import SETTLING, simulate
 from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.definition import Study
 from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
 from torquerig.study.sized_candidates import sizing_figures
-from torquerig.study.study import Study
 
 SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that tell the shares apart
 DRAW_DURATION = 6.0  # [s] of the runs of further drawn copies

@@ -6,7 +6,7 @@ import copy
 from dataclasses import dataclass, replace
 
 from torquerig.scenario.operating_point import OperatingPoint
-from torquerig.study.study import Study
+from torquerig.study.definition import Study
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ from torquerig.scenario.drive_demand import drive_demand
 from torquerig.scenario.reading import Scenario
 from torquerig.study.candidates import Candidate
 from torquerig.study.criteria import criteria_of, demands_of
-from torquerig.study.study import Study
+from torquerig.study.definition import Study
 
 
 def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.best_ratio import AlphaBeta, alpha_beta
+from torquerig.metrics.sizing.drive_sizing import EXCEEDS, Sizing, sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive
-from torquerig.metrics.sizing.sizing import EXCEEDS, Sizing, sizing
 from torquerig.study.candidates import Candidate
+from torquerig.study.definition import Study
 from torquerig.study.sized_candidates import sized_candidate
-from torquerig.study.study import Study
 
 ASKED = ("rms_torque", "rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use",
          "sensor_overload", "inertia_ratio", "load_fidelity")  # fmt: skip

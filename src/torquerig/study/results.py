@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from torquerig import __version__
+from torquerig.filters.effect import FilterEffect
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.shares import Shares
+from torquerig.recordings.recording import Recording
 from torquerig.scenario.filled import FromCatalog
-from torquerig.signals.effect import FilterEffect
-from torquerig.signals.recording import Recording
 from torquerig.study.candidates import Candidate
-from torquerig.study.study import Study
+from torquerig.study.definition import Study
 
 
 @dataclass(frozen=True, kw_only=True)

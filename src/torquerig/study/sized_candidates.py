@@ -8,10 +8,10 @@ from dataclasses import replace
 
 from torquerig.document import Document
 from torquerig.metrics.figure import Figure
+from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS, sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
-from torquerig.metrics.sizing.sizing import SIZING_UNITS, sizing
 from torquerig.study.candidates import Candidate, scenario_of
-from torquerig.study.study import Study
+from torquerig.study.definition import Study
 
 
 def with_cycle(document: Document) -> Document:

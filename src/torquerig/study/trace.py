@@ -20,8 +20,8 @@ from torquerig.decide.trace import (
 )
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.study.candidates import candidates
+from torquerig.study.definition import Study
 from torquerig.study.scoring import Decided
-from torquerig.study.study import Study
 from torquerig.study.verdict import Verdict
 
 

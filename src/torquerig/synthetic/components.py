@@ -11,7 +11,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from torquerig.errors import InputError, did_you_mean
 from torquerig.parameter import Parameter
-from torquerig.signals.coloured_noise import low_passed_noise
+from torquerig.sensor_stages.coloured_noise import low_passed_noise
 from torquerig.synthetic.control_signal import control_signal
 from torquerig.synthetic.sweep import sweep
 from torquerig.synthetic.timeline import Timeline

@@ -13,8 +13,8 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from torquerig import __version__
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.signals.recording import Channel, Recording
-from torquerig.signals.run import Run
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
 from torquerig.synthetic.components import AnyComponent
 from torquerig.synthetic.grid import on_grid
 from torquerig.synthetic.timeline import Timeline, turning

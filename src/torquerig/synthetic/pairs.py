@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from torquerig.errors import RecordingError
-from torquerig.signals.recording import Recording
+from torquerig.recordings.recording import Recording
 from torquerig.synthetic.mixture import TRUE_LOAD, TRUE_NOISE, volts
 
 

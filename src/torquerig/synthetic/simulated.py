@@ -9,11 +9,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import TorqueSensor
-from torquerig.rig.rig import Rig
-from torquerig.signals.recording import Channel, Recording
-from torquerig.simulate.simulate import simulate
+from torquerig.simulation.simulator import simulate
 from torquerig.synthetic.grid import on_grid
 from torquerig.synthetic.mixture import TRUE_LOAD, TRUE_NOISE, component_name, truth
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.signals.coloured_noise import low_passed_noise
-from torquerig.signals.recording import random_for
+from torquerig.recordings.recording import random_for
+from torquerig.sensor_stages.coloured_noise import low_passed_noise
 
 WANDER_CUTOFF = 0.3  # [Hz] how fast a speed wanders; as in the simulated rig
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.recording import Recording
 from torquerig.scenario.drive_demand import DriveDemand
-from torquerig.signals.recording import Recording
 
 Floats = NDArray[np.float64]
 SHORTEST = 0.5  # [s] winding temperatures move in tens of seconds

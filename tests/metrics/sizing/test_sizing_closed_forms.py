@@ -16,6 +16,16 @@ from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.best_ratio import AlphaBeta, alpha_beta
 from torquerig.metrics.sizing.drive_current import drive_current
+from torquerig.metrics.sizing.drive_sizing import (
+    EXCEEDS,
+    HOLDS,
+    LIMITED,
+    SIZING_UNITS,
+    UNKNOWN,
+    UNSURE,
+    limit_word,
+    sizing,
+)
 from torquerig.metrics.sizing.gearbox_use import BOTH_WAYS, ONE_WAY, behind_gear, gearbox_use, service_factor
 from torquerig.metrics.sizing.inertia_ratio import inertia_ratio
 from torquerig.metrics.sizing.load_fidelity import reading_per_load, rigid_fidelity
@@ -24,7 +34,6 @@ from torquerig.metrics.sizing.output_torque import OutputTorque
 from torquerig.metrics.sizing.regeneration import given_back, regeneration
 from torquerig.metrics.sizing.sensor_use import sensor_use
 from torquerig.metrics.sizing.sized_drive import sized_drive
-from torquerig.metrics.sizing.sizing import EXCEEDS, HOLDS, LIMITED, SIZING_UNITS, UNKNOWN, UNSURE, limit_word, sizing
 from torquerig.metrics.sizing.speed_torque import continuous_torque, speed_torque, voltage_torque
 from torquerig.parameter import Estimate
 from torquerig.scenario.drive_demand import DriveDemand

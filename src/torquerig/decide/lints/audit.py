@@ -23,7 +23,7 @@ from torquerig.decide.lints.sums import products_do_not_follow, sums_do_not_foll
 from torquerig.decide.lints.ties import winners_tie
 from torquerig.decide.lints.unknowns import unknown_counted_as_zero, unknown_passed_as_yes
 from torquerig.decide.lints.weights import weights_not_one
-from torquerig.decide.sheet import Book, Sheet
+from torquerig.decide.matrix_io.sheet import Book, Sheet
 
 SheetLint = Callable[[Sheet, Book], list[Finding]]
 BookLint = Callable[[Book], list[Finding]]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from torquerig.decide.lints.finding import Finding, about, quoted
-from torquerig.decide.recompute import undeciding_rows
-from torquerig.decide.sheet import Book, Method, Sheet
+from torquerig.decide.matrix_io.recompute import undeciding_rows
+from torquerig.decide.matrix_io.sheet import Book, Method, Sheet
 
 WISH = re.compile(
     r"\b(wish|wishes|wished|nice|prefer|prefers|preferred|preferably|ideally|if possible|should|desirable)\b"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about, quoted
-from torquerig.decide.sheet import Book, Method, Sheet
+from torquerig.decide.matrix_io.sheet import Book, Method, Sheet
 
 
 def rows_without_difference(sheet: Sheet, book: Book) -> list[Finding]:

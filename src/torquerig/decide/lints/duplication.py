@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.sheet import UNKNOWN, Book, Method, Row, Sheet, canonical
+from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Method, Row, Sheet, canonical
 
 STRONG = 0.9
 FEWEST_PAIRS = 4

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from torquerig.decide.sheet import Row, Sheet
+from torquerig.decide.matrix_io.sheet import Row, Sheet
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.sheet import UNKNOWN, Book, Method, Sheet
+from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Method, Sheet
 
 
 def goal_without_criterion(sheet: Sheet, book: Book) -> list[Finding]:

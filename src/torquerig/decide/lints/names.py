@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.sheet import UNKNOWN, Book, Sheet, canonical
+from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Sheet, canonical
 
 
 def several_names(book: Book) -> list[Finding]:

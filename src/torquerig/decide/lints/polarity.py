@@ -6,7 +6,7 @@ import re
 
 from torquerig.decide.criterion import Better
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.sheet import Book, Sheet
+from torquerig.decide.matrix_io.sheet import Book, Sheet
 
 NEEDS = frozenset({"need", "needs", "needed", "require", "requires", "required"})
 NEGATIONS = frozenset({"no", "not", "without", "none", "never", "unneeded"})

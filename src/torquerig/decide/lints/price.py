@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from torquerig.decide.criterion import Kind
 from torquerig.decide.lints.finding import Finding, about, quoted
-from torquerig.decide.recompute import technical_shares
-from torquerig.decide.sheet import Book, Method, Sheet
+from torquerig.decide.matrix_io.recompute import technical_shares
+from torquerig.decide.matrix_io.sheet import Book, Method, Sheet
 
 
 def price_in_technical_rating(sheet: Sheet, book: Book) -> list[Finding]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import combinations
 
 from torquerig.decide.lints.finding import Finding, about
+from torquerig.decide.matrix_io.sheet import Book, Sheet
 from torquerig.decide.ranks import TIE, competition_ranks, dense_ranks
-from torquerig.decide.sheet import Book, Sheet
 
 COMPETITION, DENSE, ORDINAL = "competition (1 2 2 4)", "dense (1 2 2 3)", "ordinal (1 2 3 4)"
 

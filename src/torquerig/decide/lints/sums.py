@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from torquerig.decide.fillings import ROUNDING, fillings
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.recompute import points_of, recomputed_kesselring, recomputed_pugh
-from torquerig.decide.sheet import Book, Method, Sheet
+from torquerig.decide.matrix_io.recompute import points_of, recomputed_kesselring, recomputed_pugh
+from torquerig.decide.matrix_io.sheet import Book, Method, Sheet
 
 LINT = "sums that do not follow from the cells"
 

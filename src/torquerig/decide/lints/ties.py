@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about, quoted
+from torquerig.decide.matrix_io.recompute import recomputed_kesselring, recomputed_pugh
+from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Method, Sheet
 from torquerig.decide.ranks import TIE
-from torquerig.decide.recompute import recomputed_kesselring, recomputed_pugh
-from torquerig.decide.sheet import UNKNOWN, Book, Method, Sheet
 
 
 def winners_tie(sheet: Sheet, book: Book) -> list[Finding]:

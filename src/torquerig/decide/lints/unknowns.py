@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about, quoted
-from torquerig.decide.recompute import recomputed_pugh
-from torquerig.decide.sheet import UNKNOWN, Book, Method, Sheet
+from torquerig.decide.matrix_io.recompute import recomputed_pugh
+from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Method, Sheet
 
 
 def unknown_counted_as_zero(sheet: Sheet, book: Book) -> list[Finding]:

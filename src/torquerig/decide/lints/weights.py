@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.sheet import Book, Method, Sheet
+from torquerig.decide.matrix_io.sheet import Book, Method, Sheet
 
 
 def weights_not_one(sheet: Sheet, book: Book) -> list[Finding]:

@@ -9,10 +9,10 @@ import numpy as np
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import Values, over
 from torquerig.metrics.sizing.sized_drive import SizedDrive
-from torquerig.rig.rig import Rig
+from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia, Load, Spring
-from torquerig.simulate.twin.plant import load_input
-from torquerig.simulate.twin.twin import twin_of
+from torquerig.simulation.twin.linear_twin import twin_of
+from torquerig.simulation.twin.plant import load_input
 
 FLAT = 0.10  # [1] by how much the reading may be off the load
 FREQUENCIES = np.geomspace(0.05, 2000.0, 800)  # [Hz] 1.3 % from one to the next

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Gear, Motor
-from torquerig.rig.rig import Rig
 from torquerig.scenario.drive_demand import DriveDemand
 
 Floats = NDArray[np.float64]

@@ -13,9 +13,9 @@ from torquerig.catalog.sensor import Sensor
 from torquerig.errors import InputError
 from torquerig.metrics.sizing.open_data import Values, exactly
 from torquerig.parameter import Estimate
+from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
 from torquerig.rig.parts import Gear, Motor
-from torquerig.rig.rig import Rig
 from torquerig.scenario.drive_demand import DriveDemand, drive_demand
 from torquerig.scenario.kinematics import gears_to_sensor, torque_gain
 from torquerig.scenario.reading import Scenario

@@ -7,12 +7,12 @@ from math import pi
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.errors import InputError
+from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
-from torquerig.signals.belt import Belt
 
 
 @dataclass(frozen=True, kw_only=True)

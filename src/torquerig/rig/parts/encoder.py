@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Drive, ImposedMotion, Sensing, Wave
-from torquerig.signals.stages.encoder import Encoder
+from torquerig.sensor_stages.encoder import Encoder
 
 Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, by order of the motor", low=0)]
 

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 from math import prod
 from typing import Annotated, ClassVar, Literal
 
+from torquerig.orders.kinematics.planetary_assembly import RATIO_KEPT, nearest_sets, told_sets
+from torquerig.orders.kinematics.teeth import Planetary, Spur
+from torquerig.orders.kinematics.teeth_reading import TeethList
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
-from torquerig.signals.assembly import RATIO_KEPT, nearest_sets, told_sets
-from torquerig.signals.teeth import Planetary, Spur
-from torquerig.signals.teeth_reading import TeethList
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from torquerig.errors import InputError
+from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.belt import BeltStage
 from torquerig.rig.parts.gear import Gear
-from torquerig.rig.rig import Rig
 
 GearStage = Gear | BeltStage
 

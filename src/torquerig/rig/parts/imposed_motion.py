@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.recordings.replay import recording_at, replayed_motion
 from torquerig.rig import terms
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
-from torquerig.signals.replay import recording_at, replayed_motion
 
 
 @dataclass(frozen=True, kw_only=True)

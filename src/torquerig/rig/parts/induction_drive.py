@@ -9,9 +9,9 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.machines.induction import InductionMachine, induction_from_rating
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor import Motor
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Drive, Term
 
 

@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.recordings.replay import recording_at, replayed_torque
+from torquerig.rig.assembly import Rig
 from torquerig.rig.motor_drive import motor_drive
 from torquerig.rig.part import Part
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Signal, Term
-from torquerig.signals.replay import recording_at, replayed_torque
 
 
 @dataclass(frozen=True, kw_only=True)

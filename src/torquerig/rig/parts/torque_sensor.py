@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
+from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part, PlacedStage
-from torquerig.rig.rig import Rig
 from torquerig.rig.terms import Inertia, Spring, Term
-from torquerig.signals.stages.amplifier import AmplifierLowPass
-from torquerig.signals.stages.converter import Converter
-from torquerig.signals.stages.noise import WhiteNoise
+from torquerig.sensor_stages.amplifier import AmplifierLowPass
+from torquerig.sensor_stages.converter import Converter
+from torquerig.sensor_stages.noise import WhiteNoise
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,8 +5,8 @@ resistance   friction, bristles, loads over time and over angle       drives   d
 
 Each torque acts between two nodes, equal and opposite; ``GROUND`` is the frame. A node is a place on a shaft with one
 angle; a term names nodes by the parts that open them. A rig that moves in a line uses the same terms with kg, N, m.
-A new term is a reasoned change here, in ``simulate/arrays.py``, ``simulate/rows.py``, ``simulate/kernel/`` and
-``simulate/linear.py``; everything else comes for free.
+A new term is a reasoned change here, in ``simulation/arrays.py``, ``simulation/rows.py``, ``simulation/kernel/`` and
+``simulation/linear.py``; everything else comes for free.
 
 Sign convention: positive torque on a node speeds it up in the positive direction; the torque of a spring is positive
 when ``a`` runs ahead of ``b``, which is how a driving motor loads the sensor.

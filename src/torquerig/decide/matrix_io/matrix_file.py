@@ -1,0 +1,169 @@
+"""One's own matrix read from YAML: criteria, alternatives and what is known of each."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from torquerig.decide.case import Cost, MatrixCase
+from torquerig.decide.criterion import Criterion, Demand, Indifference, ValueFunction
+from torquerig.decide.draws import Doubt
+from torquerig.decide.kesselring import Profile, rated_criteria
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.matrix_io.matrix_cells import Cells, Keys, catalog_cells, written_cells
+from torquerig.decide.matrix_io.matrix_schema import CriterionText, MatrixText
+from torquerig.decide.matrix_io.sheet import Alias
+from torquerig.document import Document, read_document, validated
+from torquerig.errors import InputError, did_you_mean
+
+if TYPE_CHECKING:
+    from torquerig.catalog.reading import Catalog
+
+__all__ = ["MatrixCase", "matrix_from", "read_matrix"]
+
+
+def read_matrix(path: Path, *, catalog: Catalog | None = None) -> MatrixCase:
+    """Read a matrix file; InputError, UnitError or UnknownNameError name file, line, key and remedy."""
+    return matrix_from(read_document(path), catalog=catalog)
+
+
+def matrix_from(document: Document, *, catalog: Catalog | None = None) -> MatrixCase:
+    """Return the matrix of a document that has been read; the first alternative is the datum if none is named.
+
+    ``catalog`` is needed where the file has ``motors:``; the shipped one is taken where none is given.
+    """
+    from pydantic import TypeAdapter
+
+    if not isinstance(document.data, dict):
+        raise InputError(f"{document.place()}: no matrix; write criteria: and alternatives:, as in matrix_example.yaml")
+    file = validated(document, TypeAdapter(MatrixText))
+    if not file.alternatives or not file.criteria:
+        raise InputError(f"{document.place()}: a matrix needs criteria and alternatives; at least one of each")
+    for key in ("criteria", "alternatives"):
+        if any(not name.strip() for name in document.data[key]):
+            raise InputError(f"{document.place((key, ''))}: a name is empty; write one that tells what stands there")
+    criteria = {name: _criterion(document, name, written) for name, written in file.criteria.items()}
+    cells = {**_cells_of_motors(document, file, criteria, catalog), **written_cells(document, file, criteria)}
+    matrix = DecisionMatrix(
+        name=file.name, alternatives=tuple(file.alternatives), criteria=tuple(criteria.values()), cells=cells
+    )
+    profile = _profile(document, file, matrix)
+    _check_points_by_hand(document, cells, profile)
+    if file.draws < 1:
+        raise InputError(f"{document.place(('draws',))}: {file.draws} draws tell nothing; write 1 or more")
+    return MatrixCase(
+        matrix=matrix,
+        datum=_datum(document, file),
+        profile=profile,
+        goal=file.goal.name if file.goal else "",
+        goal_words=file.goal.words if file.goal else (),
+        draws=file.draws,
+        seed=file.seed,
+        doubt=_doubt(document, file),
+        cost=_cost(document, file),
+        aliases=tuple(
+            Alias(names=one.names, reason=one.reason, place=document.place(("aliases", place)))
+            for place, one in enumerate(file.aliases)
+        ),
+        history=file.history,
+        places={name: document.place(("criteria", name)) for name in criteria},
+    )
+
+
+def _cells_of_motors(
+    document: Document, file: MatrixText, criteria: dict[str, Criterion], catalog: Catalog | None
+) -> Cells:
+    if not file.motors:
+        asking = next((name for name, one in file.criteria.items() if one.catalog), None)
+        if asking:
+            place = document.place(("criteria", asking, "catalog"))
+            raise InputError(f"{place}: no alternative has a motor; add motors: {{alternative: name in the catalog}}")
+        return {}
+    if catalog is None:
+        from torquerig.catalog.reading import load_catalog
+        from torquerig.catalog.shipped import shipped_folder
+
+        catalog = load_catalog(shipped_folder())
+    return catalog_cells(document, file, criteria, catalog)
+
+
+def _datum(document: Document, file: MatrixText) -> str:
+    datum = file.datum or next(iter(file.alternatives))
+    if datum not in file.alternatives:
+        hint = did_you_mean(datum, file.alternatives)
+        raise InputError(f"{document.place(('datum',))}: the datum {datum!r} is not in the matrix; {hint}")
+    return datum
+
+
+def _criterion(document: Document, name: str, written: CriterionText) -> Criterion:
+    demand = written.demand
+    try:
+        return Criterion(
+            name=name,
+            unit=written.unit,
+            better=written.better,
+            band=written.band,
+            demand=None if demand is None else Demand(low=demand.min, high=demand.max, in_question=demand.in_question),
+            indifference=Indifference(absolute=written.indifference.absolute, relative=written.indifference.relative),
+            value=None if written.points is None else ValueFunction(written.points),
+            weight=written.weight,
+            kind=written.kind,
+            purpose=written.purpose,
+        )
+    except InputError as error:
+        told = _unnamed(error, name)
+        raise InputError(f"{document.place(('criteria', name, _key_of(told)))}: {told}") from None
+
+
+def _profile(document: Document, file: MatrixText, matrix: DecisionMatrix) -> Profile:
+    """Return the scale, after checking that every weighted criterion has points inside it."""
+    try:
+        scale = file.scale
+        profile = Profile(name=f"{scale.min:g}-{scale.max:g}", p_min=scale.min, p_max=scale.max)
+        rated_criteria(matrix, profile)
+    except InputError as error:
+        name = next((one for one in file.criteria if str(error).startswith(f"{one}: ")), None)
+        keys: Keys = ("criteria",) if name is None else ("criteria", name, _key_of(_unnamed(error, name)))
+        keys = ("scale",) if str(error).startswith("profile") else keys
+        raise InputError(f"{document.place(keys)}: {_unnamed(error, name or matrix.name)}") from None
+    return profile
+
+
+def _check_points_by_hand(document: Document, cells: Cells, profile: Profile) -> None:
+    for pair, cell in cells.items():
+        given = cell.points_by_hand
+        if given is not None and not profile.p_min <= given <= profile.p_max:
+            place = document.place(("alternatives", *pair, "by_hand", "points"))
+            raise InputError(f"{place}: {profile.refusal(given)}")
+
+
+def _doubt(document: Document, file: MatrixText) -> Doubt:
+    try:
+        return Doubt(scores=file.doubt.scores, weights=file.doubt.weights)
+    except InputError as error:
+        raise InputError(f"{document.place(('doubt',))}: {error}") from None
+
+
+def _cost(document: Document, file: MatrixText) -> Cost | None:
+    if file.cost is None:
+        return None
+    if file.cost.criterion not in file.criteria:
+        hint = did_you_mean(file.cost.criterion, file.criteria)
+        raise InputError(f"{document.place(('cost', 'criterion'))}: unknown criterion {file.cost.criterion!r}; {hint}")
+    if not 0 < file.cost.permissible < float("inf"):
+        place = document.place(("cost", "permissible"))
+        raise InputError(f"{place}: the permissible cost {file.cost.permissible:g} must be above 0")
+    return Cost(criterion=file.cost.criterion, permissible=file.cost.permissible)
+
+
+def _key_of(told: str) -> str:
+    """Return the key of a criterion that a refusal is about, for its place."""
+    if "points are outside" in told:
+        return "points"
+    about = {"weight": "the weight", "points": "the value", "band": "the band", "demand": "the demand",
+             "indifference": "the "}  # fmt: skip
+    return next((key for key, start in about.items() if told.startswith(start)), "")
+
+
+def _unnamed(error: InputError, name: str) -> str:
+    return str(error).removeprefix(f"{name}: ")

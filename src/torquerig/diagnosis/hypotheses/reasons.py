@@ -1,0 +1,94 @@
+"""Why a mechanism proposes nothing: the one plain reason that its own condition gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from torquerig.diagnosis.case import Case
+from torquerig.diagnosis.linear.loaded_part import loaded_part
+from torquerig.rig.parts import Body, Motor, TorqueSensor
+from torquerig.rig.parts.gear_stage import gear_stages
+
+_NO_PART = "the rig has no loaded part"
+
+
+def why_none(name: str, case: Case) -> str:
+    """Return why the mechanism ``name`` of the library had nothing to propose for what is left."""
+    return _REASONS[name](case)
+
+
+def _orders_left(case: Case) -> bool:
+    return any(peak.place.domain == "order" for peak in case.left)
+
+
+def _gear_mesh(case: Case) -> str:
+    if not gear_stages(case.nominal):
+        return "the rig has no gear"
+    return "no left line at a whole order of a gear's output" if _orders_left(case) else "no line of an order is left"
+
+
+def _commutation_ripple(case: Case) -> str:
+    if not case.nominal.parts_of(Motor):
+        return "the rig has no motor"
+    return "no left line at a whole order of the motor" if _orders_left(case) else "no line of an order is left"
+
+
+def _cogging(case: Case) -> str:
+    if not any(motor.slots and motor.pole_pairs for motor in case.nominal.parts_of(Motor)):
+        return "slots and poles of the motor are not stated"
+    return "no left line at an order that slots and poles allow"
+
+
+def _blade_pass(case: Case) -> str:
+    if loaded_part(case.nominal) is None:
+        return _NO_PART
+    return "no left line at a whole order of the loaded part" if _orders_left(case) else "no line of an order is left"
+
+
+def _mains_interference(case: Case) -> str:
+    return "no left line at a multiple of 50 or 60 Hz that stays there at every speed"
+
+
+def _pwm_aliasing(case: Case) -> str:
+    return "no left line of fixed frequency above what the shafts pass on"
+
+
+def _torsional_mode(case: Case) -> str:
+    body = loaded_part(case.nominal)
+    hung = body is not None and isinstance(case.nominal.part(body), Body)
+    return "no inertia on a further spring fits" if hung else "the rig has no inertia that it could hang on"
+
+
+def _sensor_bandwidth(case: Case) -> str:
+    sensor = case.nominal.part(case.nominal.measured)
+    return "no lower cutoff fits" if isinstance(sensor, TorqueSensor) else "the rig's sensor has no amplifier"
+
+
+def _bearing_defect(case: Case) -> str:
+    if loaded_part(case.nominal) is None:
+        return _NO_PART
+    return "no band above 400 Hz rings in the rhythm of a shaft"
+
+
+def _quadratic_drag(case: Case) -> str:
+    return _NO_PART if loaded_part(case.nominal) is None else "the runs do not differ in speed"
+
+
+def _slow(case: Case) -> str:
+    return _NO_PART if loaded_part(case.nominal) is None else "the slow torque asks for none"
+
+
+_REASONS: Mapping[str, Callable[[Case], str]] = {
+    "gear_mesh": _gear_mesh,
+    "commutation_ripple": _commutation_ripple,
+    "cogging": _cogging,
+    "blade_pass": _blade_pass,
+    "mains_interference": _mains_interference,
+    "pwm_aliasing": _pwm_aliasing,
+    "torsional_mode": _torsional_mode,
+    "sensor_bandwidth": _sensor_bandwidth,
+    "bearing_defect": _bearing_defect,
+    "quadratic_drag": _quadratic_drag,
+    "stribeck_friction": _slow,
+    "sensor_drift": _slow,
+}

@@ -1,0 +1,70 @@
+"""Whether the recordings of one call can be runs of the scenario's rig, before anything is computed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import log10, pi
+
+from torquerig.diagnosis.looking.observed import Observed
+from torquerig.diagnosis.outcome import Mismatch
+from torquerig.errors import InputError
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
+from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
+
+SPEED_KEPT = 0.03  # a set-point is kept within a per cent; beyond this the sheet and the encoder tell of two speeds
+
+
+def check_rig(rig: Rig) -> None:
+    """Raise where nothing drives the scenario's rig, or what is measured has no spring."""
+    driven = any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive))
+    imposed = next(iter(rig.parts_of(ImposedMotion)), None)
+    if imposed is not None and not driven:
+        raise InputError(
+            f"the scenario imposes the motion {imposed.name!r} and measures {rig.measured!r}; what a motion takes is "
+            f"compared where it is imposed: write measured: {imposed.name}, or let a speed_controller drive the motor"
+        )
+    if not driven:
+        raise InputError(
+            "nothing in the scenario drives a motor; add a speed_controller, or an imposed_motion under "
+            "measured: where the motion itself was recorded"
+        )
+    if not rig.part(rig.measured).opens_node:
+        raise InputError(
+            f"the scenario measures {rig.measured!r}, which no torque passes; name a torque_sensor, a coupling or a "
+            "gear under measured:"
+        )
+
+
+def check_recordings(recordings: Sequence[Recording]) -> None:
+    """Raise where a recording has no torque, or the sheets state several motors."""
+    for recording in recordings:
+        recording.torque_name()
+    motors = {recording.run.motor for recording in recordings if recording.run.motor}
+    if len(motors) > 1:
+        raise InputError(
+            f"the recordings are of different rigs: their sheets state the motor as {' and '.join(sorted(motors))}; "
+            "diagnose the runs of one rig in one call"
+        )
+
+
+def off_set_points(recordings: Sequence[Recording], runs: Sequence[Observed]) -> Iterator[tuple[str, Mismatch]]:
+    """Yield a sentence and a mismatch for each steady run that turns at another speed than its sheet says.
+
+    By its angle channel, or by the lines of its torque.
+    """
+    for recording, run in zip(recordings, runs, strict=True):
+        stated, real = recording.run.speed, abs(run.mean_speed)
+        if not (run.steady and stated) or abs(real / stated - 1) <= SPEED_KEPT:
+            continue
+        rpm, said = real * 30 / pi, stated * 30 / pi
+        by = run.origin.removeprefix("from ")
+        teller = f"{by} turns at" if run.angle_measured else "the lines of its torque fit"
+        sentence = (
+            f"{run.name}: its sheet sets {said:.0f} rpm, {teller} {rpm:.0f} rpm; diagnosed at the "
+            f"latter, so correct the sheet{', or the counts per turn' if run.angle_measured else ''}"
+        )
+        yield sentence, Mismatch(
+            domain="speed", axis="rpm", at=rpm, width=abs(rpm - said), recordings=(run.name,),
+            excess_dB=20 * abs(log10(rpm / said)), share_of_misfit=0.0, p_value=0.0,
+        )  # fmt: skip

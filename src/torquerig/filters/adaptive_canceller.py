@@ -1,0 +1,86 @@
+"""What is left when adaptive sines, whose references turn with the motor, are subtracted sample by sample: causal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import InputError, RecordingError
+from torquerig.orders.analysis.order_envelope import seen_orders
+from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.angle.tacho import motor_angle_from_tacho
+from torquerig.orders.turning.sums import adaptively_cancelled
+from torquerig.recordings.set_point import set_point_profile, set_point_speed
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+    from torquerig.recordings.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class AdaptiveCanceller:
+    """Least mean squares with a cosine and a sine per line as references: a notch that follows the angle.
+
+    Parameters
+    ----------
+    lines : tuple of KinematicLine
+        The lines to take out. The angle is that of an encoder, speed or tacho channel, else of the set-point: what
+        the torque itself tells of the angle is known only afterwards.
+    half_width : float
+        Half the width of each notch at -3 dB [Hz], > 0; it learns a line within 1 / (2 pi half_width).
+
+    Notes
+    -----
+    Source: Widrow et al. 1975, Proc. IEEE 63(12), 1692-1716, section on notches: a step mu
+    gives a notch of half-width mu rate / (4 pi) and a time constant of 2 / mu samples. No sample waits for a
+    later one but those by which a counter is smoothed (2 ms at most). Slow load is delayed by :meth:`delay`.
+    """
+
+    lines: tuple[KinematicLine, ...]
+    half_width: float = 0.25
+
+    def __post_init__(self) -> None:
+        if not self.half_width > 0:
+            raise InputError(f"an adaptive notch of half-width {self.half_width} Hz learns nothing; write above 0 Hz")
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` without the lines; RecordingError where no speed is known."""
+        if not self.lines:
+            return recording
+        name = recording.torque_name()
+        values = recording.channels[name].values
+        turns = _turned(recording, self.lines[0].output_order / self.lines[0].motor_order) / (2 * pi)
+        fastest = float(np.abs(np.diff(turns)).max(initial=0.0))
+        orders = seen_orders([line.motor_order for line in self.lines], fastest)
+        if not values.size:
+            return recording
+        first = values[0]  # the mean is no line: from rest it would ring
+        step = 4 * pi * self.half_width / recording.sample_rate
+        if step * orders.size >= 1:
+            raise RecordingError(
+                f"{recording.name}: {orders.size} adaptive notches of half-width {self.half_width:g} Hz are unstable "
+                f"at {recording.sample_rate:g} Hz; make them narrower"
+            )
+        return recording.with_values(name, adaptively_cancelled(values - first, turns, orders, step) + first)
+
+    def delay(self, recording: Recording) -> float:
+        """Return by how much slow load is late [s]: 2 half_width / (2 pi f^2) of each line, narrow notches."""
+        speed = set_point_speed(recording, "adaptive notches")
+        frequencies = {line.frequency(speed) for line in self.lines}
+        return sum(2 * self.half_width / (2 * pi * frequency**2) for frequency in frequencies)
+
+    def reach(self, head: Recording) -> float:
+        """Return how long it remembers [s]."""
+        return min(14.0 / (2 * pi * self.half_width), max(head.duration, 1.0))
+
+
+def _turned(recording: Recording, ratio: float) -> NDArray[np.float64]:
+    angle = measured_motor_angle(recording, ratio=ratio) or motor_angle_from_tacho(recording, ratio=ratio)
+    if angle is not None:
+        return angle.values
+    return np.cumsum(set_point_profile(recording, "adaptive notches")) / recording.sample_rate

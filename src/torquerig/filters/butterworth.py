@@ -1,0 +1,112 @@
+"""What is left below a cutoff frequency, without delay or causal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import InputError, RecordingError
+from torquerig.filters.biquads import cascaded, slow_delay
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.recordings.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class ButterworthLowPass:
+    """A Butterworth low-pass, run forwards and backwards: gain 1 / (1 + (f/fc)^2n), no phase.
+
+    Parameters
+    ----------
+    cutoff : float
+        [Hz], > 0 and below half the sample rate; -3 dB of each pass, so -6 dB (a half) of both.
+    order : int
+        n of each pass, 1 to 10.
+
+    Notes
+    -----
+    Source: Oppenheim & Schafer, Discrete-Time Signal Processing (forward-backward filtering). Near half the sample
+    rate the bilinear transform bends the frequency axis; the first and last 1/cutoff seconds lean on a mirrored end.
+    """
+
+    cutoff: float
+    order: int = 4
+
+    def __post_init__(self) -> None:
+        if not self.cutoff > 0 or not 1 <= self.order <= 10:
+            raise InputError(
+                f"a low-pass with a cutoff of {self.cutoff} Hz and order {self.order} cannot be; "
+                "the cutoff must be above 0 Hz, the order 1 to 10"
+            )
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` with its torque low-passed; RecordingError where it is too short or too slow."""
+        from scipy.signal import butter, sosfiltfilt
+
+        name, rate = recording.torque_name(), recording.sample_rate
+        values = recording.channels[name].values
+        if self.cutoff >= rate / 2:
+            raise RecordingError(
+                f"{recording.name}: a low-pass at {self.cutoff:g} Hz needs a sample rate above {2 * self.cutoff:g} Hz, "
+                f"and this one has {rate:g} Hz; lower the cutoff"
+            )
+        ring = int(rate / self.cutoff)
+        if values.size < 3 * ring:
+            raise RecordingError(
+                f"{recording.name}: {values.size} samples are too few for a low-pass at {self.cutoff:g} Hz; "
+                f"it needs {3 * ring}, three periods of its cutoff"
+            )
+        sections = butter(self.order, self.cutoff, fs=rate, output="sos")
+        offset = values[0]
+        return recording.with_values(name, sosfiltfilt(sections, values - offset, padlen=ring) + offset)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CausalButterworthLowPass:
+    """A Butterworth low-pass run forwards only: gain 1 / sqrt(1 + (f/fc)^2n), slow load late by :meth:`delay`.
+
+    Parameters
+    ----------
+    cutoff : float
+        -3 dB [Hz], > 0 and below half the sample rate.
+    order : int
+        n, 1 to 10.
+    """
+
+    cutoff: float
+    order: int = 4
+
+    def __post_init__(self) -> None:
+        ButterworthLowPass(cutoff=self.cutoff, order=self.order)
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` low-passed sample by sample; before it, the first value is taken to have stood."""
+        from scipy.signal import sosfilt_zi
+
+        name = recording.torque_name()
+        values, sections = recording.channels[name].values, self._sections(recording)
+        if not values.size:
+            return recording
+        return recording.with_values(name, cascaded(values, sections, states=sosfilt_zi(sections) * values[0])[0])
+
+    def delay(self, recording: Recording) -> float:
+        """Return by how much slow load is late [s]: the group delay at 0 Hz."""
+        return slow_delay(self._sections(recording)) / recording.sample_rate
+
+    def reach(self, head: Recording) -> float:
+        """Return how far back a sample still rings [s]."""
+        return max(10 / self.cutoff, 1 / head.sample_rate)
+
+    def _sections(self, recording: Recording) -> NDArray[np.float64]:
+        from scipy.signal import butter
+
+        if self.cutoff >= recording.sample_rate / 2:
+            raise RecordingError(
+                f"{recording.name}: a low-pass at {self.cutoff:g} Hz needs a sample rate above {2 * self.cutoff:g} Hz, "
+                f"and this one has {recording.sample_rate:g} Hz; lower the cutoff"
+            )
+        return np.asarray(butter(self.order, self.cutoff, fs=recording.sample_rate, output="sos"))

@@ -1,0 +1,64 @@
+"""What filter chains a YAML file describes, made for one motor and gearbox."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from torquerig.document import Document, read_document, validated
+from torquerig.errors import InputError
+from torquerig.filters.chains.filter_chain import Chain
+
+if TYPE_CHECKING:
+    from torquerig.filters.load_response import LoadResponse
+    from torquerig.orders.kinematics.kinematic_lines import Kinematics
+
+
+def read_chains(
+    source: Document | Path,
+    *,
+    kinematics: Kinematics,
+    response: LoadResponse | None = None,
+    within: tuple[str, ...] = ("filters",),
+) -> Mapping[str, Chain]:
+    """Return the chains under the key ``filters`` by name, in the order of the file, for one drive.
+
+    Parameters
+    ----------
+    source : Document or Path
+        ``filters: {NAME: [{type: ideal_bandstop, lines: {motor: 1..4}, half_width: 0.5 Hz}, ...], ...}``
+    kinematics : Kinematics
+        Poles, slots, ratio and teeth that the lines' orders follow from.
+    response : LoadResponse, optional
+        What a model of the rig says the sensor makes of the load; without it, ``load_inverse`` stages are left out.
+    within : tuple of str
+        Where in the document the chains stand.
+
+    Raises
+    ------
+    InputError
+        With file, line, key and remedy for everything that cannot be read.
+    """
+    from torquerig.filters.chains.chain_schema import CHAINS
+
+    document = source if isinstance(source, Document) else read_document(source)
+    data = document.data
+    for depth, key in enumerate(within):
+        if not isinstance(data, Mapping) or key not in data:
+            raise InputError(f"{document.place(within[:depth])}: the key {key!r} is missing; add it with the chains")
+        data = data[key]
+    chains = {}
+    for name, texts in validated(document, CHAINS, within=within).items():
+        made = [text.made_for(kinematics, response) for text in texts]
+        left_out = dict.fromkeys(word for _, words in made for word in words)
+        chains[name] = Chain(name=name, stages=tuple(stage for stage, _ in made), left_out=tuple(left_out))
+    return chains
+
+
+def needs_response(document: Document, names: Iterable[str], *, within: tuple[str, ...] = ("filters",)) -> bool:
+    """Return whether any of the named chains takes a model's response back; making one takes half a second."""
+    data = document.data
+    for key in within:
+        data = data.get(key) if isinstance(data, Mapping) else None
+    return isinstance(data, Mapping) and any("load_inverse" in str(data.get(name)) for name in names)

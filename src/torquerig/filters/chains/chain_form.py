@@ -1,0 +1,63 @@
+"""How a stage is written in YAML: its type and values, with lines named by cause and harmonic."""
+
+from __future__ import annotations
+
+import re
+from abc import ABC, abstractmethod
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict
+
+from torquerig.errors import did_you_mean
+from torquerig.filters.load_response import LoadResponse
+from torquerig.orders.kinematics.kinematic_lines import FAMILIES, Family, Kinematics
+from torquerig.recordings.stage import Stage
+
+_HIGHEST_HARMONIC = 100
+_RANGE = re.compile(r"^\s*(\d+)\s*(?:\.\.\s*(\d+)\s*)?$")
+
+Made = tuple[Stage, tuple[str, ...]]
+
+
+def _harmonics(written: Any) -> tuple[int, ...]:
+    texts = written if isinstance(written, list) else [written]
+    numbers: set[int] = set()
+    for text in texts:
+        match = None if isinstance(text, bool) else _RANGE.match(str(text))
+        first, last = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
+        if not 1 <= first <= last <= _HIGHEST_HARMONIC:
+            raise ValueError(
+                f"{text!r} names no harmonics; write for example 1..4, or 2, or [1, 3]; 1 is the fundamental"
+            )
+        numbers.update(range(first, last + 1))
+    if not numbers:
+        raise ValueError("no harmonics are named; write for example 1..4")
+    return tuple(sorted(numbers))
+
+
+def _family_names(written: Any) -> Any:
+    if not isinstance(written, dict) or not written:
+        raise ValueError(
+            f"lines are named by cause; write for example {{motor: 1..4}}; known are {', '.join(FAMILIES)}"
+        )
+    for name in written:
+        if name not in FAMILIES:
+            raise ValueError(f"no lines have the cause {name!r}; {did_you_mean(str(name), FAMILIES)}")
+    return written
+
+
+Harmonics = Annotated[tuple[int, ...], BeforeValidator(_harmonics)]
+Lines = Annotated[dict[Family, Harmonics], BeforeValidator(_family_names)]
+
+
+class StageForm(BaseModel, ABC):
+    """What every stage's YAML can do: be made into the stage for one drive."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @abstractmethod
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the stage for one drive, and what of its lines that drive does not have.
+
+        ``response`` is what a model of the rig says the sensor makes of the load, where there is one.
+        """

@@ -1,0 +1,143 @@
+"""How a filter chain is written in YAML: a list of stages; those that take lines out are in chain_line_stages."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import BeforeValidator, Field, TypeAdapter
+
+from torquerig.errors import did_you_mean
+from torquerig.filters.butterworth import ButterworthLowPass, CausalButterworthLowPass
+from torquerig.filters.chains.chain_form import Made, StageForm
+from torquerig.filters.chains.chain_line_stages import (
+    AdaptiveCancellerText,
+    CombText,
+    HarmonicRegressionText,
+    IdealBandstopText,
+    NotchBankText,
+    OrderBandstopText,
+    SynchronousAverageText,
+    VoldKalmanText,
+    WeighedLinesText,
+)
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.fir_low_pass import CausalFirLowPass, FirLowPass
+from torquerig.filters.hampel import Hampel
+from torquerig.filters.load_inverse import LoadInverse
+from torquerig.filters.load_response import LoadResponse
+from torquerig.filters.moving_mean import MovingMeanKept
+from torquerig.filters.revolution_mean import RevolutionMean
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.parameter import Parameter
+
+
+class ButterworthLowPassText(StageForm):
+    """The YAML of a zero-phase Butterworth low-pass."""
+
+    type: Literal["butterworth_low_pass"]
+    cutoff: Annotated[float, Parameter("Hz", "cutoff frequency", above=0)]
+    order: Annotated[int, Field(ge=1, le=10)] = 4
+    causal: bool = False
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the low-pass; it is the same for every drive."""
+        made = CausalButterworthLowPass if self.causal else ButterworthLowPass
+        return made(cutoff=self.cutoff, order=self.order), ()
+
+
+class RevolutionMeanText(StageForm):
+    """The YAML of a mean over turns of the output shaft."""
+
+    type: Literal["revolution_mean"]
+    turns: Annotated[float, Parameter("1", "turns of the output shaft", above=0)] = 1.0
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the mean for one drive."""
+        return RevolutionMean(ratio=kinematics.ratio, turns=self.turns), ()
+
+
+class LoadInverseText(StageForm):
+    """The YAML of the rig's response taken back; without a model of the rig it changes nothing and says so."""
+
+    type: Literal["load_inverse"]
+    retune: Annotated[float, Field(ge=0, le=0.5)] = 0.15
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the inverse, or an empty chain where no model is known."""
+        if response is None:
+            return Chain(name="load_inverse", stages=()), ("load_inverse: no model of the rig is known here",)
+        return LoadInverse(response=response, retune=self.retune), ()
+
+
+class FirLowPassText(StageForm):
+    """The YAML of a low-pass by a finite window; ``causal: true`` looks back only."""
+
+    type: Literal["fir_low_pass"]
+    cutoff: Annotated[float, Parameter("Hz", "gain 1/2", above=0)]
+    transition: Annotated[float, Parameter("Hz", "width from pass to stop", above=0)]
+    causal: bool = False
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the low-pass; it is the same for every drive."""
+        made = CausalFirLowPass if self.causal else FirLowPass
+        return made(cutoff=self.cutoff, transition=self.transition), ()
+
+
+class HampelText(StageForm):
+    """The YAML of a spike remover."""
+
+    type: Literal["hampel"]
+    half_window: Annotated[int, Field(ge=1, le=100)] = 10
+    deviations: Annotated[float, Field(gt=0)] = 5.0
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the spike remover; it is the same for every drive."""
+        return Hampel(half_window=self.half_window, deviations=self.deviations), ()
+
+
+class MovingMeanKeptText(StageForm):
+    """The YAML of a rolling mean that is kept aside while other stages work."""
+
+    type: Literal["moving_mean_kept"]
+    samples: Annotated[int, Field(ge=1)]
+    around: list[StageText]
+
+    def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
+        """Return the rolling mean around its stages for one drive."""
+        made = [stage.made_for(kinematics, response) for stage in self.around]
+        stage = MovingMeanKept(samples=self.samples, around=tuple(stage for stage, _ in made))
+        return stage, tuple(word for _, left_out in made for word in left_out)
+
+
+_Texts = (
+    IdealBandstopText
+    | HarmonicRegressionText
+    | WeighedLinesText
+    | OrderBandstopText
+    | NotchBankText
+    | ButterworthLowPassText
+    | RevolutionMeanText
+    | LoadInverseText
+    | VoldKalmanText
+    | AdaptiveCancellerText
+    | CombText
+    | SynchronousAverageText
+    | FirLowPassText
+    | HampelText
+    | MovingMeanKeptText
+)
+_TYPES = tuple(str(get_args(text.model_fields["type"].annotation)[0]) for text in get_args(_Texts))
+
+
+def _known_type(written: Any) -> Any:
+    if not isinstance(written, dict):
+        raise ValueError(f"{written!r} is no stage; write for example {{type: butterworth_low_pass, cutoff: 20 Hz}}")
+    if written.get("type") not in _TYPES:
+        name = str(written.get("type", ""))
+        raise ValueError(f"the stage has no known type ({name!r}); {did_you_mean(name, _TYPES)}")
+    return written
+
+
+StageText = Annotated[_Texts, Field(discriminator="type"), BeforeValidator(_known_type)]
+MovingMeanKeptText.model_rebuild()
+CHAINS: TypeAdapter[dict[str, list[StageText]]] = TypeAdapter(dict[str, list[StageText]])

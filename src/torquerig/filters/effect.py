@@ -1,0 +1,192 @@
+"""What a filter chain did to a recording: spread, mean, energy and the level of each line, before and after."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import RecordingError
+from torquerig.filters.few_bins import bins_at, bins_within
+from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.recordings.set_point import set_point_profile
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine
+    from torquerig.recordings.recording import Recording
+
+LINE_HALF_WIDTH = 0.5  # Hz, as wide as the seed's band-stops
+
+
+@dataclass(frozen=True, kw_only=True)
+class LineLevel:
+    """The amplitude of one line before and after [N m]: the sine with the power within 0.5 Hz of ``frequency`` [Hz]."""
+
+    line: KinematicLine
+    frequency: float
+    before: float
+    after: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilterEffect:
+    """The difference between two recordings of the same torque.
+
+    Parameters
+    ----------
+    std_before, std_after : float
+        Standard deviation of the torque [N m].
+    mean_before, mean_after : float
+        [N m].
+    energy_before, energy_after : float or None
+        Integral of torque times output speed [J]; None where neither a channel nor the set-point gives a speed.
+    speed_origin : str
+        Where the speed of the energy and of the lines comes from, in words.
+    levels : tuple of LineLevel
+        Empty for a run that is not steady, whose lines have no one frequency.
+    """
+
+    std_before: float
+    std_after: float
+    mean_before: float
+    mean_after: float
+    energy_before: float | None
+    energy_after: float | None
+    speed_origin: str
+    levels: tuple[LineLevel, ...]
+
+    @property
+    def std_reduction_percent(self) -> float:
+        """By how much the standard deviation fell [%]."""
+        return _reduction(self.std_before, self.std_after, of=self.std_before)
+
+    @property
+    def variance_reduction_percent(self) -> float:
+        """By how much the variance fell [%]."""
+        return _reduction(self.std_before**2, self.std_after**2, of=self.std_before**2)
+
+    @property
+    def mean_change_percent(self) -> float:
+        """By how much the mean rose [%]; 0 by construction for a chain that puts the mean back."""
+        return _reduction(self.mean_after, self.mean_before, of=self.mean_before)
+
+    @property
+    def energy_change_percent(self) -> float | None:
+        """By how much the energy rose [%], or None where no speed is known."""
+        if self.energy_before is None or self.energy_after is None:
+            return None
+        return _reduction(self.energy_after, self.energy_before, of=self.energy_before)
+
+    def family_levels(self) -> dict[Family, tuple[float, float]]:
+        """Return the amplitude of each family before and after: root of the summed squares of its lines [N m]."""
+        families = dict.fromkeys(level.line.family for level in self.levels)
+        return {
+            family: (
+                float(np.sqrt(sum(level.before**2 for level in self.levels if level.line.family == family))),
+                float(np.sqrt(sum(level.after**2 for level in self.levels if level.line.family == family))),
+            )
+            for family in families
+        }
+
+
+def chain_effect(
+    before: Recording, after: Recording, *, ratio: float, lines: Sequence[KinematicLine] = ()
+) -> FilterEffect:
+    """Return what changed in the torque between ``before`` and ``after`` a chain.
+
+    Parameters
+    ----------
+    before, after : Recording
+        Of equal length and rate.
+    ratio : float
+        Motor turns per output turn [1].
+    lines : sequence of KinematicLine
+        The lines to give levels of, for example ``chain.lines``.
+
+    Raises
+    ------
+    RecordingError
+        For fewer than two samples, or recordings of different length.
+
+    Notes
+    -----
+    A lower standard deviation is no proof of less noise: any notches lower it (seed audit A, "std as merit").
+    """
+    return chain_effects(before, (after,), ratio=ratio, lines=(lines,))[0]
+
+
+def chain_effects(
+    before: Recording, after: Sequence[Recording], *, ratio: float, lines: Sequence[Sequence[KinematicLine]]
+) -> tuple[FilterEffect, ...]:
+    """Return :func:`chain_effect` of several chains on one recording, whose speed is looked for once."""
+    for made in after:
+        if made.samples != before.samples or before.samples < 2:
+            raise RecordingError(
+                f"{before.name}: {before.samples} samples before and {made.samples} after a chain cannot be compared; "
+                "both must be of the same run and have two samples or more"
+            )
+    speed, origin = _motor_speed(before, ratio)
+    return tuple(
+        _effect(before, made, speed=speed, origin=origin, ratio=ratio, lines=named)
+        for made, named in zip(after, lines, strict=True)
+    )
+
+
+def _effect(
+    before: Recording, after: Recording, *, speed: NDArray[np.float64] | None, origin: str, ratio: float,
+    lines: Sequence[KinematicLine],
+) -> FilterEffect:  # fmt: skip
+    first, last = before.torque(), after.torque()
+    energies = (None, None) if speed is None else tuple(_energy(each, speed / ratio, before) for each in (first, last))
+    steady = speed is not None and before.run.profile == "steady"
+    levels = (
+        _levels(first, last, before.sample_rate, float(np.mean(speed)), lines) if steady and speed is not None else ()
+    )
+    return FilterEffect(
+        std_before=float(first.std()),
+        std_after=float(last.std()),
+        mean_before=float(first.mean()),
+        mean_after=float(last.mean()),
+        energy_before=energies[0],
+        energy_after=energies[1],
+        speed_origin=origin,
+        levels=levels,
+    )
+
+
+def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64] | None, str]:
+    """Motor speed at each sample [rad/s] and where it comes from."""
+    angle = measured_motor_angle(recording, ratio=ratio)
+    if angle is not None:
+        return np.gradient(angle.values) * recording.sample_rate, angle.origin
+    if recording.run.speed:
+        return set_point_profile(recording, "energies"), "from the set-point; the real speed may differ"
+    return None, "no speed: neither a channel nor a set-point"
+
+
+def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], recording: Recording) -> float:
+    power = torque * output_speed
+    return float((power.sum() - 0.5 * (power[0] + power[-1])) / recording.sample_rate)
+
+
+def _levels(
+    first: NDArray[np.float64], last: NDArray[np.float64], rate: float, speed: float, lines: Sequence[KinematicLine]
+) -> tuple[LineLevel, ...]:
+    centres = [line.frequency(speed) for line in lines]
+    bins = [bins_within(first.size, rate, [(at - LINE_HALF_WIDTH, at + LINE_HALF_WIDTH)]) for at in centres]
+    wanted = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *bins]))
+    powers = [np.abs(bins_at(each, wanted) * 2 / each.size) ** 2 for each in (first, last)]
+    levels = []
+    for line, centre, within in zip(lines, centres, bins, strict=True):
+        before, after = (float(np.sqrt(power[np.searchsorted(wanted, within)].sum())) for power in powers)
+        levels.append(LineLevel(line=line, frequency=centre, before=before, after=after))
+    return tuple(levels)
+
+
+def _reduction(larger: float, smaller: float, *, of: float) -> float:
+    """Difference as a share ``of`` [%]; 0 where there was nothing."""
+    return 100 * (larger - smaller) / of if of else 0.0

@@ -1,0 +1,64 @@
+"""What a chain did to a long recording, from what it did to each of its blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.filters.effect import FilterEffect, LineLevel
+
+
+def joined_effect(effects: Sequence[FilterEffect], samples: Sequence[int]) -> FilterEffect:
+    """Return the effect over all blocks: exact for mean, spread and energy; root mean square for the lines.
+
+    Parameters
+    ----------
+    effects : sequence of FilterEffect
+        Of one chain, block by block.
+    samples : sequence of int
+        Of each block.
+    """
+    weights = np.array(samples, dtype=np.float64) / sum(samples)
+    first = effects[0]
+    mean_before, std_before = _joined([(one.mean_before, one.std_before) for one in effects], weights)
+    mean_after, std_after = _joined([(one.mean_after, one.std_after) for one in effects], weights)
+    return replace(
+        first,
+        mean_before=mean_before,
+        mean_after=mean_after,
+        std_before=std_before,
+        std_after=std_after,
+        energy_before=_sum([one.energy_before for one in effects]),
+        energy_after=_sum([one.energy_after for one in effects]),
+        levels=_levels(effects, weights),
+    )
+
+
+def _joined(each: Sequence[tuple[float, float]], weights: NDArray[np.float64]) -> tuple[float, float]:
+    """Mean and standard deviation of a whole whose parts have these."""
+    means, spreads = np.array(each).T
+    mean = float(weights @ means)
+    return mean, float(np.sqrt(weights @ (spreads**2 + (means - mean) ** 2)))
+
+
+def _sum(energies: Sequence[float | None]) -> float | None:
+    known = [energy for energy in energies if energy is not None]
+    return sum(known) if len(known) == len(energies) else None
+
+
+def _levels(effects: Sequence[FilterEffect], weights: NDArray[np.float64]) -> tuple[LineLevel, ...]:
+    if any(len(one.levels) != len(effects[0].levels) for one in effects):
+        return ()
+    figures = np.array(
+        [[(level.frequency, level.before**2, level.after**2) for level in one.levels] for one in effects]
+    )
+    if figures.size == 0:
+        return ()
+    frequency, before, after = np.einsum("b,blf->fl", weights, figures)
+    return tuple(
+        LineLevel(line=level.line, frequency=float(f), before=float(np.sqrt(b)), after=float(np.sqrt(a)))
+        for level, f, b, a in zip(effects[0].levels, frequency, before, after, strict=True)
+    )

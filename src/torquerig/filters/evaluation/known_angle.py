@@ -1,0 +1,33 @@
+"""A recording with the motor's angle as a channel, so that a chain whose lines were moved needs not look for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from torquerig.errors import TorquerigError
+from torquerig.orders.angle.best_angle import best_motor_angle
+from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.recordings.recording import Channel
+
+if TYPE_CHECKING:
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+    from torquerig.recordings.recording import Recording
+
+FOUND_ANGLE = "found_motor_angle_rad"
+
+
+def with_known_angle(recording: Recording, lines: Sequence[KinematicLine]) -> Recording:
+    """Return ``recording`` with the angle that ``lines`` give where it has no angle of its own.
+
+    A comb at empty orders would find no line and fall back to the set-point: the chain and its placebo would then
+    differ by the speed too. A recording whose angle cannot be had comes back as it is.
+    """
+    ratio = lines[0].output_order / lines[0].motor_order if lines else recording.run.gear_ratio or 1.0
+    if measured_motor_angle(recording, ratio=ratio) is not None:
+        return recording
+    try:
+        angle = best_motor_angle(recording, lines)
+    except TorquerigError:
+        return recording
+    return recording.with_channel(FOUND_ANGLE, Channel(values=angle.values, quantity="motor_angle", unit="rad"))

@@ -1,0 +1,140 @@
+"""What load the sensor's reading came from: the rig's own response taken back, as far as noise allows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import log
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from torquerig.errors import InputError, RecordingError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.filters.load_response import LoadResponse
+    from torquerig.recordings.recording import Recording
+
+    Floats = NDArray[np.float64]
+
+_LOWEST, _HIGHEST_SHARE = 5.0, 0.2  # Hz and share of the rate between which the spectra are fitted
+_SEGMENT = 2.0  # s of each periodogram that is averaged
+_MARGIN = 1.0  # s by which both ends are continued point-symmetrically
+_TRIALS = 15  # stretches that are tried
+
+
+class Spectra(NamedTuple):
+    """What a reading is made of: load ``level / (1 + (f / corner)^2)`` seen through the rig, and white noise.
+
+    ``level`` and ``noise`` are power densities [unit^2/Hz], ``corner`` is in Hz; ``stretch`` is by how much the rig's
+    frequencies differ from the model's [1].
+    """
+
+    level: float
+    corner: float
+    noise: float
+    stretch: float
+
+    def load(self, frequencies: Floats) -> Floats:
+        """Return the load's power density at ``frequencies`` [Hz]."""
+        return np.asarray(self.level / (1 + (frequencies / self.corner) ** 2))
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadInverse:
+    """Wiener's estimate of the load: conj(H) S_load / (|H|^2 S_load + S_noise) times the reading's transform.
+
+    The rig's ringing under the load is taken back, and what stands below the noise is left out. The spectra of load
+    and noise are fitted to the recording itself.
+
+    Parameters
+    ----------
+    response : LoadResponse
+        H: the reading per true load, from a linear model of the rig.
+    retune : float
+        By how much the rig's frequencies may differ from the model's [share], 0 to 0.5; the stretch under which the
+        model explains the reading's spectrum best is used. 0 trusts the model.
+
+    Notes
+    -----
+    Source: Wiener 1949, Extrapolation, Interpolation, and Smoothing of Stationary Time Series, ch. 3; spectra by
+    Whittle 1953 (Ark. Mat. 2, 423-434). Take the lines out first: it takes what stands at a line for load. Where it
+    stops being true: load that is not broad (the fit takes a peak of the load for the rig's), backlash and other
+    things that a linear model does not have, a response that is wrong in more than its frequencies.
+    """
+
+    response: LoadResponse = field(compare=False)
+    retune: float = 0.15
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.retune <= 0.5:
+            raise InputError(f"a model cannot be retuned by {self.retune:g}; write a share from 0 to 0.5")
+
+    def apply(self, recording: Recording) -> Recording:
+        """Return ``recording`` with its torque replaced by the load; RecordingError where it is too short."""
+        name, rate = recording.torque_name(), recording.sample_rate
+        values = recording.channels[name].values
+        if values.size < 4 * _SEGMENT * rate or _HIGHEST_SHARE * rate <= _LOWEST:
+            raise RecordingError(
+                f"{recording.name}: {values.size} samples at {rate:g} Hz are too few to tell load from noise; "
+                f"take {4 * _SEGMENT:g} s or more, at more than {_LOWEST / _HIGHEST_SHARE:g} Hz"
+            )
+        spectra = fitted_spectra(values, rate, self.response, retune=self.retune)
+        return recording.with_values(name, _filtered(values, rate, self.response, spectra))
+
+
+def fitted_spectra(values: Floats, rate: float, response: LoadResponse, *, retune: float) -> Spectra:
+    """Return the spectra of load and noise, and the stretch of the model, that explain the signal's spectrum best."""
+    from scipy.signal import welch
+
+    frequencies, power = welch(values, fs=rate, nperseg=round(_SEGMENT * rate))
+    seen = (frequencies >= _LOWEST) & (frequencies <= _HIGHEST_SHARE * rate)
+    frequencies, power = frequencies[seen], np.maximum(power[seen], 1e-300)
+    start = np.array([log(float(np.median(power[frequencies < 6 * _LOWEST]))), log(8 * _LOWEST),
+                      log(float(np.median(power[-power.size // 4 :])))])  # fmt: skip
+    stretches = np.linspace(1 - retune, 1 + retune, _TRIALS) if retune else np.ones(1)
+    trials = [_explained(start, frequencies, power, response, stretch) for stretch in stretches]
+    best = int(np.argmin([cost for cost, _ in trials]))
+    stretch, (_, logarithms) = stretches[best], trials[best]
+    if retune:
+        finer = stretch + (stretches[1] - stretches[0]) * np.linspace(-1, 1, _TRIALS)
+        closer = [_explained(logarithms, frequencies, power, response, one) for one in finer]
+        best = int(np.argmin([cost for cost, _ in closer]))
+        stretch, (_, logarithms) = finer[best], closer[best]
+    level, corner, noise = np.exp(logarithms)
+    return Spectra(float(level), float(corner), float(noise), float(stretch))
+
+
+def _explained(
+    start: Floats, frequencies: Floats, power: Floats, response: LoadResponse, stretch: float
+) -> tuple[float, Floats]:
+    """Return Whittle's misfit of the best level, corner and noise (as logarithms), and these."""
+    from scipy.optimize import minimize
+
+    gain = np.abs(response.at(frequencies, stretch=stretch)) ** 2
+
+    def misfit(guess: Floats) -> float:
+        level, corner, noise = np.exp(np.clip(guess, -200, 200))
+        expected = gain * level / (1 + (frequencies / corner) ** 2) + noise
+        return float(np.mean(np.log(expected) + power / expected))
+
+    found = minimize(misfit, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-7, "maxiter": 400})
+    return float(found.fun), np.asarray(found.x)
+
+
+def _filtered(values: Floats, rate: float, response: LoadResponse, spectra: Spectra) -> Floats:
+    from scipy.fft import irfft, next_fast_len, rfft
+
+    margin = round(_MARGIN * rate)
+    head, tail = 2 * values[0] - values[margin:0:-1], 2 * values[-1] - values[-2 : -margin - 2 : -1]
+    longer = np.concatenate([head, values, tail])
+    size = next_fast_len(longer.size, real=True)
+    # what is added up to a fast length leads from the last value back to the first: no jump where the ends meet
+    bridge = np.linspace(longer[-1], longer[0], size - longer.size + 2)[1:-1]
+    transform = rfft(np.concatenate([longer, bridge]))
+    frequencies = np.arange(transform.size) * rate / size
+    gain, load = response.at(frequencies, stretch=spectra.stretch), spectra.load(frequencies)
+    wiener = gain.conj() * load / (np.abs(gain) ** 2 * load + spectra.noise)
+    wiener[0] = 1 / gain[0].real  # the mean is no random process: it stays
+    return np.asarray(irfft(transform * wiener, n=size)[margin : margin + values.size])

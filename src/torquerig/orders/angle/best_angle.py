@@ -1,0 +1,65 @@
+"""The best angle or speed of the motor that a recording has, and which that is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from torquerig.orders.angle.measured_angle import MotorAngle, measured_motor_angle
+from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
+from torquerig.orders.angle.tacho import motor_angle_from_tacho
+
+if TYPE_CHECKING:
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+    from torquerig.recordings.recording import Recording
+
+
+@dataclass(frozen=True)
+class MotorSpeed:
+    """The mean motor speed [rad/s], its relative standard uncertainty [1], and where it comes from, in words."""
+
+    value: float
+    relative_sd: float
+    origin: str
+
+
+def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine], *, ratio: float | None = None) -> MotorAngle:
+    """Return the motor's angle from the best source that the recording has; its ``origin`` says which.
+
+    An encoder or another angle or speed channel comes first, then a tacho's pulses, then the comb of ``lines`` in the
+    torque around the set-point.
+
+    Parameters
+    ----------
+    recording : Recording
+        With any of them.
+    lines : sequence of KinematicLine
+        The lines to look for in the torque.
+    ratio : float, optional
+        Motor turns per output turn, which channels of the output shaft are counted with; by default that of the lines,
+        or of the run's sheet.
+
+    Raises
+    ------
+    RecordingError
+        Where none of them can serve.
+    """
+    ratio = _ratio(recording, lines) if ratio is None else ratio
+    return (
+        measured_motor_angle(recording, ratio=ratio)
+        or motor_angle_from_tacho(recording, ratio=ratio)
+        or motor_angle_from_torque(recording, lines)
+    )
+
+
+def best_motor_speed(recording: Recording, lines: Sequence[KinematicLine]) -> MotorSpeed:
+    """Return the mean motor speed by :func:`best_motor_angle`, with its uncertainty."""
+    angle = best_motor_angle(recording, lines)
+    return MotorSpeed(abs(angle.mean_speed(recording.sample_rate)), angle.speed_sd, angle.origin)
+
+
+def _ratio(recording: Recording, lines: Sequence[KinematicLine]) -> float:
+    if lines:
+        return lines[0].output_order / lines[0].motor_order
+    return recording.run.gear_ratio or 1.0

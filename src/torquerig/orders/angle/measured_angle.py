@@ -1,0 +1,77 @@
+"""What angle the motor turned through, by its encoder or by any other channel that knows it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from torquerig.errors import RecordingError
+from torquerig.recordings.channel_angle import angle_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from torquerig.recordings.recording import Channel, Recording
+
+
+@dataclass(frozen=True)
+class MotorAngle:
+    """The angle of the motor shaft at each sample [rad], shape (samples,), and where it comes from, in words.
+
+    ``speed_sd`` is the standard uncertainty of the mean speed as a share of it [1]; nan where the source states none.
+    """
+
+    values: NDArray[np.float64]
+    origin: str
+    speed_sd: float = float("nan")
+
+    def mean_speed(self, rate: float) -> float:
+        """Return the mean motor speed [rad/s] at ``rate`` samples per second."""
+        if self.values.size < 2:
+            raise RecordingError("a speed needs at least two samples; take a longer recording")
+        return float((self.values[-1] - self.values[0]) / (self.values.size - 1) * rate)
+
+
+def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAngle | None:
+    """Return the motor's angle from an angle or speed channel, or None where the recording has none.
+
+    Parameters
+    ----------
+    recording : Recording
+        Channels of quantity motor_angle, angle, motor_speed and speed serve, in this order.
+    ratio : float
+        Motor turns per output turn [1]; angle and speed channels belong to the output shaft.
+
+    Notes
+    -----
+    Counts are unwrapped where the counter runs over, and smoothed over about 16 counts, at most 2 ms.
+    """
+    readers = (
+        ("motor_angle", 1.0, angle_of),
+        ("angle", ratio, angle_of),
+        ("motor_speed", 1.0, _integral_of),
+        ("speed", ratio, _integral_of),
+    )
+    for quantity, factor, read in readers:
+        name = recording.find(quantity)
+        if name is not None:
+            channel = recording.channels[name]
+            angle = read(channel, recording.sample_rate) * factor
+            return MotorAngle(angle, f"from the channel {name}", _rounding(channel, angle, factor))
+    return None
+
+
+def _rounding(channel: Channel, angle: NDArray[np.float64], factor: float) -> float:
+    """Return the share of the mean speed that whole counts leave unknown: 1/sqrt(12) of a count at both ends."""
+    turned = abs(float(angle[-1] - angle[0])) if angle.size else 0.0
+    if channel.unit != "count" or not turned:
+        return float("nan")
+    return channel.si_per_unit * factor / float(np.sqrt(6)) / turned
+
+
+def _integral_of(channel: Channel, rate: float) -> NDArray[np.float64]:
+    speed = channel.in_si()
+    steps = 0.5 * (speed[1:] + speed[:-1]) / rate
+    return np.concatenate([[0.0], np.cumsum(steps)])

@@ -1,0 +1,203 @@
+"""Where the disturbance lines of a motor and gearbox stand: orders that follow from poles, slots, ratio and teeth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import isfinite, lcm, pi, prod
+from typing import Literal, get_args
+
+from torquerig.errors import InputError
+from torquerig.orders.kinematics.teeth import Planetary, Teeth
+
+Family = Literal[
+    "shaft",
+    "motor",
+    "cogging_as_published",
+    "cogging",
+    "cogging_tolerance_slots",
+    "cogging_tolerance_poles",
+    "electrical",
+    "six_pulse",
+    "gear_mesh",
+    "unknown_as_published",
+]
+FAMILIES: tuple[Family, ...] = get_args(Family)
+
+# why the line is there, and who says so; the seed's numbers are those of its equations and code lines
+CAUSES: dict[Family, tuple[str, str]] = {
+    "shaft": ("imbalance, runout or one-sided wear of what turns after the gearbox", "seed eq. 3.2"),
+    "motor": ("imbalance, eccentricity or encoder error of the motor's rotor", "seed eq. 3.1"),
+    "cogging_as_published": (
+        "the seed's cogging: cogging positions per magnet, a count at which no torque of cogging stands",
+        "seed eq. 3.3",
+    ),
+    "cogging": ("native cogging: rotor positions of equal magnetic energy", "handbook 1.1, Zhu & Howe 2000"),
+    "cogging_tolerance_slots": (
+        "tolerance cogging: unequal magnets pass equal slots",
+        "handbook 1.2, Gasparin et al. 2009",
+    ),
+    "cogging_tolerance_poles": (
+        "tolerance cogging: unequal teeth see equal poles; also current gain error",
+        "handbook 1.2, 2.2",
+    ),
+    "electrical": ("one electrical period: current offset or Hall sensor error", "seed eq. 3.4, handbook 2.1"),
+    "six_pulse": (
+        "six torque pulses per electrical period: commutation, back-EMF harmonics or dead time",
+        "handbook 1.4, 1.5, 2.3",
+    ),
+    "gear_mesh": ("teeth of the gearbox in mesh", "handbook 4.1, 4.2"),
+    "unknown_as_published": (
+        "the seed's unknown line: its code derives it as slots x magnets / 2 per output turn",
+        "seed Appendix A, code line 36",
+    ),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Kinematics:
+    """What the order lines of a drive follow from.
+
+    Parameters
+    ----------
+    pole_pairs, slots : int or None
+        Of the motor; None where unknown or without meaning, and then the lines that need them are left out.
+    ratio : float
+        Motor turns per output turn [1], > 0.
+    teeth : tuple of Planetary or Spur
+        The gear stages from the motor to the output; empty where the tooth counts are unknown.
+    """
+
+    pole_pairs: int | None = None
+    slots: int | None = None
+    ratio: float = 1.0
+    teeth: tuple[Teeth, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name, count in (("pole pairs", self.pole_pairs), ("slots", self.slots)):
+            if count is not None and count < 1:
+                raise InputError(f"{count} {name} cannot be; write at least 1, or leave it out where it is unknown")
+        if not (isfinite(self.ratio) and self.ratio > 0):
+            raise InputError(f"a gear ratio of {self.ratio} cannot be; write motor turns per output turn, more than 0")
+        by_teeth = prod(stage.ratio for stage in self.teeth)
+        if self.teeth and abs(by_teeth / self.ratio - 1) > 0.02:
+            raise InputError(
+                f"the teeth give a ratio of {by_teeth:.4g}, the gearbox states {self.ratio:.4g}; correct one of them"
+            )
+
+    def lines(self, harmonics: int = 4) -> tuple[KinematicLine, ...]:
+        """Return the lines with ``harmonics`` members per family, family by family."""
+        return kinematic_lines(
+            pole_pairs=self.pole_pairs, slots=self.slots, ratio=self.ratio, teeth=self.teeth, harmonics=harmonics
+        )
+
+    @property
+    def left_out(self) -> dict[Family, str]:
+        """The families that have no lines here, each with what is missing."""
+        missing: dict[Family, str] = {}
+        if self.pole_pairs is None:
+            missing |= dict.fromkeys(("cogging_tolerance_poles", "electrical", "six_pulse"), "pole pairs unknown")
+        if self.slots is None:
+            missing["cogging_tolerance_slots"] = "slots unknown"
+        if self.pole_pairs is None or self.slots is None:
+            reason = "slots unknown" if self.slots is None else "pole pairs unknown"
+            missing |= dict.fromkeys(("cogging_as_published", "cogging", "unknown_as_published"), reason)
+        if not self.teeth:
+            missing["gear_mesh"] = "tooth counts unknown"
+        return {family: missing[family] for family in FAMILIES if family in missing}
+
+
+@dataclass(frozen=True)
+class KinematicLine:
+    """One line of a torque spectrum that follows the shaft.
+
+    Parameters
+    ----------
+    family : Family
+        Its cause as one word of the vocabulary.
+    harmonic : int
+        1 is the fundamental.
+    motor_order, output_order : float
+        Periods per turn of the motor and of the output shaft [1/rev].
+    cause, source : str
+        Why it is there, and the equation or handbook section that says so.
+    cancelled : bool
+        Whether equal planets leave nothing of it in torque; what is unequal about them brings it back.
+    """
+
+    family: Family
+    harmonic: int
+    motor_order: float
+    output_order: float
+    cause: str
+    source: str
+    cancelled: bool = False
+
+    def frequency(self, motor_speed: float) -> float:
+        """Return where the line stands [Hz] at a motor speed [rad/s] of either sign."""
+        return self.motor_order * abs(motor_speed) / (2 * pi)
+
+
+def kinematic_lines(
+    *,
+    pole_pairs: int | None,
+    slots: int | None,
+    ratio: float,
+    teeth: tuple[Teeth, ...] = (),
+    harmonics: int = 4,
+) -> tuple[KinematicLine, ...]:
+    """Return the order lines of a motor and gearbox, the fundamental first in each family.
+
+    Parameters
+    ----------
+    pole_pairs, slots, ratio, teeth
+        As in :class:`Kinematics`; lines that need what is unknown are left out.
+    harmonics : int
+        Members per family, 1 is the fundamental alone; the seed's tables and code use 4.
+
+    Raises
+    ------
+    InputError
+        For counts, a ratio or teeth that cannot be.
+
+    Notes
+    -----
+    Source: seed eq. 3.1-3.4 and Table I; handbook 0, 1, 2 and 4. Slip of an induction machine, bearing and belt
+    lines are not among them, and orders say nothing of amplitudes.
+    """
+    if harmonics < 1:
+        raise InputError(f"{harmonics} harmonics cannot be; write 1 for the fundamental alone")
+    kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=ratio, teeth=teeth)
+    return tuple(
+        KinematicLine(
+            family, harmonic, harmonic * motor, harmonic * output, cause, CAUSES[family][1],
+            cancelled=isinstance(stage, Planetary) and harmonic not in stage.torque_harmonics(harmonics),
+        )
+        for family, motor, output, cause, stage in _fundamentals(kinematics)
+        for harmonic in range(1, harmonics + 1)
+    )  # fmt: skip
+
+
+def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str, Teeth | None]]:
+    """Yield family, motor order, output order and cause of each, and of a mesh its stage."""
+    ratio, p, slots = kinematics.ratio, kinematics.pole_pairs, kinematics.slots
+    yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], None
+    motor_orders: dict[Family, int | None] = {
+        "motor": 1,
+        "cogging_as_published": lcm(slots, 2 * p) // (2 * p) if p and slots else None,
+        "cogging": lcm(slots, 2 * p) if p and slots else None,
+        "cogging_tolerance_slots": slots,
+        "cogging_tolerance_poles": 2 * p if p else None,
+        "electrical": p,
+        "six_pulse": 6 * p if p else None,
+    }
+    for family, order in motor_orders.items():
+        if order is not None:
+            yield family, float(order), order * ratio, CAUSES[family][0], None
+    for position, stage in enumerate(kinematics.teeth):
+        before = prod(earlier.ratio for earlier in kinematics.teeth[:position])
+        after = prod(later.ratio for later in kinematics.teeth[position + 1 :])
+        cause = f"{CAUSES['gear_mesh'][0]}: {stage.spoken}"
+        yield "gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause, stage
+    if p and slots:
+        yield "unknown_as_published", p * slots / ratio, float(p * slots), CAUSES["unknown_as_published"][0], None

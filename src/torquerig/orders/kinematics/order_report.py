@@ -1,0 +1,86 @@
+"""What lines a motor and gearbox show at a speed: orders and causes, what coincides, and a better speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+
+from torquerig.errors import InputError
+from torquerig.orders.kinematics.coincidences import BetterSpeed, Coincidences, better_speed, coincidences
+from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine, Kinematics
+
+
+@dataclass(frozen=True)
+class OrdersReport:
+    """The lines of one drive at one speed.
+
+    Parameters
+    ----------
+    kinematics : Kinematics
+        Poles, slots, ratio and teeth that they follow from.
+    motor_speed : float
+        [rad/s].
+    lines : tuple of KinematicLine
+        By rising frequency.
+    left_out : dict of Family to str
+        Families without lines, and what is not known.
+    coincidences : Coincidences
+        Lines on mains multiples and lines of equal order.
+    better : BetterSpeed
+        The nearest speed that keeps the lines clear of the mains.
+    """
+
+    kinematics: Kinematics
+    motor_speed: float
+    lines: tuple[KinematicLine, ...]
+    left_out: dict[Family, str]
+    coincidences: Coincidences
+    better: BetterSpeed
+
+    def fundamental(self, family: Family) -> KinematicLine | None:
+        """Return the first harmonic of ``family``, or None where it has no lines."""
+        found = (line for line in self.lines if line.family == family and line.harmonic == 1)
+        return next(found, None)
+
+
+def orders_report(
+    kinematics: Kinematics,
+    motor_speed: float,
+    *,
+    harmonics: int = 4,
+    mains: float = 50.0,
+    clearance: float = 1.0,
+) -> OrdersReport:
+    """Return the lines of ``kinematics`` at ``motor_speed`` [rad/s], what coincides there, and a better speed.
+
+    Parameters
+    ----------
+    kinematics : Kinematics
+        What the lines follow from.
+    motor_speed : float
+        [rad/s], not 0; its sign does not matter.
+    harmonics : int
+        Members per family.
+    mains : float
+        [Hz], > 0.
+    clearance : float
+        Wanted distance of every line from the mains multiples [Hz].
+
+    Raises
+    ------
+    InputError
+        For a speed of 0 or a mains frequency that cannot be.
+    """
+    if not isfinite(motor_speed) or motor_speed == 0:
+        raise InputError("at a speed of 0 no line has a frequency; give the motor's speed, for example 1000 rpm")
+    if not (isfinite(mains) and mains > 0):
+        raise InputError(f"a mains frequency of {mains} Hz cannot be; give for example 50 Hz")
+    lines = kinematics.lines(harmonics)
+    return OrdersReport(
+        kinematics=kinematics,
+        motor_speed=motor_speed,
+        lines=tuple(sorted(lines, key=lambda line: line.motor_order)),
+        left_out=kinematics.left_out,
+        coincidences=coincidences(lines, motor_speed, mains=mains),
+        better=better_speed(lines, motor_speed, mains=mains, clearance=clearance),
+    )

@@ -1,0 +1,118 @@
+"""An orders report in words: the rows of its table, and sentences on cogging, coincidences and a better speed."""
+
+from __future__ import annotations
+
+from math import pi
+
+from torquerig.orders.kinematics.coincidences import EqualOrder, OnMains
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+from torquerig.orders.kinematics.order_report import OrdersReport
+
+ORDERS_HEADER = ("Hz", "motor order", "output order", "family", "cause", "source")
+
+
+def orders_rows(report: OrdersReport) -> tuple[tuple[str, ...], ...]:
+    """Return one row of texts per line, under ``ORDERS_HEADER``, by rising frequency."""
+    return tuple(
+        (
+            f"{line.frequency(report.motor_speed):.2f}",
+            f"{line.motor_order:.6g}",
+            f"{line.output_order:.6g}",
+            name_of(line) + ", cancelled" * line.cancelled,
+            line.cause,
+            line.source,
+        )
+        for line in report.lines
+    )
+
+
+def orders_sentences(report: OrdersReport) -> tuple[str, ...]:
+    """Return what is to be said beside the table: cogging, planets, mains, equal orders, better speed, the unknown."""
+    left_out = tuple(f"No {family.replace('_', ' ')} lines: {reason}." for family, reason in report.left_out.items())
+    return (
+        *cogging_sentence(report),
+        *cancelled_sentence(report),
+        *mains_sentences(report),
+        *equal_order_sentences(report),
+        better_speed_sentence(report),
+        *left_out,
+    )
+
+
+def name_of(line: KinematicLine) -> str:
+    """Return a line's short name: ``gear mesh x2``, and the family alone for its fundamental."""
+    family = line.family.replace("_", " ")
+    return family if line.harmonic == 1 else f"{family} x{line.harmonic}"
+
+
+def cogging_sentence(report: OrdersReport) -> tuple[str, ...]:
+    """Return the sentence on the two coggings; nothing where poles or slots are unknown."""
+    printed, textbook = report.fundamental("cogging_as_published"), report.fundamental("cogging")
+    if printed is None or textbook is None or report.kinematics.pole_pairs is None:
+        return ()
+    magnets = 2 * report.kinematics.pole_pairs
+    sentence = (
+        f"Cogging stands at {textbook.frequency(report.motor_speed):.2f} Hz, the least common multiple "
+        f"{textbook.motor_order:g} of {report.kinematics.slots} slots and {magnets} magnets per motor turn; the seed's "
+        f"eq. 3.3 divides it by the magnets and prints {printed.frequency(report.motor_speed):.2f} Hz "
+        f"(motor order {printed.motor_order:g}), which counts the positions per magnet and is no cogging line."
+    )
+    return (sentence,)
+
+
+def cancelled_sentence(report: OrdersReport) -> tuple[str, ...]:
+    """Return the sentence on the mesh lines that equal planets cancel; nothing where there is none."""
+    gone = [name_of(line) for line in report.lines if line.cancelled]
+    if not gone:
+        return ()
+    sentence = (
+        f"Equal planets cancel {', '.join(gone)} in torque (they shake the gearbox sideways); planets of unequal share "
+        "leave something of them, with side lines."
+    )
+    return (sentence,)
+
+
+def mains_sentences(report: OrdersReport) -> tuple[str, ...]:
+    """Return one sentence per mains multiple that a line stands on."""
+    mains = report.coincidences.mains
+    by_multiple: dict[int, list[OnMains]] = {}
+    for hit in report.coincidences.on_mains:
+        by_multiple.setdefault(hit.multiple, []).append(hit)
+    sentences = []
+    for multiple, hits in by_multiple.items():
+        names = " and ".join(dict.fromkeys(name_of(hit.line) for hit in hits))
+        offset = max(abs(hit.offset) for hit in hits)
+        exactly = "exactly" if offset < 0.005 else f"within {offset:.2f} Hz"
+        sentences.append(f"{multiple * mains:g} Hz is {multiple} x mains and, {exactly}, {names}.")
+    return tuple(sentences)
+
+
+def equal_order_sentences(report: OrdersReport) -> tuple[str, ...]:
+    """Return one sentence per order that several families share."""
+    return tuple(_equal(group) for group in report.coincidences.equal_orders)
+
+
+def better_speed_sentence(report: OrdersReport) -> str:
+    """Return what test speed keeps the lines clear of the mains, and what no speed can do."""
+    better, mains = report.better, report.coincidences.mains
+    rpm, asked = better.motor_speed * 30 / pi, abs(report.motor_speed) * 30 / pi
+    shared = " Equal orders stay equal at any speed." if report.coincidences.equal_orders else ""
+    if abs(rpm - asked) < 1e-6 and not better.crowded:
+        return (
+            f"At {asked:g} rpm every line is {better.clearance:.2f} Hz or more from multiples of {mains:g} Hz.{shared}"
+        )
+    if not better.crowded:
+        return (
+            f"A better test speed is {rpm:g} rpm, the nearest at which every line is {better.clearance:.2f} Hz or more "
+            f"from multiples of {mains:g} Hz.{shared}"
+        )
+    crowded = ", ".join(name_of(line) for line in better.crowded)
+    return (
+        f"No speed within reach keeps every line {better.wanted:g} Hz from multiples of {mains:g} Hz; the best is "
+        f"{rpm:g} rpm, where {crowded} still {'stands' if len(better.crowded) == 1 else 'stand'} nearer.{shared}"
+    )
+
+
+def _equal(group: EqualOrder) -> str:
+    names = " and ".join(dict.fromkeys(name_of(line) for line in group.lines))
+    return f"{group.frequency:.2f} Hz is {names}: equal orders, which no speed parts."

@@ -1,0 +1,142 @@
+"""How a long recording is cut into blocks that overlap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError
+from torquerig.recordings.files.checks import check_counts, check_finite
+from torquerig.recordings.files.gaps import gaps_in, refuse_gaps
+from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.recording import Recording
+
+
+@dataclass(frozen=True, kw_only=True)
+class Block:
+    """Some samples of a recording, with their neighbours.
+
+    Parameters
+    ----------
+    recording : Recording
+        The samples that the block answers for and the overlap beside them.
+    first : int
+        The number of the first sample that it answers for, in the whole recording.
+    kept : slice
+        Where those samples stand in ``recording``.
+    times : ndarray or None
+        Their times [s], where the file has a column of times.
+    """
+
+    recording: Recording
+    first: int
+    kept: slice
+    times: NDArray[np.float64] | None = None
+
+    def answer(self, recording: Recording | None = None) -> Recording:
+        """Return the samples that the block answers for: of its own recording, or of what a stage made of it."""
+        made = recording or self.recording
+        for name, channel in made.channels.items():
+            # a copy, so that the samples beside do not stay in memory with it
+            made = made.with_values(name, channel.values[self.kept].copy())
+        return made
+
+
+@dataclass(frozen=True, kw_only=True)
+class Blocking:
+    """Blocks of ``samples``, each with ``overlap`` samples on either side where the recording has them.
+
+    The last block answers for half as many samples or up to one and a half times as many, so that none is too short
+    for what works on it. It reaches up to ``unit`` samples further back, so that its length is a whole multiple of
+    ``unit``: transforms of a length with large prime factors are slow and need several times the memory.
+    """
+
+    samples: int
+    overlap: int = 0
+    unit: int = 1
+
+    def __post_init__(self) -> None:
+        if self.samples < 2 or self.overlap < 0:
+            raise InputError(
+                f"blocks of {self.samples} samples that overlap by {self.overlap} cannot be; write at least 2 and 0"
+            )
+
+    def cut(self, stream: RecordingStream) -> Iterator[Block]:
+        """Go through the recording block by block, as it stands in the file: it may hold NaN and gaps."""
+        held = _Held(self.samples + self.samples // 2 + 2 * self.overlap + self.unit)
+        start = 0
+        for piece in stream.columns():
+            held.append(piece)
+            while held.stop - start >= self.samples + self.samples // 2 + self.overlap:
+                yield self._block(stream, held, start=start, stop=start + self.samples)
+                start += self.samples
+                held.forget(start - self.overlap - self.unit + 1)
+        check_counts({"the table": held.stop}, str(stream.path))
+        yield self._block(stream, held, start=start, stop=held.stop)
+
+    def _block(self, stream: RecordingStream, held: _Held, *, start: int, stop: int) -> Block:
+        low, high = max(start - self.overlap, 0), min(stop + self.overlap, held.stop)
+        back = -(high - low) % self.unit
+        low -= back if low - back >= held.start else 0
+        cut = held.copied(low, high)
+        kept = slice(start - low, stop - low)
+        time = stream.table.time_name()
+        times = cut[time][kept] if time is not None else None
+        return Block(recording=stream.of(cut), first=start, kept=kept, times=times)
+
+
+def sound_blocks(stream: RecordingStream, blocking: Blocking) -> Iterator[Block]:
+    """Go through a recording whose every sample must serve.
+
+    Raises
+    ------
+    RecordingError
+        At the first sample that is no finite number, or the first jump of time; with its number in the recording.
+    """
+    before = None
+    for block in blocking.cut(stream):
+        if block.times is not None:
+            gaps = gaps_in(block.times, stream.sample_rate, first=block.first, before=before)
+            refuse_gaps(gaps, name=str(stream.table.time_name()), rate=stream.sample_rate, where=str(stream.path))
+            before = float(block.times[-1])
+        check_finite(block.recording, first=block.first - block.kept.start)
+        yield block
+
+
+class _Held:
+    """The samples that blocks still need: appended behind, forgotten in front, in arrays that are used again."""
+
+    def __init__(self, expected: int) -> None:
+        self.start = self.stop = 0
+        self._expected = expected
+        self._arrays: dict[str, NDArray[np.float64]] = {}
+
+    def append(self, piece: Mapping[str, NDArray[np.float64]]) -> None:
+        """Put samples behind those that are there."""
+        size = next((values.size for values in piece.values()), 0)
+        used = self.stop - self.start
+        for name, values in piece.items():
+            array = self._arrays.get(name, values[:0])
+            if array.size < used + size:
+                # what is never written to takes no memory
+                larger = np.empty(max(self._expected + size, used + size))
+                larger[:used] = array[:used]
+                array = self._arrays[name] = larger
+            array[used : used + size] = values
+        self.stop += size
+
+    def forget(self, before: int) -> None:
+        """Drop the samples before the number ``before``."""
+        lost = max(before - self.start, 0)
+        used = self.stop - self.start
+        for array in self._arrays.values():
+            array[: used - lost] = array[lost:used]
+        self.start += lost
+
+    def copied(self, low: int, high: int) -> dict[str, NDArray[np.float64]]:
+        """Return the samples from number ``low`` up to ``high``, of every column."""
+        part = slice(low - self.start, high - self.start)
+        return {name: array[part].copy() for name, array in self._arrays.items()}

@@ -1,0 +1,76 @@
+"""Where time jumps: lost samples, doubled ones, a clock that was set."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import RecordingError
+from torquerig.recordings.files.timebase import rate_of_times, shortest_rate
+
+# half a sample: one lost sample makes a step of two
+_JUMP = 0.5
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A step of time after sample ``sample`` that is not one sample long: at ``time`` [s], ``step`` [s]."""
+
+    sample: int
+    time: float
+    step: float
+
+
+def gaps_in(times: NDArray[np.float64], rate: float, *, first: int = 0, before: float | None = None) -> list[Gap]:
+    """Return the steps that are off one sample by half a sample or more, or go back, or are no number.
+
+    Parameters
+    ----------
+    times : ndarray, shape (samples,)
+        [s].
+    rate : float
+        [Hz].
+    first : int
+        The number of the first of ``times`` in the recording.
+    before : float, optional
+        The time of the sample before the first one [s].
+    """
+    whole = times if before is None else np.concatenate([[before], times])
+    steps = np.diff(whole)
+    uneven = np.flatnonzero(~(np.abs(steps * rate - 1) < _JUMP))
+    start = first if before is None else first - 1
+    return [Gap(start + int(one), float(whole[one]), float(steps[one])) for one in uneven]
+
+
+def refuse_gaps(gaps: list[Gap], *, name: str, rate: float, where: str) -> None:
+    """Raise RecordingError that names the first gap."""
+    if not gaps:
+        return
+    one = gaps[0]
+    raise RecordingError(
+        f"{where}: {name} jumps by {one.step:.6g} s instead of {1 / rate:.6g} s after sample {one.sample} "
+        f"({one.time:.9g} s); cut the recording there, or, if only the printed times are coarse, leave the column out "
+        "and state sample_rate_Hz"
+    )
+
+
+def usual_rate(times: NDArray[np.float64], *, name: str, where: str) -> float:
+    """Return the sample rate [Hz] of ``times`` [s] that may have gaps: that of the steps that are one sample long.
+
+    Raises
+    ------
+    RecordingError
+        Where the time does not rise at all.
+    """
+    try:
+        return rate_of_times(times, name=name, where=where)
+    except RecordingError:
+        steps = np.diff(times)
+        rising = steps[steps > 0]
+        if rising.size == 0:
+            raise
+        middle = float(np.median(rising))
+        even = rising[np.abs(rising - middle) < _JUMP * middle]
+        return shortest_rate(1 / float(even.mean()), tolerance=1e-6)

@@ -1,0 +1,140 @@
+"""Parquet: one column per channel, compact and exact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import RecordingError
+from torquerig.recordings.files.pieces import PIECE, Columns, TablePieces
+from torquerig.recordings.files.table import Table
+from torquerig.recordings.recording import Recording
+
+# groups of up to so many rows are read whole, which needs less than half the memory and time of reading batches
+_LARGEST_GROUP = 2**20
+
+
+def read_parquet(path: Path) -> Table:
+    """Read the columns of numbers of a Parquet file; missing values become NaN, columns of words are left out."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        table = parquet.read_table(path)
+    except (pa.ArrowException, OSError) as error:
+        raise _not_whole(path, error) from None
+    columns = {
+        name: _numbers(table[name])
+        for name, kind in zip(table.schema.names, table.schema.types, strict=True)
+        if not name.startswith("__index") and (pa.types.is_floating(kind) or pa.types.is_integer(kind))
+    }
+    return Table(columns=columns)
+
+
+def parquet_pieces(path: Path) -> TablePieces:
+    """Go through the columns of numbers; a piece needs the memory of a row group's compressed columns at most."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        with parquet.ParquetFile(path) as file:
+            schema, rows = file.schema_arrow, file.metadata.num_rows
+            groups = file.num_row_groups
+            largest = max((file.metadata.row_group(group).num_rows for group in range(groups)), default=0)
+    except (pa.ArrowException, OSError) as error:
+        raise _not_whole(path, error) from None
+    kept = [
+        name
+        for name, kind in zip(schema.names, schema.types, strict=True)
+        if not name.startswith("__index") and (pa.types.is_floating(kind) or pa.types.is_integer(kind))
+    ]
+
+    def pieces(names: Sequence[str]) -> Iterator[Columns]:
+        try:
+            if largest <= _LARGEST_GROUP:
+                with parquet.ParquetFile(path) as file:
+                    for group in range(groups):
+                        # one column after the other, so that no two are held packed and unpacked at once
+                        columns: dict[str, NDArray[np.float64]] = {}
+                        for name in names:
+                            columns |= _columns(file.read_row_group(group, [name], use_threads=False), [name])
+                        yield columns
+                        del columns
+                        pa.default_memory_pool().release_unused()
+                return
+            # a buffered column is read as it is needed, not a row group at a time
+            with parquet.ParquetFile(path, buffer_size=2**20, pre_buffer=False) as file:
+                for batch in file.iter_batches(PIECE, columns=list(names), use_threads=False):
+                    yield _columns(batch, names)
+        except (pa.ArrowException, OSError) as error:
+            raise _not_whole(path, error) from None
+
+    return TablePieces(names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces)
+
+
+def write_parquet(recording: Recording, path: Path) -> None:
+    """Write the channels in the smallest type that holds each sample exactly; same recording, same bytes."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    table = pa.table({name: compact(channel.values) for name, channel in recording.channels.items()})
+    parquet.write_table(table, path, compression="zstd")
+
+
+def compact(values: NDArray[np.float64]) -> NDArray[np.float64] | NDArray[np.float32] | NDArray[np.int32]:
+    """Return ``values`` as int32 or float32 where that changes no sample, else as they are."""
+    if np.all(np.abs(values) < 2**31) and not np.any(np.signbit(values) & (values == 0)):
+        counts = values.astype(np.int32)
+        if np.array_equal(counts, values):
+            return counts
+    # a float32 overflows above 3.4e38
+    if np.all(np.abs(values) < 3e38):
+        single = values.astype(np.float32)
+        if np.array_equal(single, values):
+            return single
+    return values
+
+
+def parquet_writer(path: Path, recording: Recording) -> Any:
+    """Return what writes blocks of the channels of ``recording`` one after the other, as float64."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    schema = pa.schema([(name, pa.float64()) for name in recording.channels])
+    return parquet.ParquetWriter(path, schema, compression="zstd", compression_level=1, use_dictionary=False)
+
+
+def append_parquet(writer: Any, columns: Mapping[str, NDArray[np.float64]]) -> None:
+    """Write one more block."""
+    import pyarrow as pa
+
+    writer.write_table(pa.table(dict(columns), schema=writer.schema), row_group_size=PIECE)
+
+
+def _columns(table: Any, names: Sequence[str]) -> Columns:
+    return {name: _numbers(table[name]) for name in names}
+
+
+def _numbers(column: Any) -> NDArray[np.float64]:
+    """Return a column as float64; through DLPack, because ``to_numpy`` imports pandas for 40 MB."""
+    import pyarrow as pa
+    from pyarrow import compute
+
+    if not pa.types.is_float64(column.type):
+        column = column.cast(pa.float64())
+    if column.null_count:
+        column = compute.fill_null(column, float("nan"))
+    chunks = column.chunks if isinstance(column, pa.ChunkedArray) else [column]
+    parts = [np.from_dlpack(chunk) for chunk in chunks if len(chunk)]
+    if not parts:
+        return np.empty(0)
+    return np.asarray(parts[0] if len(parts) == 1 else np.concatenate(parts), dtype=np.float64)
+
+
+def _not_whole(path: Path, error: Exception) -> RecordingError:
+    reason = str(error).splitlines()[0].rstrip(". ")
+    return RecordingError(f"{path}: not a whole Parquet file ({reason}); copy it again from its source")

@@ -1,0 +1,106 @@
+"""The keys that a sidecar may have, with their bounds: the schema that the YAML is checked against."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache, partial
+from typing import TYPE_CHECKING, Annotated, Any
+
+from torquerig.errors import did_you_mean
+from torquerig.recordings.recording import QUANTITIES
+from torquerig.recordings.run import PROFILES
+
+if TYPE_CHECKING:
+    from pydantic import GetCoreSchemaHandler, TypeAdapter
+    from pydantic_core import CoreSchema
+
+
+@dataclass(frozen=True)
+class _Number:
+    """A finite number within bounds; text and true/false are refused."""
+
+    gt: float | None = None
+    ge: float | None = None
+    le: float | None = None
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        from pydantic_core import core_schema
+
+        return core_schema.float_schema(strict=True, allow_inf_nan=False, gt=self.gt, ge=self.ge, le=self.le)
+
+
+@dataclass(frozen=True)
+class _Word:
+    """One of a few words; another is refused with the close matches."""
+
+    check: Callable[[str], str]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        from pydantic_core import core_schema
+
+        return core_schema.no_info_after_validator_function(self.check, core_schema.str_schema(strict=True))
+
+
+def _one_of(words: Iterable[str], kind: str, written: str) -> str:
+    if written not in words:
+        raise ValueError(f"{written!r} is no {kind}; {did_you_mean(written, words)}")
+    return written
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenChannel:
+    """One entry of ``channels:`` without its scale, whose key depends on the unit."""
+
+    __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012 (pydantic's own protocol)
+
+    quantity: Annotated[str, _Word(partial(_one_of, QUANTITIES, "quantity"))]
+    unit: str
+    truth: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenSetPoint:
+    """The points of a profile that a word does not say: straight lines, ``repeats`` times (null: without end)."""
+
+    __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
+
+    time_s: list[Annotated[float, _Number(ge=0)]]
+    speed_rpm: list[Annotated[float, _Number()]]
+    load_Nm: list[Annotated[float, _Number(ge=0)]] | None = None  # noqa: N815 (as the file writes it)
+    repeats: int | None = 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenRun:
+    """The known keys of ``run:``, in the units that they carry in their names."""
+
+    __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
+
+    motor: str | None = None
+    gear_ratio: Annotated[float, _Number(gt=0)] | None = None
+    speed_rpm: Annotated[float, _Number()] | None = None
+    profile: Annotated[str, _Word(partial(_one_of, PROFILES, "profile"))] = "steady"
+    set_point: WrittenSetPoint | None = None
+    occupancy_percent: Annotated[float, _Number(ge=0, le=100)] | None = None
+    particle_size_mm: Annotated[float, _Number(ge=0)] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenSidecar:
+    """A whole sidecar file."""
+
+    __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
+
+    sample_rate_Hz: Annotated[float, _Number(gt=0)] | None = None  # noqa: N815 (as the file writes it)
+    channels: dict[str, WrittenChannel] | None = None
+    run: WrittenRun | None = None
+    origin: dict[str, Any] | None = None
+
+
+@cache
+def sidecar_schema() -> TypeAdapter[WrittenSidecar]:
+    """Return the schema of a sidecar; pydantic is imported on the first call."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(WrittenSidecar)

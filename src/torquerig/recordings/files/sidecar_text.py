@@ -1,0 +1,85 @@
+"""A recording's sidecar as YAML text that reads back to the same floats."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import yaml
+
+from torquerig.recordings.files.scale import written_scale
+from torquerig.recordings.files.set_point_text import set_point_entry
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
+from torquerig.units import UNITS
+
+
+class _Dumper(yaml.SafeDumper):
+    """PyYAML's safe dumper, which also puts quotes around what only YAML 1.2 takes for a number (``1e5``)."""
+
+
+_Dumper.add_implicit_resolver(
+    "tag:yaml.org,2002:float", re.compile(r"^[-+]?(?:\.\d+|\d+(?:\.\d*)?)(?:[eE][-+]?\d+)?$"), list("-+0123456789.")
+)
+
+
+def sidecar_text(recording: Recording) -> str:
+    """Return the sidecar of a recording: rate, channels with their scale, run and origin."""
+    sheet: dict[str, Any] = {
+        "sample_rate_Hz": _number(recording.sample_rate),
+        "channels": {name: _channel_entry(channel) for name, channel in recording.channels.items()},
+    }
+    if recording.run != Run():
+        sheet["run"] = _run_entry(recording.run)
+    if recording.origin:
+        sheet["origin"] = _plain(recording.origin)
+    return yaml.dump(sheet, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1000)
+
+
+def _channel_entry(channel: Channel) -> dict[str, Any]:
+    scale = {key: _number(value) for key, value in written_scale(channel).items()}
+    return {"quantity": channel.quantity, "unit": channel.unit, **scale, **({"truth": True} if channel.truth else {})}
+
+
+def _run_entry(run: Run) -> dict[str, Any]:
+    entry = {
+        "motor": run.motor,
+        "gear_ratio": None if run.gear_ratio is None else _number(run.gear_ratio),
+        "speed_rpm": None if run.speed is None else _counted_in(run.speed, UNITS["speed"]["rpm"]),
+        "profile": run.profile,
+        "set_point": set_point_entry(run),
+        "occupancy_percent": None if run.occupancy_percent is None else _number(run.occupancy_percent),
+        "particle_size_mm": None
+        if run.particle_size is None
+        else _counted_in(run.particle_size, UNITS["length"]["mm"]),
+    }
+    return {**{key: value for key, value in entry.items() if value is not None}, **_plain(run.others)}
+
+
+def _counted_in(value: float, factor: float) -> float:
+    """Return the shortest number that times ``factor`` is ``value`` again: 1000 rpm, not 999.9999999999999."""
+    for digits in range(1, 18):
+        candidate = float(f"{value / factor:.{digits}g}")
+        if candidate * factor == value:
+            return _number(candidate)
+    return value / factor
+
+
+def _number(value: float) -> float:
+    plain = float(value)
+    return int(plain) if plain.is_integer() and abs(plain) < 1e15 else plain
+
+
+def _plain(value: Any) -> Any:
+    """Return ``value`` in the types that YAML has."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    return value if value is None or isinstance(value, bool | int | float | str) else str(value)

@@ -1,0 +1,131 @@
+"""A recording that is gone through block by block: memory stays flat whatever its length."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import RecordingError
+from torquerig.recordings.files.checks import check_counts
+from torquerig.recordings.files.csv import csv_pieces
+from torquerig.recordings.files.gaps import usual_rate
+from torquerig.recordings.files.lvm import read_lvm
+from torquerig.recordings.files.mat import mat_pieces
+from torquerig.recordings.files.parquet import parquet_pieces
+from torquerig.recordings.files.pieces import TablePieces, pieces_of
+from torquerig.recordings.files.reading import check_readable, sheets_of
+from torquerig.recordings.files.sidecar import ChannelSheet, read_sidecar, sidecar_path
+from torquerig.recordings.files.tdms_pieces import tdms_pieces
+from torquerig.recordings.files.timebase import agreed_rate
+from torquerig.recordings.files.wav import wav_pieces
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.run import Run
+
+
+def _lvm_pieces(path: Path) -> TablePieces:
+    return pieces_of(read_lvm(path), reason="an LVM file is text in segments and read whole; save it as TDMS")
+
+
+STREAMS: Mapping[str, Callable[[Path], TablePieces]] = {
+    ".parquet": parquet_pieces,
+    ".csv": csv_pieces,
+    ".tsv": csv_pieces,
+    ".txt": csv_pieces,
+    ".dat": csv_pieces,
+    ".mat": mat_pieces,
+    ".tdms": tdms_pieces,
+    ".lvm": _lvm_pieces,
+    ".wav": wav_pieces,
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingStream:
+    """A recording on disk, described but not read.
+
+    Parameters
+    ----------
+    path : Path
+    sample_rate : float
+        [Hz].
+    samples : int or None
+        Of every channel; None where only reading to the end tells (CSV).
+    sheets : mapping of str to ChannelSheet
+        What the channels mean.
+    run, origin
+        As in :class:`Recording`.
+    table : TablePieces
+        Where the samples come from; ``table.read_whole`` says why the file could not be read in pieces, if so.
+    """
+
+    path: Path
+    sample_rate: float
+    samples: int | None
+    sheets: Mapping[str, ChannelSheet]
+    table: TablePieces
+    run: Run = field(default_factory=Run)
+    origin: Mapping[str, Any] = field(default_factory=dict)
+
+    def of(self, columns: Mapping[str, NDArray[np.float64]]) -> Recording:
+        """Return the recording of some samples of each channel."""
+        channels = {
+            name: Channel(
+                values=columns[name],
+                quantity=sheet.quantity,
+                unit=sheet.unit,
+                si_per_unit=sheet.si_per_unit,
+                truth=sheet.truth,
+            )
+            for name, sheet in self.sheets.items()
+        }
+        return Recording(
+            sample_rate=self.sample_rate, channels=channels, run=self.run, origin=self.origin, name=self.path.name
+        )
+
+    def columns(self) -> Iterator[Mapping[str, NDArray[np.float64]]]:
+        """Go through the samples of the channels, and of the time where there is one, as they come."""
+        time = self.table.time_name()
+        yield from self.table.pieces([*self.sheets, *([time] if time and time not in self.sheets else [])])
+
+
+def open_stream(path: Path) -> RecordingStream:
+    """Describe a recording, with its sidecar where there is one; the samples are read when they are asked for.
+
+    Raises
+    ------
+    InputError, RecordingError
+        As :func:`read_recording`, for what the description shows: a damaged file, wrong columns, unequal lengths, no
+        or contradictory rates. Samples that are no numbers and jumps of time show only in the blocks.
+    """
+    path = Path(path)
+    check_readable(path)
+    beside = sidecar_path(path)
+    sidecar = read_sidecar(beside) if beside.is_file() else None
+    table = STREAMS[path.suffix.lower()](path)
+    sheets = sheets_of(table.names, table.units, sidecar, path)
+    time = table.time_name()
+    lengths = {name: table.lengths[name] for name in (*([time] if time else []), *sheets) if name in table.lengths}
+    samples = check_counts(lengths, str(path)) if lengths else None
+    by_time = None if time is None else usual_rate(_first_times(table, time, path), name=time, where=str(path))
+    rate = agreed_rate(table.rates, sheets, by_time=by_time, time_name=time, sidecar=sidecar, where=str(path))
+    return RecordingStream(
+        path=path,
+        sample_rate=rate,
+        samples=samples,
+        sheets=sheets,
+        table=table,
+        run=sidecar.run if sidecar else Run(),
+        origin=sidecar.origin if sidecar else {},
+    )
+
+
+def _first_times(table: TablePieces, time: str, path: Path) -> NDArray[np.float64]:
+    times = next(iter(table.pieces([time])), {time: np.empty(0)})[time]
+    if times.size < 2:
+        raise RecordingError(f"{path}: the recording has fewer than 2 samples; record it again")
+    return times

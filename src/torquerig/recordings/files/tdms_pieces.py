@@ -1,0 +1,130 @@
+"""LabVIEW TDMS piece by piece: also where one chunk of the file holds an hour."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import RecordingError
+from torquerig.recordings.files.pieces import PIECE, Columns, TablePieces
+from torquerig.recordings.files.tdms import channel_names, check_whole, not_whole, stated, told_by_nptdms
+
+# npTDMS reads a chunk in one go; above this many samples the values are fetched here
+_LARGEST_CHUNK = PIECE
+_BROKEN = (ValueError, EOFError, OSError, KeyError, TypeError, struct.error)
+
+
+def tdms_pieces(path: Path) -> TablePieces:
+    """Go through the channels of numbers, scaled as the file says.
+
+    Raises
+    ------
+    RecordingError
+        As :func:`read_tdms`: a file that is cut short, a scale that is not known.
+    """
+    from nptdms import TdmsFile
+
+    with told_by_nptdms() as warnings:
+        try:
+            with TdmsFile.open(path) as file:
+                named = channel_names([channel for group in file.groups() for channel in group.channels()])
+                lengths = {name: len(channel) for name, channel in named.items()}
+                rates, units = stated(named)
+                incomplete = file.file_status.incomplete_final_segment
+        except _BROKEN as error:
+            raise not_whole(path, error) from None
+    check_whole(path, warnings, incomplete=incomplete)
+
+    def pieces(names: Sequence[str]) -> Iterator[Columns]:
+        yield from _pieces(path, names)
+
+    return TablePieces(names=tuple(named), lengths=lengths, pieces=pieces, rates=rates, units=units)
+
+
+def _pieces(path: Path, names: Sequence[str]) -> Iterator[Columns]:
+    from nptdms import TdmsFile
+
+    with ExitStack() as opened:
+        opened.enter_context(told_by_nptdms())
+        try:
+            file = opened.enter_context(TdmsFile.open(path))
+            every = channel_names([channel for group in file.groups() for channel in group.channels()])
+            named = {name: every[name] for name in names}
+            raw = opened.enter_context(path.open("rb"))
+            spans = {
+                name: _spans(file, channel.path) if _largest_chunk(file, channel.path) > _LARGEST_CHUNK else None
+                for name, channel in named.items()
+            }
+            for first in range(0, max((len(channel) for channel in named.values()), default=0), PIECE):
+                yield {
+                    name: _read(channel, raw, spans[name], first=first, count=PIECE) for name, channel in named.items()
+                }
+        except _BROKEN as error:
+            raise not_whole(path, error) from None
+
+
+Spans = list[tuple[int, int, int, np.dtype[Any]]]
+
+
+def _read(channel: Any, raw: BinaryIO, spans: Spans | None, *, first: int, count: int) -> NDArray[np.float64]:
+    if spans is None:
+        return np.asarray(channel.read_data(first, count), dtype=np.float64)
+    from nptdms.base_segment import RawChannelDataChunk
+
+    parts, start = [], 0
+    for size, position, stride, kind in spans:
+        low, high = max(first - start, 0), min(first + count - start, size)
+        start += size
+        if low < high:
+            raw.seek(position + low * stride)
+            parts.append(_column(raw, high - low, stride=stride, kind=kind))
+    chunk = RawChannelDataChunk.channel_data(np.concatenate(parts) if parts else np.empty(0))
+    return np.asarray(channel._scale_data(chunk), dtype=np.float64)
+
+
+def _column(raw: BinaryIO, count: int, *, stride: int, kind: np.dtype[Any]) -> NDArray[Any]:
+    """Read ``count`` values that stand ``stride`` bytes apart."""
+    if stride == kind.itemsize:
+        return np.fromfile(raw, kind, count)
+    rows = np.frombuffer(raw.read(stride * (count - 1) + kind.itemsize), dtype=np.uint8)
+    return np.ndarray((count,), kind, buffer=rows.data, strides=(stride,)).copy()
+
+
+def _largest_chunk(file: Any, path: str) -> int:
+    objects = (segment.get_segment_object(path) for segment in file._reader._segments)
+    return max((int(one.number_values) for one in objects if one is not None and one.has_data), default=0)
+
+
+def _spans(file: Any, path: str) -> Spans:
+    """Return (samples, place in the file, bytes from one value to the next, type) of each chunk of one channel.
+
+    npTDMS has no call that reads part of a chunk, so that its record of the segments is used here; a change of it
+    shows in the tests.
+    """
+    from nptdms.common import toc_properties
+
+    spans: Spans = []
+    for segment in file._reader._segments:
+        if segment._have_daqmx_objects():
+            raise RecordingError(f"{path}: its DAQmx chunks are too large to be read in pieces; save scaled values")
+        objects = segment._get_data_objects()
+        order = ">" if segment.toc_mask & toc_properties["kTocBigEndian"] else "<"
+        kinds = [one.data_type.nptype.newbyteorder(order) for one in objects]
+        widths = [kind.itemsize for kind in kinds]
+        interleaved = segment._have_interleaved_data()
+        position = segment.data_position
+        for _ in range(segment.num_chunks):
+            for index, one in enumerate(objects):
+                if one.path == path:
+                    stride = sum(widths) if interleaved else widths[index]
+                    spans.append((int(one.number_values), position, stride, kinds[index]))
+                position += widths[index] * (1 if interleaved else int(one.number_values))
+            if interleaved:
+                position += sum(widths) * (int(objects[0].number_values) - 1)
+    return spans

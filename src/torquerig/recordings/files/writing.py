@@ -1,0 +1,104 @@
+"""A Recording to a table file and its sidecar: both whole, or neither, and nothing overwritten unasked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from torquerig.errors import InputError
+from torquerig.recordings.files.checks import check_finite, check_lengths
+from torquerig.recordings.files.csv import write_csv
+from torquerig.recordings.files.mat import refuse_variable_names, write_mat
+from torquerig.recordings.files.parquet import write_parquet
+from torquerig.recordings.files.sidecar import read_sidecar, sidecar_path
+from torquerig.recordings.files.sidecar_text import sidecar_text
+from torquerig.recordings.files.table import TIME_NAMES
+from torquerig.recordings.files.tdms import write_tdms
+from torquerig.recordings.recording import Recording
+from torquerig.whole_file import whole_file
+
+WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
+    ".parquet": write_parquet,
+    ".csv": write_csv,
+    ".mat": write_mat,
+    ".tdms": write_tdms,
+}
+
+
+def write_recording(recording: Recording, path: Path, *, overwrite: bool = False) -> list[Path]:
+    """Write a recording and its sidecar; return the two paths. The same recording gives the same bytes.
+
+    Both are first written under another name in the same folder and then renamed, so that a break leaves no half file.
+
+    Raises
+    ------
+    InputError
+        An ending that is not written, a missing folder, a channel called like the time, a file that is there
+        already (with ``overwrite``: a file in the sidecar's place that is no sidecar).
+    RecordingError
+        A recording that could not be read back: no samples, unequal lengths, samples that are no numbers.
+    """
+    path = Path(path)
+    write = _writer_of(path)
+    _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+    refuse_names(recording, path)
+    check_lengths({name: channel.values for name, channel in recording.channels.items()}, str(path))
+    check_finite(recording)
+    return put_in_place(lambda partial: write(recording, partial), recording, path, overwrite=overwrite)
+
+
+def put_in_place(
+    write: Callable[[Path], None], recording: Recording, path: Path, *, overwrite: bool = False
+) -> list[Path]:
+    """Let ``write`` write the table under another name, then its sidecar, then rename both; return their paths.
+
+    Raises
+    ------
+    InputError
+        As :func:`write_recording`, before anything is written.
+    """
+    check_target(path, overwrite=overwrite)
+    sidecar = sidecar_path(path)
+    with whole_file(sidecar) as partial_sidecar, whole_file(path) as partial:
+        write(partial)
+        partial_sidecar.write_bytes(sidecar_text(recording).encode())
+    return [path, sidecar]
+
+
+def check_target(path: Path, *, overwrite: bool = False) -> None:
+    """Raise the InputError that writing to ``path`` would raise, so that no long run is made in vain."""
+    _writer_of(path)
+    _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+
+
+def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
+    ending = path.suffix.lower()
+    if ending not in WRITERS:
+        raise InputError(f"{path}: the ending {ending!r} is no format that is written; use {', '.join(WRITERS)}")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    return WRITERS[ending]
+
+
+def refuse_names(recording: Recording, path: Path) -> None:
+    """Raise InputError for a channel called like the time, or one whose name cannot be written."""
+    for name in recording.channels:
+        if name.strip().lower() in (*TIME_NAMES, "sample_rate_hz"):
+            raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")
+        if not name.strip() or not name.isprintable():
+            raise InputError(f"{path}: {name!r} cannot name a channel; use letters, digits and _")
+    if path.suffix.lower() == ".mat":
+        refuse_variable_names(recording.channels, path)
+
+
+def _refuse_overwriting(path: Path, sidecar: Path, *, overwrite: bool) -> None:
+    for one in (path, sidecar):
+        if one.exists() and not overwrite:
+            raise InputError(f"{one}: is there already; choose another name, or overwrite it with --force")
+    if sidecar.exists():
+        try:
+            read_sidecar(sidecar)
+        except InputError:
+            raise InputError(
+                f"{sidecar}: is there already and is no sidecar of a recording; choose another name for {path.name}"
+            ) from None

@@ -1,0 +1,66 @@
+"""Segments of constant or evenly changing speed, each with its load, one cycle after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from torquerig.errors import InputError
+from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.tabulated import Tabulated
+
+
+@dataclass(frozen=True, kw_only=True)
+class Segment:
+    """One stretch of a duty cycle.
+
+    Parameters
+    ----------
+    duration : float
+        [s], > 0.
+    speed : float
+        Of the motor at the end of the segment [rad/s].
+    ramp : bool
+        Whether it is reached evenly over the segment; otherwise it holds from the start.
+    load : float or None
+        Mean torque against the wear part's motion [N m]; None leaves it to the rig.
+    """
+
+    duration: float
+    speed: float
+    ramp: bool = False
+    load: float | None = None
+
+
+def duty_cycle(segments: Sequence[Segment], *, repeats: int | None = None) -> Tabulated:
+    """Return the profile of a duty cycle; ``repeats`` None repeats it as long as the run lasts.
+
+    A ramp starts where the segment before it ended; in the first segment that is the end of the last one, as in every
+    repetition.
+
+    Raises
+    ------
+    InputError
+        When there is no segment, one lasts no time, or some but not all state a load.
+    """
+    if not segments:
+        raise InputError("a duty cycle needs at least one segment; write its duration and speed")
+    stated = [one.load is not None for one in segments]
+    if any(stated) and not all(stated):
+        raise InputError(f"segment {stated.index(False) + 1} states no load, but others do; give every segment one")
+    time, speed, load = [0.0], [_start(segments, 0)], [segments[0].load or 0.0]
+    for number, one in enumerate(segments):
+        if not one.duration > 0:
+            raise InputError(f"segment {number + 1} lasts {one.duration:g} s; a segment lasts more than 0 s")
+        first = (time[-1], _start(segments, number), one.load or 0.0)
+        last = (first[0] + one.duration, one.speed, one.load or 0.0)
+        for point in (first, last):
+            if point != (time[-1], speed[-1], load[-1]):
+                for kept, value in zip((time, speed, load), point, strict=True):
+                    kept.append(value)
+    rows = Corners(time=tuple(time), speed=tuple(speed), load=tuple(load) if all(stated) else None)
+    return Tabulated(rows=rows, repeats=repeats, word="duty_cycle")
+
+
+def _start(segments: Sequence[Segment], number: int) -> float:
+    return segments[number - 1].speed if segments[number].ramp else segments[number].speed

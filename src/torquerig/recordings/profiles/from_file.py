@@ -1,0 +1,75 @@
+"""A profile from a table file: time_s, a speed, and a load torque where wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError, did_you_mean
+from torquerig.recordings.files.reading import READERS
+from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.gaps import refuse_gaps
+from torquerig.units import UNITS
+
+TEXTS = (".csv", ".tsv", ".txt", ".dat")
+# column -> whether it is counted at the output shaft; a bare speed_rpm is the motor's, as on a test sheet
+SPEEDS = {"speed_rpm": False, "motor_speed_rpm": False, "output_speed_rpm": True}
+LOADS = ("torque_Nm", "load_torque_Nm")
+
+
+def read_profile(path: Path) -> tuple[Corners, bool]:
+    """Return the rows of a profile, and whether its speeds are counted at the output shaft.
+
+    Any table that can be read as a recording; columns ``time_s`` [s], one of ``speed_rpm`` (of the motor),
+    ``motor_speed_rpm`` and ``output_speed_rpm``, and, where wanted, ``torque_Nm``: the load at the wear part.
+
+    Raises
+    ------
+    InputError
+        With file, line and remedy: a missing column, a gap, a time that does not rise.
+    RecordingError
+        A file that cannot be read as a table.
+    """
+    columns = _columns(path)
+    if "time_s" not in columns:
+        raise InputError(f"{path}: a profile needs the column time_s; {did_you_mean('time_s', columns)}")
+    found = [name for name in SPEEDS if name in columns]
+    if len(found) != 1:
+        has = " and ".join(found) or "none"
+        raise InputError(f"{path}: a profile needs one column of speed, {', '.join(SPEEDS)}; it has {has}")
+    load = next((name for name in LOADS if name in columns), None)
+    used = {name: columns[name] for name in ("time_s", found[0], *([load] if load else []))}
+    rows = {values.size for values in used.values()}
+    if len(rows) > 1 or rows == {0}:
+        raise InputError(f"{path}: the columns {', '.join(used)} have unequal numbers of rows, or none; fill them")
+    place = _places(path, rows.pop())
+    refuse_gaps(used["time_s"], used, place=place)
+    if load is not None and np.any(used[load] < 0):
+        at = place(int(np.argmax(used[load] < 0)))
+        raise InputError(f"{at}: {load} is negative; a load opposes the motion, write its size")
+    corners = Corners(
+        time=tuple(used["time_s"].tolist()),
+        speed=tuple((used[found[0]] * UNITS["speed"]["rpm"]).tolist()),
+        load=tuple(used[load].tolist()) if load else None,
+    )
+    return corners, SPEEDS[found[0]]
+
+
+def _columns(path: Path) -> Mapping[str, NDArray[np.float64]]:
+    if not path.is_file():
+        raise InputError(f"{path}: there is no such file of a profile; check the path")
+    if path.suffix.lower() not in READERS:
+        raise InputError(f"{path}: the ending {path.suffix!r} is no format of a table; read are {', '.join(READERS)}")
+    return READERS[path.suffix.lower()](path).columns
+
+
+def _places(path: Path, rows: int) -> Callable[[int], str]:
+    """Return what names a row: file and line in a text, file and row elsewhere."""
+    if path.suffix.lower() not in TEXTS:
+        return lambda row: f"{path}: row {row + 1}"
+    text = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    filled = [line for line, written in enumerate(text, start=1) if written.strip()][-rows:]
+    return lambda row: f"{path}:{filled[row]}"

@@ -1,0 +1,36 @@
+"""Two sine periods of speed, both directions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.recordings.profiles.corners import Corners
+
+LINES = 400  # straight lines for two periods: off the sine by 1.2e-4 of the set-point at most
+
+
+@dataclass(frozen=True)
+class Reversal:
+    """``w = top sin(4 pi t / duration)`` (CONTRACTS.md, section 1)."""
+
+    word: ClassVar[str] = "reversal"
+    length: ClassVar[float] = inf
+
+    def speed(self, time: NDArray[np.float64], *, top: float, duration: float) -> NDArray[np.float64]:
+        """Return the set-point at each time [rad/s]."""
+        return np.asarray(top * np.sin(4 * np.pi * time / duration))
+
+    def load(self, time: NDArray[np.float64]) -> None:
+        """Return None: the load is the rig's."""
+
+    def corners(self, *, top: float, duration: float) -> Corners:
+        """Return the two periods as straight lines."""
+        time = np.linspace(0.0, duration, LINES + 1)
+        speed = self.speed(time, top=top, duration=duration)
+        speed[:: LINES // 4] = 0.0  # where the sine passes zero, to the last bit
+        return Corners(time=tuple(time.tolist()), speed=tuple(speed.tolist()))

@@ -1,0 +1,161 @@
+"""A recording: equally sampled channels with units, the run they were taken in, and what made them."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import RecordingError, did_you_mean
+from torquerig.recordings.run import Run
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+QUANTITIES = (
+    "torque",
+    "force",
+    "motor_torque",
+    "current",
+    "voltage",
+    "motor_angle",
+    "angle",
+    "position",
+    "motor_speed",
+    "speed",
+    "velocity",
+    "temperature",
+    "tacho",
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Channel:
+    """One measured or true signal.
+
+    Parameters
+    ----------
+    values : ndarray, shape (samples,), float64
+        As recorded, in ``unit``.
+    quantity : str
+        One of ``QUANTITIES``.
+    unit : str
+        What one of ``values`` is, for example ``V``, ``count`` or ``N*m``.
+    si_per_unit : float
+        SI quantity per ``unit``: N m per V for a torque sensor, rad per count for an encoder.
+    truth : bool
+        True for what only a simulation knows; never an input of a diagnosis.
+    """
+
+    values: NDArray[np.float64]
+    quantity: str
+    unit: str
+    si_per_unit: float = 1.0
+    truth: bool = False
+
+    def in_si(self) -> NDArray[np.float64]:
+        """Return the signal in SI units, shape (samples,)."""
+        return self.values if self.si_per_unit == 1.0 else self.values * self.si_per_unit
+
+
+@dataclass(frozen=True, kw_only=True)
+class Recording:
+    """Equally sampled channels of one run.
+
+    Parameters
+    ----------
+    sample_rate : float
+        Samples per second [Hz].
+    channels : mapping of str to Channel
+        All of the same length; the names carry the unit by habit (``torque_V``).
+    run : Run
+        The set-points of the run.
+    origin : mapping
+        What made it: for a simulated one ``scenario``, ``seed`` and ``torquerig`` version; empty for a measured one.
+    name : str
+        The file name, for messages.
+    """
+
+    sample_rate: float
+    channels: Mapping[str, Channel]
+    run: Run = field(default_factory=Run)
+    origin: Mapping[str, Any] = field(default_factory=dict)
+    name: str = "recording"
+
+    @property
+    def samples(self) -> int:
+        """The number of samples of every channel."""
+        return next((channel.values.size for channel in self.channels.values()), 0)
+
+    @property
+    def duration(self) -> float:
+        """The length of the recording [s]."""
+        return self.samples / self.sample_rate
+
+    def time(self) -> NDArray[np.float64]:
+        """Return the time of each sample from the first one [s], shape (samples,)."""
+        return np.arange(self.samples) / self.sample_rate
+
+    def find(self, quantity: str, *, truth: bool = False) -> str | None:
+        """Return the name of the first channel of ``quantity``, or None."""
+        for name, channel in self.channels.items():
+            if channel.quantity == quantity and channel.truth == truth:
+                return name
+        return None
+
+    def torque_name(self) -> str:
+        """Return the name of the measured torque (or, on a rig that moves in a line, force) channel."""
+        name = self.find("torque") or self.find("force")
+        if name is None:
+            raise RecordingError(
+                f"{self.name}: there is no torque channel among {', '.join(self.channels)}; "
+                "name its quantity in the sidecar: channels: {NAME: {quantity: torque, unit: V, Nm_per_V: 1.0}}"
+            )
+        return name
+
+    def torque_values(self) -> NDArray[np.float64]:
+        """Return the measured torque as it was recorded, in the unit of its channel, shape (samples,)."""
+        return self.channels[self.torque_name()].values
+
+    def torque(self) -> NDArray[np.float64]:
+        """Return the measured torque [N m], shape (samples,)."""
+        return self.channels[self.torque_name()].in_si()
+
+    def channel(self, name: str) -> Channel:
+        """Return the channel ``name``; RecordingError with the close matches where there is none."""
+        if name not in self.channels:
+            raise RecordingError(f"{self.name}: there is no channel {name!r}; {did_you_mean(name, self.channels)}")
+        return self.channels[name]
+
+    def with_channel(self, name: str, channel: Channel) -> Recording:
+        """Return this recording with ``channel`` added or put in place of the one of that name."""
+        return replace(self, channels={**self.channels, name: channel})
+
+    def with_values(self, name: str, values: NDArray[np.float64]) -> Recording:
+        """Return this recording with the samples of the channel ``name`` replaced."""
+        return self.with_channel(name, replace(self.channel(name), values=values))
+
+    def without_truth(self) -> Recording:
+        """Return what a real rig would have recorded: this recording without its truth channels."""
+        measured = {name: channel for name, channel in self.channels.items() if not channel.truth}
+        return replace(self, channels=measured)
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return all channels as recorded, one column each, over the time [s]; for those who work in pandas."""
+        import pandas as pd
+
+        columns = {name: channel.values for name, channel in self.channels.items()}
+        return pd.DataFrame(columns, index=pd.Index(self.time(), name="time_s"))
+
+    def random(self, purpose: str) -> np.random.Generator:
+        """Return the random generator of one purpose: fixed by the recording's seed and the name of the purpose."""
+        return random_for(int(self.origin.get("seed", 0)), purpose)
+
+
+def random_for(seed: int, purpose: str) -> np.random.Generator:
+    """Return an independent random generator for each purpose of one seed, whatever the order of the calls."""
+    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(zlib.crc32(purpose.encode()),)))

@@ -1,0 +1,168 @@
+"""A measured channel over again: the torque or motion that a recording holds, at the times that a run asks for.
+
+Before the recording its first value (of a motion: its first speed) is held. At another rate a run gets the cubic spline
+through the samples, after a low-pass below half the run's rate where that is the lower one.
+
+Source: de Boor 2001, A Practical Guide to Splines, chapter IV (not-a-knot). Within 1e-3 up to a sixth of the
+recording's rate; what stands above is weakened.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.errors import InputError, RecordingError, did_you_mean
+from torquerig.recordings.channel_angle import angle_of
+from torquerig.recordings.recording import Channel, Recording
+
+Floats = NDArray[np.float64]
+
+TORQUES = ("torque", "motor_torque", "force", "current")
+ANGLES = ("motor_angle", "angle", "position")
+SPEEDS = ("motor_speed", "speed", "velocity")
+KEPT_BAND = 0.4  # of the lower rate: corner of the low-pass before a recording is thinned out
+
+
+@dataclass(frozen=True, eq=False)
+class ReplayedTorque:
+    """A torque [N m] or force [N] in SI, as recorded; ``told`` names channel and file in messages."""
+
+    values: Floats
+    rate: float
+    told: str
+
+    def at(self, time: Floats) -> Floats:
+        """Return the torque at equally spaced times [s]; InputError where they go beyond the recording."""
+        _refuse_longer(self, time)
+        index = time * self.rate
+        whole = np.round(index).astype(np.int64)
+        same_rate = abs((time[1] - time[0]) * self.rate - 1) < 1e-9
+        if same_rate and np.allclose(index, whole, rtol=0, atol=1e-6):  # sample by sample, no spline between
+            return np.asarray(self.values[np.clip(whole, 0, self.values.size - 1)])
+        return np.asarray(_spline(self, time)(np.clip(time, 0.0, (self.values.size - 1) / self.rate)))
+
+
+@dataclass(frozen=True, eq=False)
+class ReplayedMotion:
+    """An angle [rad] or position [m], or, where ``speeds``, the speed; in SI, as recorded."""
+
+    values: Floats
+    rate: float
+    told: str
+    speeds: bool
+
+    def at(self, time: Floats) -> tuple[Floats, Floats]:
+        """Return angle and speed at equally spaced times [s]; InputError where they go beyond the recording."""
+        _refuse_longer(self, time)
+        curve = _spline(self, time)
+        angle, speed = (curve.antiderivative(), curve) if self.speeds else (curve, curve.derivative())
+        within = np.clip(time, 0.0, (self.values.size - 1) / self.rate)
+        turning = np.asarray(speed(within))
+        return np.asarray(angle(within)) + turning * (time - within), turning
+
+
+def replayed_torque(
+    recording: Recording, channel: str, *, factor: float = 1.0, torque_constant: float | None = None
+) -> ReplayedTorque:
+    """Return the torque of a channel, named by its name or its quantity, times ``factor``.
+
+    Parameters
+    ----------
+    torque_constant : float, optional
+        [N m/A], for a current.
+
+    Raises
+    ------
+    RecordingError
+        No such channel; one that is no torque; gaps; a current without torque constant.
+    """
+    name, found = _channel(recording, channel)
+    told = f"{name} of {recording.name}"
+    if found.quantity not in TORQUES:
+        raise RecordingError(f"{told} is a {found.quantity}, not a torque; name a channel of {', '.join(TORQUES)}")
+    if found.quantity == "current" and torque_constant is None:
+        raise RecordingError(f"{told} is a current; add torque_constant:, such as 0.11 N*m/A")
+    scale = factor * (torque_constant or 1.0) if found.quantity == "current" else factor
+    return ReplayedTorque(scale * _whole(found, told, recording.sample_rate), recording.sample_rate, told)
+
+
+def replayed_motion(recording: Recording, channel: str, *, factor: float = 1.0) -> ReplayedMotion:
+    """Return the motion of an angle or speed channel, named by its name or its quantity, times ``factor``.
+
+    Counts are unwrapped and smoothed as ``signals.angle`` says. RecordingError as for ``replayed_torque``.
+    """
+    name, found = _channel(recording, channel)
+    told = f"{name} of {recording.name}"
+    if found.quantity not in (*ANGLES, *SPEEDS):
+        raise RecordingError(
+            f"{told} is a {found.quantity}, and a motion needs an angle or a speed; name a channel of "
+            f"{', '.join((*ANGLES, *SPEEDS))}"
+        )
+    values, speeds = _whole(found, told, recording.sample_rate), found.quantity in SPEEDS
+    if not speeds:
+        values = angle_of(found, recording.sample_rate)
+    return ReplayedMotion(factor * values, recording.sample_rate, told, speeds)
+
+
+def recording_at(path: Path) -> Recording:
+    """Return the recording of a file, read once for as long as the file stays the same."""
+    return _read(path, path.stat().st_mtime_ns if path.is_file() else 0)
+
+
+@lru_cache(maxsize=4)
+def _read(path: Path, changed: int) -> Recording:
+    from torquerig.recordings.files.reading import read_recording
+
+    return read_recording(path)
+
+
+def _channel(recording: Recording, wanted: str) -> tuple[str, Channel]:
+    channels: Mapping[str, Channel] = recording.channels
+    name = wanted if wanted in channels else recording.find(wanted)
+    if name is None:
+        known = [*channels, *(one.quantity for one in channels.values())]
+        raise RecordingError(f"{recording.name} has no channel {wanted!r}; {did_you_mean(wanted, known)}")
+    return name, channels[name]
+
+
+def _whole(channel: Channel, told: str, rate: float) -> Floats:
+    values = channel.in_si()
+    bad = ~np.isfinite(values)
+    if bad.any():
+        first = int(np.argmax(bad))
+        raise RecordingError(
+            f"{told} has a gap of {int(bad.sum())} samples that are no numbers, from {first / rate:.6g} s on; replay a "
+            "recording cut to a span without them"
+        )
+    if values.size < 4:
+        raise RecordingError(f"{told} has {values.size} samples; a replay needs at least 4")
+    return values
+
+
+def _refuse_longer(signal: ReplayedTorque | ReplayedMotion, time: Floats) -> None:
+    """Refuse times behind the last sample; the very last time only closes the run's last sample and may be one over."""
+    last = (signal.values.size - 1) / signal.rate
+    if time[-2] > last + 1e-9:
+        raise InputError(
+            f"{signal.told} lasts {signal.values.size / signal.rate:.6g} s, and the run {time[-1]:.6g} s; make the run "
+            "shorter, or replay a longer recording"
+        )
+
+
+def _spline(signal: ReplayedTorque | ReplayedMotion, time: Floats) -> Any:
+    """Return the spline through the samples over the time of the recording [s], thinned to the rate of ``time``."""
+    from scipy.interpolate import CubicSpline
+
+    values, rate = signal.values, 1 / (time[1] - time[0])
+    if rate < signal.rate * (1 - 1e-9):
+        from scipy.signal import butter, sosfiltfilt
+
+        values = sosfiltfilt(butter(8, KEPT_BAND * rate, fs=signal.rate, output="sos"), values)
+    return CubicSpline(np.arange(values.size) / signal.rate, values)

@@ -1,0 +1,68 @@
+"""The conditions on the test sheet of one run: set-points, not truths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import pi
+from typing import Any, Literal
+
+from torquerig.errors import InputError
+from torquerig.recordings.profiles.profile import SpeedProfile
+from torquerig.recordings.profiles.ramp import Ramp
+from torquerig.recordings.profiles.reversal import Reversal
+from torquerig.recordings.profiles.steady import Steady
+
+Profile = Literal["steady", "ramp", "reversal", "duty_cycle", "csv"]
+PROFILES: tuple[Profile, ...] = ("steady", "ramp", "reversal", "duty_cycle", "csv")
+_BY_WORD: dict[str, SpeedProfile] = {one.word: one for one in (Steady(), Ramp(), Reversal())}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """What the operator set. ``None`` is not written on the sheet.
+
+    Parameters
+    ----------
+    motor : str or None
+        Catalog name of the motor.
+    gear_ratio : float or None
+        Motor turns per output turn [1], > 0.
+    speed : float or None
+        Set-point of the motor speed [rad/s].
+    profile : {"steady", "ramp", "reversal", "duty_cycle", "csv"}
+        ``steady`` holds the set-point; ``ramp`` runs from 10 % to 100 % of it and holds for the last tenth of the
+        recording; ``reversal`` is two full sine periods with the set-point as amplitude. The other two have times and
+        speeds of their own, in ``set_points``; ``speed`` is then the largest of them.
+    set_points : SpeedProfile or None
+        What the word alone does not say.
+    occupancy_percent : float or None
+        Filling of the wear rig [%]; 0 is idle.
+    particle_size : float or None
+        Particle diameter [m].
+    others : dict
+        Further keys of the sheet, kept as they are.
+    """
+
+    motor: str | None = None
+    gear_ratio: float | None = None
+    speed: float | None = None
+    profile: Profile = "steady"
+    set_points: SpeedProfile | None = None
+    occupancy_percent: float | None = None
+    particle_size: float | None = None
+    others: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def speed_rpm(self) -> float | None:
+        """The set-point of the motor speed [rpm], as the sheet writes it."""
+        return None if self.speed is None else self.speed * 30 / pi
+
+    def course(self) -> SpeedProfile:
+        """Return how the set-point runs over time; InputError where the sheet names a profile and not its points."""
+        course = self.set_points or _BY_WORD.get(self.profile)
+        if course is None:
+            raise InputError(
+                f"the run's profile is {self.profile}, and nothing states its set-points; add to run: "
+                "set_point: {time_s: [0, 1], speed_rpm: [0, 1000]}, or name another profile"
+            )
+        return course

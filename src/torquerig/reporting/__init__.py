@@ -1,0 +1,14 @@
+"""Results as pages, tables, workbooks and text. Lays out results, computes nothing.
+
+====================== ============================================================================
+``study/``             the report of a study: page, CSV tables, text for the terminal
+``diagnosis/``         the page of a diagnosis
+``matrix/``            a matrix as page and Markdown
+``sizing/``            a sizing and its duty cycle
+``workbook/``          Excel workbooks of a study and of a matrix
+``reference_report/``  results and decision of the reference report next to the simulated rig
+``figures/``           pictures of signals, spectra, orders, modes, rankings
+``layout``             what a table is made of; ``html``: a page from its template
+``replaced_folder``    a folder that is replaced whole or not at all
+====================== ============================================================================
+"""

@@ -1,0 +1,46 @@
+"""Where recordings and model differ: each place's share of the misfit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from torquerig.diagnosis.outcome import Mismatch
+from torquerig.reporting.diagnosis.sentences import chance_text, place_text
+from torquerig.reporting.figures.picture import new_figure
+
+COLOURS = {
+    "order": "#1f5f9e", "frequency": "#b8860b", "time": "#7570b3", "speed": "#1b9e77", "level": "#2a7f62",
+    "distribution": "#8d6bb5",
+}  # fmt: skip
+MOST = 12
+_LEAST = 5e-4  # a share that is written as 0.0 %
+
+
+def to_be_seen(mismatches: Sequence[Mismatch]) -> bool:
+    """Whether any bar would be more than a line at zero."""
+    return any(one.share_of_misfit >= _LEAST for one in mismatches)
+
+
+def diagnosis_places_figure(mismatches: Sequence[Mismatch]) -> Figure:
+    """Return bars of the shares of the misfit [%], largest first, coloured by what the place is fixed to."""
+    shown = sorted(mismatches, key=lambda one: -one.share_of_misfit)[:MOST][::-1]
+    figure = new_figure(10.5, 0.7 + 0.27 * len(shown))
+    axes = figure.add_subplot()
+    shares = [100 * one.share_of_misfit for one in shown]
+    axes.barh(range(len(shown)), shares, color=[COLOURS[one.domain] for one in shown], height=0.7)
+    for row, (one, share) in enumerate(zip(shown, shares, strict=True)):
+        said = f"  {share:.1f} %, p {chance_text(one.p_value)}"
+        axes.text(share, row, said, va="center", fontsize=7.5, clip_on=True)
+    axes.set_yticks(range(len(shown)), [place_text(one) for one in shown])
+    axes.set_xlim(0, 1.25 * max(shares))
+    axes.set_xlabel("share of the misfit [%]")
+    present = dict.fromkeys(one.domain for one in reversed(shown))
+    handles = [axes.barh([0], [0], color=COLOURS[domain], label=_words(domain)) for domain in present]
+    axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
+    return figure
+
+
+def _words(domain: str) -> str:
+    return {"order": "turns with a shaft", "frequency": "in frequency", "speed": "goes with speed"}.get(domain, domain)

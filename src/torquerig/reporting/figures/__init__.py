@@ -1,0 +1,1 @@
+"""Pictures of signals, spectra, orders, modes and rankings; ``picture`` makes the file."""

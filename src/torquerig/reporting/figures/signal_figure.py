@@ -1,0 +1,38 @@
+"""A stretch of the reading before and after a filter, beside the load that a simulation knows."""
+
+from __future__ import annotations
+
+from matplotlib.figure import Figure
+
+from torquerig.metrics.truth_error import TRUE_LOAD
+from torquerig.recordings.recording import Recording
+from torquerig.reporting.figures.envelope import envelope
+from torquerig.reporting.figures.picture import new_figure
+from torquerig.reporting.figures.spectrum_figure import AFTER, BEFORE
+
+LOAD = "#d1495b"
+
+
+def signal_figure(
+    before: Recording, after: Recording, *, start: float, duration: float = 0.3, title: str = ""
+) -> Figure:
+    """Return ``duration`` seconds of the torque from ``start`` [s]; the true load where the recording has it."""
+    figure = new_figure(10.5, 2.7)
+    axes = figure.add_subplot()
+    time = before.time()
+    kept = (time >= start) & (time <= start + duration)
+    curves = [("before the filter", before.torque(), BEFORE, 0.8)]
+    if after is not before:
+        curves.append(("after the filter", after.torque(), AFTER, 1.3))
+    if TRUE_LOAD in before.channels:
+        curves.append(("true load", before.channels[TRUE_LOAD].values, LOAD, 1.0))
+    for label, values, colour, width in curves:
+        axes.plot(*envelope(time[kept], values[kept]), color=colour, linewidth=width, label=label)
+    axes.set_xlim(start, start + duration)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("torque [N m]")
+    axes.grid(color="#e3e7eb", linewidth=0.6)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
+    if title:
+        axes.set_title(title, loc="left")
+    return figure

@@ -1,0 +1,24 @@
+"""A page from its template: one HTML file that needs nothing beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from torquerig import __version__
+
+
+def html(template: str, content: Mapping[str, Any], *, folder: Path | None = None) -> str:
+    """Return a template of ``folder`` or of ``reporting/templates`` filled with ``content`` and the version.
+
+    What is text is escaped, and a name that the template asks for and the content lacks is an error.
+    """
+    from jinja2 import ChoiceLoader, Environment, FileSystemLoader, PackageLoader, StrictUndefined
+
+    own = [] if folder is None else [FileSystemLoader(folder)]
+    environment = Environment(
+        loader=ChoiceLoader([*own, PackageLoader("torquerig.reporting")]), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
+    )  # fmt: skip
+    return environment.get_template(template).render({"version": __version__, **content})

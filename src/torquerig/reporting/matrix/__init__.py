@@ -1,0 +1,1 @@
+"""A worked-out matrix as page, Markdown or file."""

@@ -1,0 +1,263 @@
+"""A worked-out matrix as chapters of tables and sentences: the same for page and Markdown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from torquerig.decide.eliminate import Decision
+from torquerig.decide.matrix_io.certainty_text import tell_convergence, tell_flips, tell_pareto
+from torquerig.decide.matrix_io.text import span
+from torquerig.decide.pugh import Sign
+from torquerig.decide.ranks import shown_rank
+from torquerig.decide.trace import all_traces
+from torquerig.decide.working import WorkedOut
+from torquerig.reporting.figures.shades import GOOD_IS_HIGH, mark_style, shade
+from torquerig.reporting.layout import Cell, Table, number, words
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chapter:
+    """A heading with what stands under it.
+
+    Parameters
+    ----------
+    anchor, title : str
+    lines : tuple of str
+        Sentences, above the tables.
+    tables : tuple of Table
+    picture : str
+        ``strength`` or ``profile`` where the page shows that picture after the tables.
+    """
+
+    anchor: str
+    title: str
+    lines: tuple[str, ...] = ()
+    tables: tuple[Table, ...] = ()
+    picture: str = ""
+
+
+def chapters(worked: WorkedOut) -> tuple[Chapter, ...]:
+    """Return all chapters in the order in which they are read."""
+    return (
+        known_chapter(worked),
+        _elimination(worked),
+        Chapter(anchor="pareto", title="Dominance, before any weight", lines=_lines(tell_pareto(worked.pareto))),
+        _pugh(worked),
+        _kesselring(worked),
+        *_strength(worked),
+        _sure(worked),
+        _ask(worked),
+        _changed(worked),
+        _findings(worked),
+        _traces(worked),
+    )
+
+
+def trace_anchor(worked: WorkedOut, alternative: str, criterion: str) -> str:
+    """Return the name under which the page keeps the way of one cell."""
+    matrix = worked.case.matrix
+    column = next(place for place, one in enumerate(matrix.criteria) if one.name == criterion)
+    return f"cell-{matrix.index(alternative) + 1}-{column + 1}"
+
+
+def known_chapter(worked: WorkedOut) -> Chapter:
+    """Return what is known, each cell leading to its trace."""
+    matrix = worked.case.matrix
+    head = [one.name if one.unit in ("1", "yes/no") else f"{one.name} [{one.unit}]" for one in matrix.criteria]
+    rows = []
+    for name in matrix.alternatives:
+        cells = []
+        for one in matrix.criteria:
+            cell = matrix.cell(name, one.name)
+            told = "; ".join(text for text in (cell.source, cell.evidence, cell.unknown_reason) if text)
+            shown = number(cell.shown(), title=told)
+            cells.append(replace(shown, link=f"#{trace_anchor(worked, name, one.name)}"))
+        rows.append((*words(name), *cells))
+    table = Table(caption="What is known; ? is missing, and never counts as zero", head=("alternative", *head),
+                  rows=tuple(rows))  # fmt: skip
+    return Chapter(anchor="known", title="What is known", tables=(table,))
+
+
+def _elimination(worked: WorkedOut) -> Chapter:
+    rules = {
+        one.name: one.demand.rule(one.name, one.unit) for one in worked.case.matrix.criteria if one.demand is not None
+    }
+    rows = []
+    for row in worked.chart.rows:
+        marks = [str(row.marks.get(name, "")) for name in worked.chart.criteria]
+        told = "; ".join(remark.sentence() for remark in row.remarks)
+        cells = (Cell(text=mark, style=mark_style(mark), word="mark") for mark in marks)
+        rows.append((*words(row.alternative), *cells, *words(str(row.decision)), Cell(text=told, word="remark")))
+    table = Table(
+        caption="+ meets the demand, - fails it, ? the fact is missing, ! the demand must be checked; nothing is asked "
+        "after the first -",
+        head=("alternative", *(rules[name] for name in worked.chart.criteria), "decision", "remarks"),
+        rows=tuple(rows),
+    )
+    near = tuple(f"Near miss: {one.sentence()}." for one in worked.near)
+    if worked.verdict.winners == () and worked.chart.with_decision(Decision.ELIMINATE):
+        near = (*near, "Nobody meets the demands; what follows rates everybody all the same.")
+    return Chapter(anchor="elimination", title="Elimination", lines=near, tables=(table,))
+
+
+def _pugh(worked: WorkedOut) -> Chapter:
+    result, sweep = worked.pugh, worked.sweep
+    best, worst = (ends.tolist() for ends in result.rank_range)
+    rows = []
+    for place, name in enumerate(result.alternatives):
+        marks = (Cell(text=str(sign), style=mark_style(str(sign)), word="mark") for sign in result.signs(name))
+        counts = (number(str(count)) for count in result.counts(name).values())
+        net = span(float(result.net_low[place]), float(result.net_high[place]))
+        rows.append((*words(name), *marks, *counts, number(net), number(shown_rank(best[place], worst[place]))))
+    against = Table(
+        caption=f"Against {result.datum}: better +, worse -, the same S, not known ?; the counts side by side are the "
+        "result, the net is an option",
+        head=("alternative", *result.criteria, *(str(sign) for sign in Sign), "net (option)", "rank by net"),
+        rows=tuple(rows),
+    )
+    wins = Table(
+        caption="In how many criteria the row surely beats the column",
+        head=("alternative", *sweep.alternatives),
+        rows=tuple(
+            (*words(name), *(number("" if name == other else str(count)) for other, count in zip(
+                sweep.alternatives, row, strict=True)))
+            for name, row in zip(sweep.alternatives, sweep.wins.tolist(), strict=True)
+        ),
+        note="Best net under each datum: " + "; ".join(f"{one}: {', '.join(names)}" for one, names in
+                                                       sweep.winners.items()),
+    )  # fmt: skip
+    lines = _lines(tell_convergence(worked.convergence, worked.circles))
+    return Chapter(anchor="pugh", title="Pugh", lines=lines, tables=(against, wins))
+
+
+def _kesselring(worked: WorkedOut) -> Chapter:
+    result = worked.overall
+    top, best, worst = result.profile.p_max, *(ends.tolist() for ends in result.rank_range)
+    rows = [
+        (*words("weight as given"), *(number(f"{one:.4g}") for one in result.weights),
+         number(f"{result.weight_sum:.4g}"), *words("", "")),
+        (*words("weight normalised"), *(number(f"{one:.3f}") for one in result.normalised), number("1"),
+         *words("", "")),
+        (*words("ideal"), *(number(f"{top:g}") for _ in result.criteria), number(f"{result.ideal:.4g}"), number("1"),
+         *words("")),
+    ]  # fmt: skip
+    for row, name in enumerate(result.alternatives):
+        cells = []
+        for column, criterion in enumerate(result.criteria):
+            why = result.by_hand.get((name, criterion), "")
+            text = span(float(result.low[row, column]), float(result.high[row, column])) + ("*" if why else "")
+            style = shade(float(result.middle[row, column]), result.profile.p_min, top, scale=GOOD_IS_HIGH)
+            shown = number(text, style=style, title=f"set by hand: {why}" if why else "")
+            cells.append(replace(shown, link=f"#{trace_anchor(worked, name, criterion)}"))
+        total = span(float(result.total_low[row]), float(result.total_high[row]))
+        share = span(*(round(float(end[row]) / result.ideal, 3) for end in (result.total_low, result.total_high)))
+        rows.append((*words(name), *cells, number(total), number(share), number(shown_rank(best[row], worst[row]))))
+    table = Table(
+        caption=f"Points on the scale {result.profile.p_min:g} to {top:g}, from value functions that do not depend on "
+        "the other alternatives; ties share a rank (1 2 2 4)",
+        head=("alternative", *result.criteria, "T", "T/T_max", "rank"), rows=tuple(rows), emphasised=frozenset({2}),
+        note=result.warning,
+    )  # fmt: skip
+    spots = tuple(
+        f"Weak spot: {one.alternative} gets at most {one.points:g} for {one.criterion!r}, hidden by T/T_max = "
+        f"{one.share:.2f}." for one in result.weak_spots
+    )  # fmt: skip
+    hand = tuple(f"* Set by hand: {name}, {what!r}: {why}." for (name, what), why in result.by_hand.items())
+    out = (f"Left out, as a demand eliminates it: {', '.join(worked.eliminated)}.",) if worked.eliminated else ()
+    return Chapter(anchor="kesselring", title="Kesselring", lines=(*out, *spots, *hand), tables=(table,),
+                   picture="profile")  # fmt: skip
+
+
+def _strength(worked: WorkedOut) -> tuple[Chapter, ...]:
+    found = worked.strength
+    if found is None:
+        return ()
+    rows = tuple(
+        (*words(name), *(number(f"{one[row]:.3f}") for one in (found.technical.value, found.economic.value,
+         found.arithmetic, found.hyperbolic)), *words(word))
+        for row, (name, word) in enumerate(zip(found.alternatives, found.grades(), strict=True))
+    )  # fmt: skip
+    table = Table(
+        caption="Technical and economic rating (VDI 2225 as textbooks give it; conformity is not claimed)",
+        head=("alternative", "x", "y", "(x+y)/2", "sqrt(x y)", "technically"), rows=rows,
+    )  # fmt: skip
+    return (Chapter(anchor="strength", title="Strength", tables=(table,), picture="strength"),)
+
+
+def _sure(worked: WorkedOut) -> Chapter:
+    found = worked.acceptability
+    together = found["together"]
+    rows = tuple(
+        (*words(name), *(number(f"{one.p_best[row]:.1%}") for one in found.values()),
+         number(f"{together.mean_rank[row]:.2f}"), *(number(f"{one:.1%}") for one in together.shares[row].tolist()))
+        for row, name in enumerate(together.alternatives)
+    )  # fmt: skip
+    ranks = (f"rank {place + 1}" for place in range(len(together.alternatives)))
+    table = Table(
+        caption=f"How often each is best, and how often it takes each rank: {together.draws} draws, seed "
+        f"{together.seed}, of the facts' intervals, points +-{together.doubt.scores:g}, weights "
+        f"+-{together.doubt.weights:.0%}",
+        head=("alternative", *(f"best, by {name}" for name in found), "mean rank", *ranks), rows=rows,
+    )  # fmt: skip
+    flips = _lines(tell_flips(worked.weight_flips, worked.score_flips, worked.common))
+    tables = (table, _score_table(worked)) if worked.score_flips else (table,)
+    return Chapter(anchor="sure", title="How sure that is", lines=flips, tables=tables)
+
+
+def _score_table(worked: WorkedOut) -> Table:
+    changes = {(one.alternative, one.criterion): one.change for one in worked.score_flips}
+    result = worked.overall
+    rows = tuple(
+        (*words(name), *(number("" if change is None else f"{change:+.2f}") for change in (
+            changes[name, criterion] for criterion in result.criteria)))
+        for name in result.alternatives
+    )  # fmt: skip
+    return Table(
+        caption="By how many points one cell must change, all else held, for another one to win; empty where the scale "
+        "does not reach so far",
+        head=("alternative", *result.criteria), rows=rows,
+    )  # fmt: skip
+
+
+def _ask(worked: WorkedOut) -> Chapter:
+    rows = tuple(
+        (*words(one.sentence()), number(f"{one.p_change:.0%}"), number(f"{one.gain:.4f}")) for one in worked.missing
+    )
+    table = Table(
+        caption="Missing facts, the most useful first", rows=rows,
+        head=("what to ask for", "changes the winner in", "worth in T/T_max"),
+    )  # fmt: skip
+    return Chapter(anchor="ask", title="What to ask next", lines=() if rows else ("Nothing is missing.",),
+                   tables=(table,) if rows else ())  # fmt: skip
+
+
+def _changed(worked: WorkedOut) -> Chapter:
+    lines = worked.case.history or ("Nothing is noted; torquerig matrix FILE --before OLD shows what an edit did.",)
+    return Chapter(anchor="history", title="What was changed before", lines=lines)
+
+
+def _findings(worked: WorkedOut) -> Chapter:
+    rows = tuple(words(one.lint, one.table, one.what, one.why, one.remedy) for one in worked.findings)
+    table = Table(caption="What is wrong with the tables", head=("lint", "table", "what", "why", "remedy"), rows=rows)
+    return Chapter(anchor="lints", title="Lints", lines=() if rows else ("Nothing found.",),
+                   tables=(table,) if rows else ())  # fmt: skip
+
+
+def _traces(worked: WorkedOut) -> Chapter:
+    tables = tuple(
+        Table(caption=f"{one.alternative}: {one.criterion}", head=("step", "what"),
+              rows=tuple(words(label, text) for label, text in one.steps))
+        for one in all_traces(worked)
+    )  # fmt: skip
+    return Chapter(anchor="trace", title="Every cell from the catalog to the verdict", tables=tables)
+
+
+def _lines(text: str) -> tuple[str, ...]:
+    """Return the sentences of a plain text whose further lines are set in."""
+    joined: list[str] = []
+    for line in text.splitlines():
+        if line.startswith("  ") and joined:
+            joined[-1] += f" {line.strip()}"
+        else:
+            joined.append(line)
+    return tuple(joined)

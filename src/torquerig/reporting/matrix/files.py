@@ -1,0 +1,33 @@
+"""A worked-out matrix as a file: page, Markdown, workbook or YAML, by its ending; whole or not at all."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from torquerig.decide.working import WorkedOut
+from torquerig.whole_file import whole_file
+
+
+def write_matrix(worked: WorkedOut, path: Path) -> None:
+    """Write ``path`` as .html, .md, .xlsx or .yaml; what stood there is replaced when the new one is complete."""
+    with whole_file(path) as partial:
+        if path.suffix.lower() == ".xlsx":
+            from torquerig.reporting.workbook.matrix_workbook import write_matrix_workbook
+
+            write_matrix_workbook(partial, worked)
+        else:
+            partial.write_text(_text(worked, path.suffix.lower()), encoding="utf-8", newline="\n")
+
+
+def _text(worked: WorkedOut, ending: str) -> str:
+    if ending == ".html":
+        from torquerig.reporting.matrix.page import matrix_page
+
+        return matrix_page(worked)
+    if ending == ".md":
+        from torquerig.reporting.matrix.markdown import matrix_markdown
+
+        return matrix_markdown(worked)
+    from torquerig.decide.matrix_io.matrix_writing import matrix_yaml
+
+    return matrix_yaml(worked.case)

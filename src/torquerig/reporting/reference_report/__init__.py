@@ -1,0 +1,1 @@
+"""Results and decision of the reference report next to the simulated rig: pages and pictures."""

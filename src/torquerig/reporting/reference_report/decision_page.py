@@ -1,0 +1,46 @@
+"""A decision made again as a page and as Markdown: one file each that needs nothing beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from torquerig.reporting.html import html
+from torquerig.reporting.matrix.markdown import escaped, table_text
+from torquerig.reporting.reference_report.decision_chapters import chapters
+from torquerig.study.reference_decision.decision import RedoneDecision
+from torquerig.whole_file import whole_file
+
+TITLE = "The published decision, made again"
+
+
+def write_decision(decision: RedoneDecision, path: Path) -> None:
+    """Write ``path`` as .html or .md; what stood there is replaced when the new one is complete."""
+    text = redone_page(decision) if path.suffix.lower() == ".html" else redone_markdown(decision)
+    with whole_file(path) as partial:
+        partial.write_text(text, encoding="utf-8", newline="\n")
+
+
+def redone_page(decision: RedoneDecision) -> str:
+    """Return the HTML: no script, no request to anywhere; the same plan gives the same bytes."""
+    settings = decision.plan.study.settings
+    content = {
+        "title": TITLE, "source": decision.plan.book.source, "answer": decision.answer, "chapters": chapters(decision),
+        "command": command_of(decision), "seed": settings.seed, "draws": settings.draws,
+    }  # fmt: skip
+    return html("redone.html", content)
+
+
+def redone_markdown(decision: RedoneDecision) -> str:
+    """Return the same chapters as Markdown."""
+    parts = [f"# {TITLE}", f"{escaped(decision.plan.book.source)}; made with `{command_of(decision)}`"]
+    for chapter in chapters(decision):
+        parts.append(f"## {escaped(chapter.title)}")
+        parts += ["\n".join(f"- {escaped(line)}" for line in chapter.lines)] if chapter.lines else []
+        parts += [table_text(table) for table in chapter.tables]
+    return "\n\n".join(parts) + "\n"
+
+
+def command_of(decision: RedoneDecision) -> str:
+    """Return the command that makes the page again, without any folder of this machine."""
+    path = Path(decision.plan.document.path)
+    return f"torquerig seed-decision {path.name if path.is_absolute() else path.as_posix()}"

@@ -1,0 +1,75 @@
+"""From which catalog values each cell of a decision made again was computed, and how."""
+
+from __future__ import annotations
+
+from torquerig.decide.cell import Origin
+from torquerig.metrics.figure import Figure
+from torquerig.reporting.layout import Cell, Table, words
+from torquerig.reporting.matrix.chapters import Chapter
+from torquerig.study.origins import FACTS_IN_WORDS, metric_in_words, origin_of
+from torquerig.study.reference_decision.beside import CellBeside, TableBeside
+from torquerig.study.reference_decision.decision import RedoneDecision
+from torquerig.study.settings import SIMULATED
+
+
+def trace_chapter(decision: RedoneDecision) -> Chapter:
+    """Return a table per published table with the way of its cells, and the catalog values of the simulated drives."""
+    tables = tuple(_cells(decision, one) for one in decision.tables)
+    return Chapter(anchor="way", title="Every cell from the catalog to the computed mark",
+                   tables=(*tables, _simulated(decision)))  # fmt: skip
+
+
+def _cells(decision: RedoneDecision, one: TableBeside) -> Table:
+    rows = tuple(
+        (*words(cell.row, cell.alternative), Cell(text=_catalog(decision, one, cell), word="remark narrow"),
+         Cell(text=_worked(decision, one, cell), word="remark narrow"), *words(_value(cell.figure)),
+         Cell(text=cell.computed, word="mark"))
+        for cell in one.cells
+    )  # fmt: skip
+    return Table(
+        caption=f"{one.table.sheet.name}: from the catalog to the computed mark",
+        head=("criterion", "motor", "catalog values", "worked out", "value", "computed"), rows=rows,
+    )  # fmt: skip
+
+
+def _catalog(decision: RedoneDecision, one: TableBeside, cell: CellBeside) -> str:
+    origins = [origin_of(*known) for known in cell.figure.rests_on]
+    if one.table.planned.rows[cell.row].metric in SIMULATED:
+        box = one.table.planned.gearbox_of(cell.alternative)
+        made = next((row for row in decision.runs.drives if _is(decision, row.candidate.motor, cell.alternative)
+                     and row.candidate.gearbox == box), None)  # fmt: skip
+        return f"{len(origins)} values of {made.candidate.name}, listed below" if made else "not simulated"
+    return "; ".join(_told(origin) for origin in origins) or "none"
+
+
+def _worked(decision: RedoneDecision, one: TableBeside, cell: CellBeside) -> str:
+    metric, settings = one.table.planned.rows[cell.row].metric, decision.plan.study.settings
+    told = FACTS_IN_WORDS.get(metric)
+    return told or metric_in_words(metric, cell.figure, chain=settings.present.filter, settings=settings)
+
+
+def _value(figure: Figure) -> str:
+    unit = "" if figure.unit == "1" or figure.unknown else f" {figure.unit}"
+    sure = figure.low == figure.high and not figure.unknown
+    missing = f"; missing: {figure.missing}" if figure.missing and not sure else ""
+    return f"{figure.shown()}{unit}{missing}"
+
+
+def _simulated(decision: RedoneDecision) -> Table:
+    rows = tuple(
+        words(drive.candidate.name, origin.name, origin.shown, origin.evidence, origin.source)
+        for drive in decision.runs.drives
+        for origin in (origin_of(one.name, one.known) for one in drive.taken.values())
+    )
+    return Table(caption="The catalog values of each simulated drive", rows=rows,
+                 head=("drive", "catalog value", "known", "evidence", "source"))  # fmt: skip
+
+
+def _told(origin: Origin) -> str:
+    evidence = f" [{origin.evidence}]" if origin.evidence else ""
+    return f"{origin.name}: {origin.shown}{evidence}{f', from {origin.source}' if origin.source else ''}"
+
+
+def _is(decision: RedoneDecision, motor: str, published: str) -> bool:
+    entry = decision.plan.study.catalog.motor(published)
+    return motor == (entry.stands_for or entry.name)

@@ -1,0 +1,1 @@
+"""The report of a study: page, CSV tables and text for the terminal."""

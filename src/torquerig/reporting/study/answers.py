@@ -1,0 +1,130 @@
+"""What a study asked, at which operating point, by which rules; its limits; and how to make it again."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Sequence
+from math import pi
+from pathlib import Path
+
+from torquerig.metrics.figure import Figure
+from torquerig.parameter import EVIDENCE
+from torquerig.reporting.layout import listed, plain
+from torquerig.reporting.study.chapters import rule_text
+from torquerig.study.results import StudyRuns
+from torquerig.study.scoring import Decided
+from torquerig.study.settings import SpeedLoopRule
+
+Facts = tuple[tuple[str, str], ...]
+
+MESH = (
+    "Gear mesh lines are absent unless the scenario states a mesh with its teeth; the seed's 280 Hz family is of this "
+    "kind."
+)
+CLASS = (
+    "The disturbance of a motor without a data sheet is drawn from the interval of its class, so differences between "
+    "two such motors are differences between draws as much as between products."
+)
+
+
+def question(runs: StudyRuns) -> str:
+    """Return what was asked, as one sentence."""
+    settings = runs.study.settings
+    motors = len({drive.candidate.motor for drive in runs.drives})
+    gearboxes = len({drive.candidate.gearbox for drive in runs.drives})
+    return (
+        f"Which motor, gearbox and filter let the torque sensor read the load most truly, at what price? Compared are "
+        f"{motors} motors on {gearboxes} gearboxes with {len(settings.filters.names)} filters "
+        f"({listed(settings.filters.names)}), {len(runs.drives) * len(settings.filters.names)} combinations, against "
+        f"the present {settings.present.motor} on {settings.present.gearbox} with the filter {settings.present.filter}."
+    )
+
+
+def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
+    """Return the operating point and the rules that held for every drive, as pairs of name and text."""
+    settings = runs.study.settings
+    wander = runs.study.document.data.get("operating_point", {}).get("slow_speed_wander", 0)
+    return (
+        ("speed", f"{plain(runs.output_speed * 30 / pi, 5)} rpm at the output; the motor turns ratio times as fast"),
+        ("occupancy", f"{runs.occupancy_percent:g} %, a mean load of {plain(runs.mean_load)} N m"),
+        ("particle size", f"{plain(runs.particle_size * 1e3)} mm"),
+        ("run", f"{settings.duration:g} s at 25 kHz for each drive, slow speed wander {wander} rms (relative)"),
+        ("copies", f"{settings.draws} further copies of each drive, drawn from the catalog's intervals"),
+        ("speed loop", _loop_rule(settings.speed_loop)),
+        ("drive limit", _limit_rule(settings.sensor_limit)),
+        ("demands", "; ".join(f"{rule_text(one)} ({one.purpose})" for one in decided.demands.criteria)),
+        ("seed, version", f"seed {settings.seed}, torquerig {runs.version}"),
+    )  # fmt: skip
+
+
+def _loop_rule(rule: SpeedLoopRule) -> str:
+    return (
+        f"one rule for all: crossover {rule.crossover:g} Hz, integrator corner {rule.integral_corner:g} Hz; with J the "
+        f"drive's whole inertia at the motor, kp = 2π x {rule.crossover:g} Hz x J and ki = kp x 2π x "
+        f"{rule.integral_corner:g} Hz"
+    )
+
+
+def _limit_rule(limit: float) -> str:
+    return (
+        f"the drive's torque limit is lowered until limit x ratio x efficiency is at most {limit:g} N m, so that the "
+        "sensor survives a jam"
+    )
+
+
+def limits(runs: StudyRuns) -> tuple[str, ...]:
+    """Return where the study stops being true."""
+    copies = (
+        f"{1 + runs.study.settings.draws} copies of each drive are few: the intervals are the extremes of these copies "
+        "and would widen with more."
+    )
+    simulated = "All readings are simulated; none is a measurement of a motor that could be bought."
+    shares = "The shares are told apart by leaving out one group of effects at a time; they need not add up in square."
+    rig = runs.study.document.data.get("rig", {})
+    mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
+    return (simulated, *omitted_ripple(runs), *mesh, copies, CLASS, shares)
+
+
+def omitted_ripple(runs: StudyRuns) -> tuple[str, ...]:
+    """Return what six-step commutation would add where a motor's known lines leave it out; nothing where none does."""
+    sentences = []
+    for motor in dict.fromkeys(drive.candidate.motor for drive in runs.drives if not drive.omitted.unknown):
+        drives = [drive for drive in runs.drives if drive.candidate.motor == motor]
+        added = "; ".join(f"{_millinewtonmetres(drive.omitted)} at {drive.candidate.ratio:g}:1" for drive in drives)
+        sentences.append(
+            f"The known lines of {motor} hold no six-step commutation ripple. If its drive commutates in six steps, "
+            f"the ripple of its class would add to the reading, by the linear twin: {added}."
+        )
+    return tuple(sentences)
+
+
+def evidence() -> Facts:
+    """Return the evidence tags and what they mean."""
+    return tuple(EVIDENCE.items())
+
+
+def assumptions(runs: StudyRuns) -> tuple[tuple[str, Facts], ...]:
+    """Return for each motor and gearbox the values that no document states, with the value drawn and its interval."""
+    found: dict[str, dict[str, str]] = {}
+    for drive in runs.drives:
+        for key, text in drive.assumed.items():
+            part, _, field = key.partition(".")
+            of_motor, of_gear = part.startswith("motor"), part.startswith("gear")
+            owner = drive.candidate.motor if of_motor else drive.candidate.gearbox if of_gear else part
+            found.setdefault(owner, {}).setdefault(field.replace("_", " ").replace(".", ": "), text)
+    owners = [*dict.fromkeys(drive.candidate.motor for drive in runs.drives)]
+    rest = [owner for owner in found if owner not in owners]
+    return tuple((owner, tuple(found.get(owner, {}).items())) for owner in (*owners, *rest))
+
+
+def command(runs: StudyRuns, edits: Sequence[str]) -> str:
+    """Return the command that makes this report again, without any folder of this machine."""
+    path = Path(runs.study.document.path)
+    shown = path.name if path.is_absolute() else path.as_posix()
+    return shlex.join(["torquerig", "compare", shown, *(part for edit in edits for part in ("--set", edit))])
+
+
+def _millinewtonmetres(figure: Figure) -> str:
+    if figure.high is None or figure.high < 1e-6:
+        return "nothing that counts"
+    return f"{1e3 * (figure.low or 0.0):.2g} to {1e3 * figure.high:.2g} mN m rms"

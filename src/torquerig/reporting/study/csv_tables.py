@@ -1,0 +1,110 @@
+"""Every figure of every combination, and the shares of every drive, as CSV text."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from io import StringIO
+
+from torquerig.filters.effect import FilterEffect
+from torquerig.metrics.figure import Figure
+from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.study.tables import decision_words
+from torquerig.study.results import DriveResult, StudyRuns
+from torquerig.study.scoring import Decided
+
+Fields = list[tuple[str, str]]
+
+
+def combinations_csv(runs: StudyRuns, decided: Decided) -> str:
+    """Return one row per motor x gearbox x filter, the ranked ones first; ``?`` is unknown, empty does not apply."""
+    order = {name: place for place, name in enumerate(decided.ranked())}
+    pairs = [(drive, chain) for drive in runs.drives for chain in runs.study.settings.filters.names]
+    pairs.sort(key=lambda pair: order.get(_name(*pair), len(order)))
+    rows = [_combination(drive, chain, decided) for drive, chain in pairs]
+    return _csv(rows)
+
+
+def shares_csv(runs: StudyRuns) -> str:
+    """Return one row per motor x gearbox: mean, rms of each share, and percent of the fluctuation's power."""
+    return _csv([_shares(drive) for drive in runs.drives])
+
+
+def _name(drive: DriveResult, chain: str) -> str:
+    return f"{drive.candidate.name} | {chain}"
+
+
+def _combination(drive: DriveResult, chain: str, decided: Decided) -> Fields:
+    result = drive.chains.get(chain)
+    fields = _score(_name(drive, chain), decided)
+    fields += _identity(drive)
+    fields += [("filter", chain), ("demands", decision_words(decided)[drive.candidate.name]),
+               ("out of reach", drive.out_of_reach)]  # fmt: skip
+    missing = Figure(unit="N*m", missing=drive.out_of_reach)
+    fields += _figure("reading error", result.truth_error if result else missing)
+    fields += _figure("disturbance", drive.disturbance)
+    for name, figure in drive.margins.items():
+        fields += _figure(name.replace("_", " "), figure)
+    fields += _effect(result.effect if result else None)
+    fields.append(("lines left out", "; ".join(result.left_out) if result else ""))
+    fields.append(("assumed values", "; ".join(f"{key} = {text}" for key, text in drive.assumed.items())))
+    return fields
+
+
+def _effect(effect: FilterEffect | None) -> Fields:
+    values = (
+        ("std reduction [%]", effect.std_reduction_percent if effect else None),
+        ("variance reduction [%]", effect.variance_reduction_percent if effect else None),
+        ("mean change [%]", effect.mean_change_percent if effect else None),
+        ("energy change [%]", effect.energy_change_percent if effect else None),
+    )
+    return [(label, _number(value)) for label, value in values]
+
+
+def _score(name: str, decided: Decided) -> Fields:
+    labels = ("rank", "rank low", "rank high", "T/T_max", "T/T_max low", "T/T_max high")
+    result = decided.overall
+    if name not in result.alternatives:
+        return [(label, "") for label in labels]
+    row = result.alternatives.index(name)
+    best, worst = result.rank_range
+    shares = (result.share[row], result.total_low[row] / result.ideal, result.total_high[row] / result.ideal)
+    texts = [*(str(int(rank)) for rank in (result.ranks[row], best[row], worst[row])), *map(_number, shares)]
+    return list(zip(labels, texts, strict=True))
+
+
+def _shares(drive: DriveResult) -> Fields:
+    fields = _identity(drive)
+    shares, percent = drive.shares, drive.shares.percent() if drive.shares else {}
+    fields.append(("mean [N*m]", _number(shares.mean if shares else None)))
+    fields += [(f"{name} rms [N*m]", _number(getattr(shares, name) if shares else None)) for name in SHARES]
+    fields += [(f"{name} [% of power]", _number(percent.get(name))) for name in SHARES]
+    return [*fields, ("out of reach", drive.out_of_reach)]
+
+
+def _identity(drive: DriveResult) -> Fields:
+    made = drive.candidate
+    return [("motor", made.motor), ("gearbox", made.gearbox), ("ratio", f"{made.ratio:g}")]
+
+
+def _figure(name: str, figure: Figure) -> Fields:
+    unit = "" if figure.unit == "1" else f" [{figure.unit}]"
+    low = figure.value if figure.low is None else figure.low
+    high = figure.value if figure.high is None else figure.high
+    return [
+        (f"{name}{unit}", _number(figure.value)),
+        (f"{name} low{unit}", _number(low)),
+        (f"{name} high{unit}", _number(high)),
+    ]
+
+
+def _number(value: float | None) -> str:
+    return "?" if value is None else f"{value:.6g}"
+
+
+def _csv(rows: Sequence[Fields]) -> str:
+    buffer = StringIO()
+    writer = csv.writer(buffer, lineterminator="\n")
+    writer.writerow([label for label, _ in rows[0]])
+    writer.writerows([text for _, text in row] for row in rows)
+    return buffer.getvalue()

@@ -1,0 +1,144 @@
+"""The pictures of a study's page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from torquerig.filters.chains.filter_chain import Chain, seed_code_chain
+from torquerig.filters.effect import FilterEffect, chain_effect
+from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.orders.kinematics.order_report_text import name_of
+from torquerig.recordings.recording import Recording
+from torquerig.reporting.figures.error_figure import error_figure
+from torquerig.reporting.figures.notch_figure import notch_figure
+from torquerig.reporting.figures.picture import Picture, picture
+from torquerig.reporting.figures.rating_figure import rating_figure
+from torquerig.reporting.figures.shares_figure import shares_figure
+from torquerig.reporting.figures.signal_figure import signal_figure
+from torquerig.reporting.figures.spectrum_figure import spectrum_figure
+from torquerig.reporting.layout import Table, number, words
+from torquerig.reporting.study.tables import best_per_drive
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.study.candidates import scenario_of
+from torquerig.study.results import DriveResult, StudyRuns
+from torquerig.study.scoring import Decided
+
+HARMONICS = 2  # of each family, marked in the spectra: more would hide the curves
+FRONT = 8  # combinations named in the S-diagram
+
+
+@dataclass(frozen=True)
+class Filtered:
+    """The reading of one drive before and after a chain."""
+
+    drive: DriveResult
+    chain: Chain
+    kinematics: Kinematics
+    before: Recording
+    after: Recording
+
+    @property
+    def motor_speed(self) -> float:
+        """The mean measured motor speed [rad/s]; the set-point where no channel tells it."""
+        angle = measured_motor_angle(self.before, ratio=self.kinematics.ratio)
+        if angle is None:
+            return self.drive.motor_speed
+        return float(abs(angle.values[-1] - angle.values[0]) / (self.before.duration - 1 / self.before.sample_rate))
+
+
+def filtered(drive: DriveResult, chain: str, runs: StudyRuns) -> Filtered | None:
+    """Return the kept reading of a drive through one chain of the study; None where it was not simulated."""
+    if drive.recording is None:
+        return None
+    scenario = scenario_of(drive.candidate, runs.study, seed=runs.study.settings.seed)
+    made = runs.study.chains(scenario)[chain]
+    return Filtered(drive, made, kinematics_of(scenario.rig), drive.recording, made.apply(drive.recording))
+
+
+def error_picture(runs: StudyRuns, *, present: str) -> Picture | None:
+    """Return the dots of the reading errors; None where nothing was simulated."""
+    if not any(drive.chains for drive in runs.drives):
+        return None
+    return picture(
+        error_figure(runs.drives, present=present),
+        caption="Reading error of each drive with each filter, bars over the drawn copies; the present drive is bold",
+        told="Dots of the reading error, a row per drive and a colour per filter; the numbers stand in the next table.",
+    )
+
+
+def shares_picture(runs: StudyRuns) -> Picture | None:
+    """Return the stacked bars of the shares; None where nothing was simulated."""
+    if not any(drive.shares for drive in runs.drives):
+        return None
+    return picture(
+        shares_figure(runs.drives), caption="Shares of the sensor's reading, unfiltered",
+        told="Stacked bars of load, cogging, electrical and mechanical share; the numbers stand in the tables above.",
+    )  # fmt: skip
+
+
+def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
+    """Return the S-diagram; None where no criterion is economic."""
+    if decided.economic is None:
+        return None
+    front = best_per_drive(decided)[:FRONT]
+    named = tuple(dict.fromkeys(name for name in (winner, *front, decided.datum) if name))
+    return picture(
+        rating_figure(decided.technical, decided.economic, named=named),
+        caption="Technical against economic rating; numbered are the best drives with their best filter, and the "
+        "present one",
+        told="Scatter of technical rating x against economic rating y of all combinations.",
+    )  # fmt: skip
+
+
+def reading_pictures(shown: Filtered, *, told: str) -> Iterator[Picture]:
+    """Yield time signal and spectrum of one drive, before and after its chain."""
+    name = f"{shown.drive.candidate.name}, {told}, filter {shown.chain.name}"
+    after = shown.after if shown.chain.stages else shown.before
+    start = min(1.0, shown.before.duration / 2)
+    yield picture(
+        signal_figure(shown.before, after, start=start), caption=f"{name}: 0.3 s of the reading",
+        told="Torque over time before and after the filter, and the true load.",
+    )  # fmt: skip
+    lines = [line for line in shown.kinematics.lines(4) if line.harmonic <= HARMONICS]
+    figure = spectrum_figure(
+        shown.before, after, lines=lines, motor_speed=shown.motor_speed, ratio=shown.kinematics.ratio
+    )
+    yield picture(
+        figure, caption=f"{name}: amplitude spectrum (Hann window) over frequency and order, lines by their cause",
+        told="Spectrum before and after the filter; thin lines mark shaft, motor, cogging and electrical lines.",
+    )  # fmt: skip
+
+
+def seed_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] | None:
+    """Return the spectrum before and after the seed's own filter with its lines marked, and their levels."""
+    if drive.recording is None:
+        return None
+    scenario = scenario_of(drive.candidate, runs.study, seed=runs.study.settings.seed)
+    kinematics = kinematics_of(scenario.rig)
+    chain = seed_code_chain(kinematics)
+    shown = Filtered(drive, chain, kinematics, drive.recording, chain.apply(drive.recording))
+    effect = chain_effect(shown.before, shown.after, ratio=kinematics.ratio, lines=chain.lines)
+    made = picture(
+        notch_figure(shown.before, shown.after, levels=effect.levels, motor_speed=shown.motor_speed),
+        caption=f"{drive.candidate.name}: the seed's filter (Appendix A), before and after; triangles mark its "
+        f"{len(effect.levels)} notched lines",
+        told="Two spectra; at each marked line the lower one falls to nothing.",
+    )
+    return made, levels_table(effect)
+
+
+def levels_table(effect: FilterEffect) -> Table:
+    """Return the amplitude of each line before and after a chain."""
+    rows = tuple(
+        (*words(name_of(level.line)), number(f"{level.frequency:.2f}"), number(f"{1e3 * level.before:.3f}"),
+         number(f"{1e3 * level.after:.3f}"))
+        for level in sorted(effect.levels, key=lambda level: level.frequency)
+    )  # fmt: skip
+    return Table(
+        caption="Amplitude of each notched line, the power within 0.5 Hz of it",
+        head=("line", "frequency [Hz]", "before [mN m]", "after [mN m]"), rows=rows,
+        note=f"Where the lines stand follows the speed {effect.speed_origin}. The load is broadband, so a band where "
+        "no line stands also holds some of it, and the filter takes that too.",
+    )  # fmt: skip

@@ -1,0 +1,172 @@
+"""The tables of what a study simulated: ranking, reading errors, shares, filters, what is out of reach."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import log
+
+from torquerig.decide.ranks import shown_rank
+from torquerig.reporting.figures.shades import GOOD_IS_HIGH, GOOD_IS_LOW, shade
+from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.layout import Cell, Table, figure_cell, listed, number, plain, span, words
+from torquerig.study.results import DriveResult, StudyRuns
+from torquerig.study.scoring import Alternative, Decided
+from torquerig.study.what_if import Change
+
+Ranks = dict[str, str]
+
+
+def rank_texts(decided: Decided) -> Ranks:
+    """Return the rank of each alternative by the overall T, with the range that unknowns leave open."""
+    best, worst = (ends.tolist() for ends in decided.overall.rank_range)
+    ranks = decided.overall.ranks.tolist()
+    return {
+        name: str(rank) if low == high else f"{rank} ({shown_rank(low, high)})"
+        for name, rank, low, high in zip(decided.overall.alternatives, ranks, best, worst, strict=True)
+    }
+
+
+def decision_words(decided: Decided) -> dict[str, str]:
+    """Return the decision of the elimination for each drive."""
+    return {row.alternative: str(row.decision) for row in decided.chart.rows}
+
+
+def best_per_drive(decided: Decided) -> tuple[str, ...]:
+    """Return each drive's best combination in the order of the ranking, and the datum where it is not among them."""
+    first: dict[str, str] = {}
+    for name in decided.ranked():
+        first.setdefault(decided.alternatives[name].drive.candidate.name, name)
+    kept = tuple(first.values())
+    return kept if decided.datum in kept else (*kept, decided.datum)
+
+
+def best_new_motor(decided: Decided) -> Alternative | None:
+    """Return the best combination whose motor is not the present one; None where the study has no other motor left."""
+    present = decided.alternatives[decided.datum].drive.candidate.motor
+    ranked = (decided.alternatives[name] for name in decided.ranked())
+    return next((made for made in ranked if made.drive.candidate.motor != present), None)
+
+
+def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
+    """Return the best ``most`` combinations, and the present one where it is not among them."""
+    names = decided.ranked()
+    shown = names[:most] if decided.datum in names[:most] else (*names[:most], decided.datum)
+    ranks, said, overall = rank_texts(decided), decision_words(decided), decided.overall
+    rows = []
+    for name in shown:
+        made, place = decided.alternatives[name], overall.alternatives.index(name)
+        ends = overall.total_low[place] / overall.ideal, overall.total_high[place] / overall.ideal
+        share = float(overall.share[place])
+        rows.append((
+            Cell(text=ranks[name], word="name"), Cell(text=made.drive.candidate.name, word="name"),
+            Cell(text=made.chain, word="name"),
+            figure_cell(made.drive.chains[made.chain].truth_error), figure_cell(made.drive.disturbance),
+            number(f"{share:.3f}", style=shade(share, 0.4, 1.0, scale=GOOD_IS_HIGH)),
+            number(span(*ends, digits=2)), figure_cell(made.drive.margins["price"]),
+            Cell(text=said[made.drive.candidate.name]),
+        ))  # fmt: skip
+    stand_out = frozenset(place for place, name in enumerate(shown) if name in (winner, decided.datum))
+    return Table(
+        caption=f"The best {min(most, len(names))} of {len(names)} combinations, by T/T_max over all criteria; bold: "
+        "the chosen and the present one",
+        head=("rank (range)", "drive", "filter", "reading error [N m]", "disturbance [N m]", "T/T_max", "range",
+              "price [EUR]", "demands"),
+        rows=tuple(rows), emphasised=stand_out,
+        note="The range in brackets is what the drawn copies and the catalog's intervals leave open.",
+    )  # fmt: skip
+
+
+def error_table(runs: StudyRuns, *, present: str) -> Table:
+    """Return the reading error of each drive (rows) with each filter (columns), coloured from best to worst."""
+    names = runs.study.settings.filters.names
+    found = [
+        result.truth_error.value
+        for drive in runs.drives
+        for result in drive.chains.values()
+        if result.truth_error.value
+    ]
+    low, high = min(found, default=0.0), max(found, default=1.0)
+    rows = tuple(_error_row(drive, names, low=low, high=high) for drive in runs.drives)
+    stand_out = frozenset(row for row, drive in enumerate(runs.drives) if drive.candidate.name == present)
+    return Table(
+        caption="Reading error [N m], rms of filtered reading minus true load: the simulated value; green is small",
+        head=("drive", *names), rows=rows, emphasised=stand_out,
+        note="Point at a number for its interval over the drawn copies; combinations.csv has all of them.",
+    )  # fmt: skip
+
+
+def _error_row(drive: DriveResult, names: Sequence[str], *, low: float, high: float) -> tuple[Cell, ...]:
+    if not drive.chains:
+        blank = (Cell(text="", style="background:#eee") for _ in names[1:])
+        return (*words(drive.candidate.name), Cell(text="out of reach", title=drive.out_of_reach), *blank)
+    cells = []
+    for name in names:
+        error = drive.chains[name].truth_error
+        if not error.value:
+            cells.append(figure_cell(error))
+            continue
+        colour = shade(log(error.value), log(low), log(high), scale=GOOD_IS_LOW)
+        interval = "" if error.low is None or error.high is None else f"{span(error.low, error.high)} N m"
+        cells.append(number(f"{error.value:.3f}", style=colour, title=interval))
+    return (*words(drive.candidate.name), *cells)
+
+
+def shares_table(motor: str, drives: Sequence[DriveResult]) -> Table:
+    """Return the shares of the reading of one motor, a row per ratio."""
+    rows = []
+    for drive in drives:
+        if drive.shares is None:
+            blank = (Cell(text="-", word="number", title=drive.out_of_reach) for _ in range(1 + 2 * len(SHARES)))
+            rows.append((*words(f"{drive.candidate.ratio:g}:1"), *blank))
+            continue
+        percent = drive.shares.percent()
+        cells = [number(plain(drive.shares.mean, 4))]
+        for name in SHARES:
+            value = float(getattr(drive.shares, name))
+            cells += [number(f"{value:.4f}"), number(f"{percent[name]:.1f}")]
+        rows.append((*words(f"{drive.candidate.ratio:g}:1"), *cells))
+    head = [text for name in SHARES for text in (f"{name} [N m]", "[%]")]
+    return Table(caption=motor, head=("ratio", "mean [N m]", *head), rows=tuple(rows))
+
+
+def out_of_reach_table(runs: StudyRuns) -> Table:
+    """Return the drives that were not simulated, and why."""
+    rows = tuple(words(drive.candidate.name, drive.out_of_reach) for drive in runs.drives if drive.out_of_reach)
+    return Table(caption="Not simulated", head=("drive", "why"), rows=rows)
+
+
+def effects_table(drive: DriveResult) -> Table:
+    """Return what each filter did to the reading of one drive."""
+    rows = []
+    for name, result in drive.chains.items():
+        effect = result.effect
+        rows.append((
+            *words(name), number(f"{effect.std_reduction_percent:.1f}"),
+            number(f"{effect.variance_reduction_percent:.1f}"), number(f"{effect.mean_change_percent:.2g}"),
+            number("?" if effect.energy_change_percent is None else f"{effect.energy_change_percent:.2g}"),
+            figure_cell(result.truth_error), *words(listed(result.left_out, nothing="-")),
+        ))  # fmt: skip
+    return Table(
+        caption=f"What each filter does to the reading of {drive.candidate.name}",
+        head=("filter", "std reduction [%]", "variance reduction [%]", "mean change [%]", "energy change [%]",
+              "reading error [N m]", "lines left out"),
+        rows=tuple(rows),
+        note="A lower standard deviation is no proof of a better reading: a filter that takes load out lowers it too. "
+        "The reading error says how far the filtered reading is from the load that acts.",
+    )  # fmt: skip
+
+
+def changes_table(changes: Sequence[Change]) -> Table:
+    """Return what an edit changed against the unedited study."""
+    rows = tuple(
+        (*words(f"{one.before} -> {one.after}" if one.before != one.after else one.after, one.chain_before),
+         number(plain(one.error_before)), *words(one.chain_after), number(plain(one.error_after)),
+         number(plain(one.disturbance_before)), number(plain(one.disturbance_after)))
+        for one in changes
+    )  # fmt: skip
+    return Table(
+        caption="The edited study against the unedited one: smallest reading error and disturbance of each drive [N m]",
+        head=("drive", "best filter before", "error before", "best filter now", "error now", "disturbance before",
+              "disturbance now"),
+        rows=rows,
+    )  # fmt: skip

@@ -1,0 +1,58 @@
+"""A study's ranking and shares as plain text for a terminal, at most 110 wide."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torquerig.plain_table import cut, grid
+from torquerig.reporting.figures.shares_figure import SHARES
+from torquerig.reporting.layout import figure_text, plain
+from torquerig.reporting.study.tables import decision_words
+from torquerig.study.results import StudyRuns
+from torquerig.study.scoring import Decided
+
+WIDTH = 110
+
+
+def ranked_text(decided: Decided, *, most: int = 10) -> str:
+    """Return the ``most`` best combinations as a table, and the present one where it is not among them."""
+    names = decided.ranked()
+    shown = names[:most] if decided.datum in names[:most] else (*names[:most], decided.datum)
+    said, overall = decision_words(decided), decided.overall
+    rows = []
+    for name in shown:
+        made, place = decided.alternatives[name], overall.alternatives.index(name)
+        mark = "*" if name == decided.datum else ""
+        rows.append([
+            f"{overall.ranks[place]}{mark}", made.drive.candidate.name, made.chain,
+            figure_text(made.drive.chains[made.chain].truth_error), plain(made.drive.disturbance.value),
+            f"{overall.share[place]:.3f}", figure_text(made.drive.margins["price"]), said[made.drive.candidate.name],
+        ])  # fmt: skip
+    head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "demands"]
+    here = decided.alternatives[decided.datum].drive.margins["new_parts"].value == 0
+    note = "stands on the rig today" if here else "the present motor on this gearbox, without a filter: the datum"
+    return f"{_fitted([head, *rows], left=(1, 2, 7))}\n* {note}"
+
+
+def shares_text(runs: StudyRuns) -> str:
+    """Return rms [N m] and share of the fluctuation's power [%] of load, cogging, electrical and mechanical ripple."""
+    rows = []
+    for drive in runs.drives:
+        if drive.shares is None:
+            rows.append([drive.candidate.name, "-", *("-" for _ in SHARES)])
+            continue
+        percent = drive.shares.percent()
+        cells = [f"{getattr(drive.shares, name):.4f} {percent[name]:5.1f} %" for name in SHARES]
+        rows.append([drive.candidate.name, f"{drive.shares.mean:.3f}", *cells])
+    table = _fitted([["drive", "mean", *SHARES], *rows], left=(0,))
+    why = [f"{drive.candidate.name}: {drive.out_of_reach}" for drive in runs.drives if drive.out_of_reach]
+    return "\n".join([table, *(cut(line, WIDTH) for line in why)])
+
+
+def _fitted(rows: Sequence[Sequence[str]], *, left: tuple[int, ...]) -> str:
+    """Return aligned columns, those of ``left`` to the left; the widest of these is cut where a row is too wide."""
+    widths = [max(len(row[place]) for row in rows) for place in range(len(rows[0]))]
+    while sum(widths) + 2 * (len(widths) - 1) > WIDTH:
+        widths[max(left, key=lambda place: widths[place])] -= 1
+    fitted = [[cut(cell, width) for cell, width in zip(row, widths, strict=True)] for row in rows]
+    return grid(fitted, right=set(range(len(widths))) - set(left))

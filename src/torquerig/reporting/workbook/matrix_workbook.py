@@ -1,0 +1,44 @@
+"""One's own matrix as an Excel file that is filled in, calculates, and can be read again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from torquerig.decide.matrix_io.sheet_layout import CRITERIA, FACTS, SETTINGS, SOURCES
+from torquerig.decide.working import WorkedOut
+from torquerig.reporting.workbook import entry_sheets as entries
+from torquerig.reporting.workbook.answer_sheets import write_answers, write_ask, write_findings
+from torquerig.reporting.workbook.kesselring_sheet import write_kesselring
+from torquerig.reporting.workbook.links import links_of
+from torquerig.reporting.workbook.sheets import write_elimination, write_pugh
+from torquerig.reporting.workbook.study_workbook import CREATED, formats
+
+
+def write_matrix_workbook(path: Path, worked: WorkedOut) -> None:
+    """Write the four sheets that a person fills in, and those that follow from them.
+
+    Criteria, Facts, Settings and Sources are entries, coloured; ``torquerig matrix FILE.xlsx`` reads them back. On the
+    sheet Kesselring every number is a formula over them: a changed weight, fact or value function changes points,
+    totals and ranks at once. Verdict, elimination, Pugh and open questions are as of the last run of the program.
+    """
+    import xlsxwriter
+
+    book = xlsxwriter.Workbook(str(path), {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
+    book.set_properties({"title": worked.case.matrix.name, "created": CREATED})
+    looks = formats(book)
+    made: dict[str, Any] = {
+        name: book.add_worksheet(name)
+        for name in ("Verdict", CRITERIA, FACTS, SETTINGS, SOURCES, "Kesselring", "Elimination", "Pugh", "Ask", "Lints")
+    }
+    write_answers(made["Verdict"], looks, worked)
+    entries.write_criteria(made[CRITERIA], looks, worked.case)
+    entries.write_facts(made[FACTS], looks, worked.case)
+    entries.write_settings(made[SETTINGS], looks, worked.case)
+    entries.write_sources(made[SOURCES], looks, worked.case)
+    write_kesselring(made["Kesselring"], looks, worked.overall, links=links_of(worked))
+    write_elimination(made["Elimination"], looks, worked.chart, worked.case.matrix, of="alternative")
+    write_pugh(made["Pugh"], looks, worked.pugh)
+    write_ask(made["Ask"], looks, worked)
+    write_findings(made["Lints"], looks, worked.findings)
+    book.close()

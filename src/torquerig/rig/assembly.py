@@ -1,0 +1,154 @@
+"""A rig: an immutable tuple of parts and effects, the run it is put through, and the part whose torque is read."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from math import isclose
+from typing import Any, TypeVar
+
+from torquerig.errors import InputError, UnknownNameError, did_you_mean
+from torquerig.recordings.run import Run
+from torquerig.recordings.stage import Stage
+from torquerig.rig.part import Part
+from torquerig.rig.terms import Inertia, Spring, Term
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+@dataclass(frozen=True)
+class Rig:
+    """``rig + GearMesh(...)`` is the rig with one more effect; nothing is ever changed in place.
+
+    Parameters
+    ----------
+    parts : tuple of Part
+        In the order of the scenario; names are unique.
+    run : Run
+        Set-points that the parts may depend on (speed, occupancy, particle size, profile).
+    measured : str
+        Name of the part whose spring torque is the reading.
+    """
+
+    parts: tuple[Part, ...]
+    run: Run = field(default_factory=Run)
+    measured: str = "torque_sensor"
+
+    def __post_init__(self) -> None:
+        seen: set[str] = set()
+        for part in self.parts:
+            if part.name in seen:
+                raise InputError(f"the rig has two parts named {part.name!r}; rename one")
+            if part.after is not None and part.after not in seen:
+                raise UnknownNameError(
+                    f"{part.name}: after: {part.after!r} is no part before it; {did_you_mean(part.after, seen)}"
+                )
+            seen.add(part.name)
+
+    def __add__(self, part: Part) -> Rig:
+        """Return the rig with one more part or effect."""
+        return replace(self, parts=(*self.parts, part))
+
+    def without(self, name: str) -> Rig:
+        """Return the rig without the part ``name``."""
+        gone = self.part(name)
+        return replace(self, parts=tuple(part for part in self.parts if part is not gone))
+
+    def changed(self, part: Part) -> Rig:
+        """Return the rig with the part of the same name replaced by ``part``."""
+        old = self.part(part.name)
+        return replace(self, parts=tuple(part if other is old else other for other in self.parts))
+
+    def at(self, run: Run) -> Rig:
+        """Return the rig under other set-points."""
+        return replace(self, run=run)
+
+    def part(self, name: str) -> Part:
+        """Return the part ``name``; UnknownNameError with the close matches where there is none."""
+        for part in self.parts:
+            if part.name == name:
+                return part
+        raise UnknownNameError(f"the rig has no part {name!r}; {did_you_mean(name, [p.name for p in self.parts])}")
+
+    def parts_of(self, kind: type[AnyPart]) -> tuple[AnyPart, ...]:
+        """Return the parts of one class, in their order."""
+        return tuple(part for part in self.parts if isinstance(part, kind))
+
+    def of_kind(self, kind: str) -> tuple[Any, ...]:
+        """Return the parts that a scenario calls by this word, in their order, also of a library without the class."""
+        return tuple(part for part in self.parts if part.kind == kind)
+
+    def node(self, name: str) -> str:
+        """Return the node that the part ``name`` turns with (of a gear, sensor or coupling: its output side)."""
+        part = self.part(name)
+        return part.name if part.opens_node or part.after is None else self.node(part.after)
+
+    def upstream(self, name: str) -> str:
+        """Return the node on the input side of the gear, sensor or coupling ``name``."""
+        part = self.part(name)
+        if part.after is None:
+            raise InputError(f"{name}: nothing drives it; name the part before it with after:")
+        return self.node(part.after)
+
+    def in_a_line(self, part: Part) -> bool:
+        """Tell whether a part moves in a line, or sits on one that does: its numbers are then in kg, N and m."""
+        return part.in_a_line or any(one.in_a_line for one in self.parts if one.name == part.host)
+
+    def terms(self) -> tuple[Term, ...]:
+        """Return the physics of all parts; InputError where a node has no inertia."""
+        return self._terms
+
+    @cached_property
+    def _terms(self) -> tuple[Term, ...]:
+        terms = tuple(term for part in self.parts for term in self._terms_of(part))
+        carried = {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
+        for term in terms:
+            if isinstance(term, Spring):
+                for node in (term.a, term.b):
+                    if node not in carried:
+                        raise InputError(
+                            f"{node}: the spring of {term.name!r} ends on a shaft without inertia; give "
+                            "that part an inertia or put an inertia after it"
+                        )
+        return terms
+
+    def _terms_of(self, part: Part) -> tuple[Term, ...]:
+        if part.name not in self._terms_by_part:
+            self._terms_by_part[part.name] = tuple(part.terms(self))
+        return self._terms_by_part[part.name]
+
+    @cached_property
+    def _terms_by_part(self) -> dict[str, tuple[Term, ...]]:
+        return {}
+
+    def stages(self) -> tuple[Stage, ...]:
+        """Return the measuring chain from the shaft to the file; parts at one position keep their order."""
+        return self._stages
+
+    @cached_property
+    def _stages(self) -> tuple[Stage, ...]:
+        placed = [stage for part in self.parts for stage in part.stages(self)]
+        return tuple(item.stage for item in sorted(placed, key=lambda item: item.position))
+
+    def speed_ratios(self, reference: str) -> dict[str, float]:
+        """Return for each node how fast it turns per turn of the node ``reference``, by the gears between them."""
+        shafts = [part for part in self.parts if part.opens_node]
+        springs = [term for part in shafts for term in self._terms_of(part) if isinstance(term, Spring)]
+        ratios, waiting = {reference: 1.0}, deque([reference])
+        while waiting:
+            here = waiting.popleft()
+            for spring in springs:
+                for start, end, factor in ((spring.a, spring.b, 1 / spring.ratio), (spring.b, spring.a, spring.ratio)):
+                    if start != here:
+                        continue
+                    turned = ratios[here] * factor
+                    if end not in ratios:
+                        ratios[end] = turned
+                        waiting.append(end)
+                    elif not isclose(ratios[end], turned, rel_tol=1e-9):
+                        raise InputError(
+                            f"{spring.name}: the gears round this loop do not match; {end} would have to "
+                            f"turn {turned:g} and {ratios[end]:g} times as fast as {reference}"
+                        )
+        return ratios

@@ -1,0 +1,144 @@
+"""What is given to a run at every sample: set-points, demands, loads, imposed motions; and where it starts from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.recordings.recording import random_for
+from torquerig.rig.assembly import Rig
+from torquerig.rig.terms import AppliedTorque, Drive, ImposedMotion, Load, Signal
+from torquerig.simulation import rows
+from torquerig.simulation.arrays import Imposed, Terms
+from torquerig.simulation.lower import Lowered
+from torquerig.simulation.profile import loads_as_planned, set_point
+
+NEVER = np.iinfo(np.int64).max
+
+
+@dataclass(frozen=True, kw_only=True)
+class Span:
+    """The samples of a run: ``settling`` that are not kept, ``samples`` that are, at ``rate`` [Hz], and its seed."""
+
+    settling: int
+    samples: int
+    rate: float
+    seed: int
+    wander: float = 0.0
+
+    @classmethod
+    def of(cls, *, duration: float, settling: float, rate: float, seed: int, wander: float) -> Span:
+        """Return the span of a recording of ``duration`` [s] after ``settling`` [s]."""
+        return cls(settling=round(settling * rate), samples=round(duration * rate), rate=rate, seed=seed, wander=wander)
+
+    def time(self) -> NDArray[np.float64]:
+        """Return the time of every sample and one more [s], shape (settling + samples + 1,); 0 is the first kept."""
+        return np.arange(-self.settling, self.samples + 1) / self.rate
+
+
+def held_while_settling(lowered: Lowered, span: Span) -> Lowered:
+    """Return the rig held at its set-point until the recording starts, where nothing else holds its speed.
+
+    Without this a rig in torque mode would run away, or stand still, for a time that nobody recorded.
+    """
+    held = any(drive.holds_speed for drive in lowered.drive_terms) or lowered.imposed_terms
+    if held or span.settling == 0:
+        return lowered
+    hold = (ImposedMotion(name="settling", on=lowered.leader(), released=True),)
+    number = {name: row for row, name in enumerate(lowered.nodes)}
+    return replace(lowered, imposed_terms=hold, imposed=rows.imposed_of(hold, number, lowered.inertia))
+
+
+def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
+    """Return the rig's arrays with what is given at every sample filled in."""
+    time = span.time()
+    reference = _set_point(rig, span)
+    demands = [_demand(rig, drive, span, time) for drive in lowered.drive_terms]
+    loads = given_torques(rig, lowered.load_terms, span)
+    return Terms(
+        inverse_inertia=np.append(1 / lowered.inertia, 0.0),
+        waves=lowered.waves,
+        springs=lowered.springs,
+        harmonics=lowered.harmonics,
+        frictions=lowered.frictions,
+        loads=lowered.loads._replace(samples=_stacked(loads, time.size)),
+        blades=lowered.blades,
+        drives=lowered.drives._replace(
+            reference=np.tile(reference, (len(demands), 1)), demand=_stacked(demands, time.size)
+        ),
+        sensings=lowered.sensings,
+        imposed=_imposed(lowered, span, reference),
+        varied=lowered.varied,
+        bristles=lowered.bristles,
+        angle_loads=lowered.angle_loads,
+    )
+
+
+def given_torques(rig: Rig, terms: Sequence[Load | AppliedTorque], span: Span) -> list[NDArray[np.float64]]:
+    """Return what each load and applied torque gives at every sample [N m], as the run plans it."""
+    time = span.time()
+    return loads_as_planned(
+        rig.run, [_torque(term, span, time) for term in terms], terms,
+        settling=span.settling, samples=span.samples, rate=span.rate,
+    )  # fmt: skip
+
+
+def start(rig: Rig, lowered: Lowered, terms: Terms) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return angles and speeds, shape (nodes + 1,): everything turns with the leader, springs without torque."""
+    leader = lowered.leader()
+    leading = [row for row, term in enumerate(lowered.imposed_terms) if term.on == leader]
+    angle = terms.imposed.angle[leading[0], 0] if leading else 0.0
+    speed = terms.imposed.speed[leading[0], 0] if leading else (rig.run.speed or 0.0)
+    if lowered.drive_terms and not leading:
+        speed = terms.drives.reference[0, 0]
+    ratios = rig.speed_ratios(leader)
+    turned = np.array([ratios.get(node, 0.0) for node in lowered.nodes] + [0.0])
+    return angle * turned, speed * turned
+
+
+def _set_point(rig: Rig, span: Span) -> NDArray[np.float64]:
+    rng = random_for(span.seed, "speed wander")
+    return set_point(rig.run, settling=span.settling, samples=span.samples, rate=span.rate, wander=span.wander, rng=rng)
+
+
+def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the torque that is demanded beside the speed loop [N m]."""
+    demand = np.zeros(time.size)
+    if drive.torque:
+        top = rig.run.speed or 1.0
+        course = rig.run.course().speed(np.maximum(0.0, time), top=top, duration=span.samples / span.rate)
+        demand += drive.torque / top * course
+    if drive.demand is not None:
+        demand += drive.demand.at(time)
+    return demand
+
+
+def _torque(term: Load | AppliedTorque, span: Span, time: NDArray[np.float64]) -> NDArray[np.float64]:
+    if isinstance(term.process, Signal):
+        return term.process.at(time)
+    return term.process.sample(time.size, span.rate, random_for(span.seed, term.name))
+
+
+def _imposed(lowered: Lowered, span: Span, reference: NDArray[np.float64]) -> Imposed:
+    time = span.time()
+    angles, speeds = [], []
+    for term in lowered.imposed_terms:
+        if term.motion is None:
+            speed = term.factor * reference
+            angle = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]))]) / span.rate
+        else:
+            angle, speed = term.motion.at(time)
+        angles.append(angle)
+        speeds.append(speed)
+    return lowered.imposed._replace(
+        release=np.array([span.settling if term.released else NEVER for term in lowered.imposed_terms], dtype=np.int64),
+        angle=_stacked(angles, time.size),
+        speed=_stacked(speeds, time.size),
+    )
+
+
+def _stacked(rows_: list[NDArray[np.float64]], count: int) -> NDArray[np.float64]:
+    return np.array(rows_, dtype=np.float64).reshape(-1, count)

@@ -1,0 +1,74 @@
+"""A rig made ready to be stepped: its arrays, what is given to it at every sample, its step, its start."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from torquerig.errors import InputError, SimulationError
+from torquerig.rig.assembly import Rig
+from torquerig.simulation.arrays import Floats, Terms
+from torquerig.simulation.failure import why_it_failed
+from torquerig.simulation.inputs import Span, filled, held_while_settling, start
+from torquerig.simulation.lower import Lowered, lower
+from torquerig.simulation.outputs import Output, outputs_of
+from torquerig.simulation.step_choice import step_choice
+
+
+@dataclass(frozen=True)
+class Ready:
+    """A rig as the kernel takes it.
+
+    Parameters
+    ----------
+    steps : int
+        Integration steps per sample.
+    origin : mapping
+        What the recording says of how it was made.
+    """
+
+    rig: Rig
+    span: Span
+    lowered: Lowered
+    terms: Terms
+    outputs: tuple[Output, ...]
+    steps: int
+    origin: Mapping[str, Any]
+
+    def start(self) -> tuple[Floats, Floats]:
+        """Return the angles [rad] and speeds [rad/s] to start from, shape (nodes + 1,), fresh each time."""
+        return start(self.rig, self.lowered, self.terms)
+
+    def failure(self, sample: int, node: int) -> SimulationError:
+        """Return the error that says where and when a speed ceased to be finite, and why as far as it can be told."""
+        after = (sample - self.span.settling) / self.span.rate
+        why = why_it_failed(
+            self.rig, self.lowered, self.terms, sample=sample, steps=self.steps, sample_rate=self.span.rate
+        )
+        return SimulationError(
+            f"the speed of {self.lowered.nodes[node]!r} ceased to be finite {after:.4f} s after the start of the "
+            f"recording: {why}"
+        )
+
+
+def ready(
+    rig: Rig, span: Span, *, scenario: str = "", substeps: int | None = None, most_steps: int | None = None
+) -> Ready:
+    """Return a rig ready for the span; InputError where there is nothing to record or nothing moves.
+
+    SimulationError where it needs more than ``most_steps`` integration steps a sample.
+    """
+    lowered = lower(rig, span.seed)
+    if span.samples < 2:
+        length = span.samples / span.rate
+        raise InputError(f"a recording of {length:g} s at {span.rate:g} Hz has {span.samples} samples; ask for more")
+    if not lowered.drive_terms and not lowered.load_terms and not lowered.imposed_terms:
+        raise InputError("nothing moves the rig; add a speed controller to the motor")
+    lowered = held_while_settling(lowered, span)
+    terms = filled(rig, lowered, span)
+    steps = substeps or step_choice(lowered, terms, span.rate).steps
+    if most_steps is not None and steps > most_steps:
+        raise SimulationError(f"the rig needs {steps} integration steps a sample, more than the {most_steps} allowed")
+    origin = {"scenario": scenario, "seed": span.seed, "substeps": steps}
+    return Ready(rig, span, lowered, terms, outputs_of(rig, lowered), steps, origin)

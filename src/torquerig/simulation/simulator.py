@@ -1,0 +1,99 @@
+"""Forwards: a rig, a duration and a seed in, a recording out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig import __version__
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
+from torquerig.simulation import kernel
+from torquerig.simulation.inputs import Span, filled, held_while_settling
+from torquerig.simulation.lower import lower
+from torquerig.simulation.outputs import Output, as_arrays, channels_of
+from torquerig.simulation.ready import Ready, ready
+from torquerig.simulation.step_choice import StepChoice, step_choice
+
+SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
+SETTLING = 1.5  # [s] the rig turns this long before the recording starts
+
+
+def simulate(
+    rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
+    settling: float = SETTLING, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
+) -> Recording:  # fmt: skip
+    """Return what the rig's sensor records, with the truth beside it in channels marked as such.
+
+    Parameters
+    ----------
+    duration : float
+        Length of the recording [s].
+    settling : float
+        How long the rig turns before the recording starts [s]; where nothing controls or imposes a speed, it is held
+        at its set-point so long.
+    seed : int
+        Fixes phases, load and noise, each by its own name: the same seed gives the same bytes.
+    wander : float
+        Relative rms of the slow wander of the speed in steady runs [1].
+    substeps : int, optional
+        Integration steps per sample; chosen from the fastest mode or event when not given (see ``step_choice``).
+    most_steps : int, optional
+        The largest number of them for which it is worth waiting.
+
+    Raises
+    ------
+    SimulationError
+        When it needs more steps than that, or when a speed ceases to be finite: names the node, the time and, as far
+        as it can be told, why.
+    """
+    span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
+    return stepped(ready(rig, span, scenario=scenario, substeps=substeps, most_steps=most_steps))
+
+
+def stepped(run: Ready) -> Recording:
+    """Return the recording of a rig that is ready; SimulationError where a speed ceases to be finite."""
+    kept = np.empty((len(run.outputs), run.span.samples))
+    span, outputs = run.span, as_arrays(run.outputs)
+    failed, node = kernel.integrate(*run.start(), run.terms, outputs, span.rate, span.settling, run.steps, kept)
+    if failed >= 0:
+        raise run.failure(failed, node)
+    return recorded(run.rig, run.outputs, kept, rate=span.rate, origin=run.origin)
+
+
+def recorded(
+    rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float, origin: Mapping[str, Any]
+) -> Recording:
+    """Return the recording of a run: what was kept as channels, and the sensor's through its stages to the file.
+
+    Parameters
+    ----------
+    kept : ndarray, shape (outputs, samples)
+        In SI units.
+    origin : mapping
+        What made it; ``seed`` fixes the noise.
+    """
+    recording = Recording(
+        sample_rate=rate,
+        channels=channels_of(rig, outputs, kept),
+        run=rig.run,
+        origin={"torquerig": __version__, **origin},
+        name=str(origin.get("scenario") or "simulation"),
+    )
+    for stage in rig.stages():
+        recording = stage.apply(recording)
+    return recording
+
+
+def choice_for(
+    rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
+    settling: float = SETTLING, substeps: int | None = None,
+) -> StepChoice:  # fmt: skip
+    """Return the steps that ``simulate`` would take, what fixed them, or how far ``substeps`` of your own reach."""
+    span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
+    lowered = held_while_settling(lower(rig, seed), span)
+    chosen = step_choice(lowered, filled(rig, lowered, span), sample_rate)
+    return chosen if substeps is None else StepChoice(substeps, 1 / sample_rate / substeps, chosen.fixed_by)

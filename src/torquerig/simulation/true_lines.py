@@ -1,0 +1,49 @@
+"""What the disturbance lines add to a reading: a second run of the same draws without any mechanism that makes them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from torquerig.recordings.recording import Channel, Recording
+from torquerig.simulation.simulator import simulate
+
+if TYPE_CHECKING:
+    from torquerig.rig.assembly import Rig
+
+TRUE_LINES = "true_lines_Nm"
+_LOAD = "true_load_Nm"
+_LINE_GROUPS = ("mechanical", "cogging", "electrical")
+
+
+def without_lines(rig: Rig) -> Rig:
+    """Return the rig without its mechanical, cogging and electrical mechanisms; loads and the sensor's stay."""
+    return replace(rig, parts=tuple(part for part in rig.parts if part.group not in _LINE_GROUPS))
+
+
+def with_true_lines(recording: Recording, rig: Rig, *, seed: int, wander: float = 0.0) -> Recording:
+    """Return a simulated recording with what its lines add to the reading, as the channel ``true_lines_Nm`` [N m].
+
+    The reading less this channel is perfect line removal: what a filter could reach that knew every line and nothing
+    else.
+
+    Parameters
+    ----------
+    recording : Recording
+        Of ``rig``, by ``simulate`` with this seed and wander. Where the true load is
+        not known it comes back as it is.
+
+    Notes
+    -----
+    Phases, load and noise are drawn by their own names, so that both runs have the same. Without lines the shaft
+    turns a little differently and meets the load a little elsewhere; so the channel is the difference of the two
+    readings' errors, each to the load of its own run.
+    """
+    if _LOAD not in recording.channels:
+        return recording
+    clean = simulate(
+        without_lines(rig), duration=recording.duration, seed=seed, sample_rate=recording.sample_rate, wander=wander
+    )
+    wrong, left = (one.torque() - one.channels[_LOAD].in_si() for one in (recording, clean))
+    lines = Channel(values=wrong - left, quantity="torque", unit="N*m", truth=True)
+    return recording.with_channel(TRUE_LINES, lines)

@@ -1,0 +1,54 @@
+"""A study as it is run: the scenario's document, its settings, the catalog and the filter chains' document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from torquerig.catalog.reading import Catalog
+from torquerig.document import Document, read_document
+from torquerig.errors import InputError, did_you_mean
+from torquerig.filters.chains.chain_file import needs_response, read_chains
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.load_response import load_response
+from torquerig.scenario.reading import Scenario
+from torquerig.study.settings import Settings, read_settings
+
+
+@dataclass(frozen=True)
+class Study:
+    """Everything that a comparison reads; nothing in it is changed by running."""
+
+    document: Document
+    settings: Settings
+    catalog: Catalog
+    filters: Document
+
+    def chains(self, scenario: Scenario) -> Mapping[str, Chain]:
+        """Return the study's filter chains and the present one, made for the kinematics of one scenario.
+
+        Raises
+        ------
+        InputError
+            When the study names a chain that the file does not have.
+        """
+        wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
+        response = load_response(scenario.rig) if needs_response(self.filters, wanted) else None
+        made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig), response=response)
+        for name in wanted:
+            if name not in made:
+                key = ("filters", "names") if name in self.settings.filters.names else ("present", "filter")
+                raise InputError(
+                    f"{self.document.place(('study', *key))}: there is no chain {name!r} in "
+                    f"{self.filters.path.name}; {did_you_mean(name, made)}"
+                )
+        return {name: made[name] for name in wanted}
+
+
+def open_study(document: Document, catalog: Catalog) -> Study:
+    """Return the study of a scenario's document; InputError with file, line and key for what cannot be used."""
+    settings = read_settings(document)
+    filters = read_document(Path(document.path).parent / settings.filters.file)
+    return Study(document, settings, catalog, filters)

@@ -1,0 +1,164 @@
+"""Which motor to buy or keep, and how sure that is; beside what the report bought."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from torquerig.decide.eliminate import eliminate
+from torquerig.decide.kesselring import Profile, kesselring
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.matrix_io.sheet import Method
+from torquerig.decide.robustness import robustness
+from torquerig.decide.verdict import MatrixVerdict, verdict_of
+from torquerig.study.rated_drives import left_over, rated_drives
+from torquerig.study.reference_decision.beside import TableBeside
+from torquerig.study.reference_decision.plan import Plan, real_name
+from torquerig.study.scoring import Decided
+
+DRAWS = 10_000
+MOST_ASKED = 5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Answer:
+    """The answer to the report's question.
+
+    Parameters
+    ----------
+    published, published_text : str
+        Whom the report buys (the catalog's name), and from which printed sum.
+    chosen : str
+        The combination in front of all, by the study's criteria.
+    keeps : bool
+        Whether that is the motor that stands there.
+    keeps_chance : float
+        How often, over joint draws, the best drive of all has the motor that stands there, on any gearbox [1].
+    overall : MatrixVerdict
+        Over every drive with its best filter.
+    bought : MatrixVerdict
+        The same where the present motor may not stay.
+    table : mapping of str to MatrixVerdict
+        The report's own rated table, computed: with its printed weights, and with the lost weight on the goal.
+    conditions : tuple of str
+        Demands on the chosen one that are still open.
+    asked : tuple of str
+        Which missing datum to ask for first.
+    """
+
+    published: str
+    published_text: str
+    chosen: str
+    keeps: bool
+    keeps_chance: float
+    overall: MatrixVerdict
+    bought: MatrixVerdict
+    table: Mapping[str, MatrixVerdict]
+    conditions: tuple[str, ...]
+    asked: tuple[str, ...]
+
+    def sentences(self) -> tuple[str, ...]:
+        """Return the answer: what the report did, what comes out, what if something must be bought."""
+        action = f"keep the motor that stands there, as {self.chosen}" if self.keeps else f"buy {self.chosen}"
+        if self.conditions:
+            action = f"if what a demand still asks is answered well ({'; '.join(self.conditions)}), {action}"
+        return (
+            f"The report buys {self.published} ({self.published_text}).",
+            (f"Computed: {action}. The verdict is {self.overall.word}: best in {_chance(self.overall)}. In "
+            f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox."),
+            self._bought_sentence(),
+            *(f"{name}: {_told(one)}" for name, one in self.table.items()),
+        )  # fmt: skip
+
+    def _bought_sentence(self) -> str:
+        """Return which motor to buy where the present one may not stay."""
+        if not self.bought.winners:
+            return "No new motor meets the demands."
+        named = " (the one that the report names)" if self.published in self.bought.winners[0] else ""
+        winners = " and ".join(self.bought.winners).replace(" | ", " with the filter ")
+        rival = f", before {self.bought.runner_up.replace(' | ', ' with ')}" if self.bought.runner_up else ""
+        return (
+            f"Where a new motor is bought all the same, in front is {winners}{named}. The verdict is "
+            f"{self.bought.word}: best of the new ones in {_chance(self.bought)}{rival}."
+        )
+
+
+def answer(plan: Plan, tables: tuple[TableBeside, ...], decided: Decided) -> Answer:
+    """Return the answer from the study's decision and the report's rated table."""
+    names = left_over(decided)
+    present = real_name(plan.study.catalog, plan.study.settings.present.motor)
+    motors = {name: decided.alternatives[name].drive.candidate.motor for name in names}
+    new = [name for name in names if motors[name] != present]
+    nobody = verdict_of(decided.chart, None, {})
+    every, bought = (rated_drives(decided, one) if one else None for one in (names, new))
+    overall = every.verdict if every else nobody
+    chosen = overall.winners[0] if overall.winners else ""
+    rated = [one for one in tables if one.table.sheet.method is Method.KESSELRING]
+    published, text = _published(plan, rated)
+    return Answer(
+        published=published,
+        published_text=text,
+        chosen=chosen.replace(" | ", " with the filter "),
+        keeps=motors.get(chosen) == present,
+        keeps_chance=sum(every.combinations["together"].chance(name) for name in names if name not in new)
+        if every
+        else 0.0,
+        overall=overall,
+        bought=bought.verdict if bought else nobody,
+        table={name: found for one in rated for name, found in _rated(plan, one).items()},
+        conditions=tuple(dict.fromkeys(told.partition(": ")[2] for told in overall.conditions)),
+        asked=tuple(
+            f"{one.fact} ({one.p_change:.0%} of its range put another new motor in front)"
+            for one in (bought.facts if bought else ())[:MOST_ASKED]
+            if one.decisive
+        ),
+    )
+
+
+def _verdict(matrix: DecisionMatrix, profile: Profile) -> MatrixVerdict:
+    result = kesselring(matrix, profile=profile)
+    return verdict_of(eliminate(matrix), result, robustness(matrix, profile=profile, draws=DRAWS))
+
+
+def _rated(plan: Plan, one: TableBeside) -> dict[str, MatrixVerdict]:
+    """Return the verdict of a rated table as weighed in print, with what the weights lack on the goal, and of the new.
+
+    The new ones are those that are not the motor that stands there today.
+    """
+    sheet, matrix = one.table.sheet, one.table.matrix
+    added = list(one.table.planned.missing)
+    kept = tuple(criterion for criterion in matrix.criteria if criterion.name not in added)
+    cells = {key: cell for key, cell in matrix.cells.items() if key[1] not in added}
+    plain = DecisionMatrix(name=matrix.name, alternatives=matrix.alternatives, criteria=kept, cells=cells)
+    found = {f"{sheet.name} computed with its printed weights": _verdict(plain, sheet.profile)}
+    whole = f"{sheet.name} computed"
+    if added:
+        weight = next(criterion.weight for criterion in matrix.criteria if criterion.name in added)
+        whole = f"{sheet.name} computed with the lost {weight:g} on {added[0]}"
+        found[whole] = _verdict(matrix, sheet.profile)
+    present = real_name(plan.study.catalog, plan.study.settings.present.motor)
+    new = [name for name in matrix.alternatives if real_name(plan.study.catalog, name) != present]
+    if len(new) < len(matrix.alternatives):
+        found[f"{whole}, new motors only"] = _verdict(matrix.only(alternatives=new), sheet.profile)
+    return found
+
+
+def _published(plan: Plan, rated: list[TableBeside]) -> tuple[str, str]:
+    """Return whom the printed sums of the rated table put in front."""
+    if not rated:
+        return "", "no rated table"
+    sheet = rated[0].table.sheet
+    best = max((value, name) for value, name in zip(sheet.sums, sheet.alternatives, strict=True) if value is not None)
+    ideal = f" of {sheet.ideal_sum:g}" if sheet.ideal_sum else ""
+    return real_name(plan.study.catalog, best[1]), f"{sheet.name}, {best[0]:g}{ideal} in print"
+
+
+def _told(verdict: MatrixVerdict) -> str:
+    return f"{' and '.join(verdict.winners)} in front, {verdict.word}, best in {_chance(verdict)}."
+
+
+def _chance(verdict: MatrixVerdict) -> str:
+    if not verdict.chances:
+        return "no draw"
+    alone = ", ".join(f"{one:.0%} over {name}" for name, one in verdict.chances.items() if name != "together")
+    return f"{verdict.chances['together']:.0%} of joint draws ({alone})"

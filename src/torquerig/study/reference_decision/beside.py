@@ -1,0 +1,221 @@
+"""A computed table beside the published one: cell by cell, then sums, ranks and decisions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from torquerig.decide.criterion import Criterion
+from torquerig.decide.eliminate import eliminate
+from torquerig.decide.kesselring import KesselringResult, kesselring
+from torquerig.decide.lints.audit import audit
+from torquerig.decide.lints.finding import Finding
+from torquerig.decide.lints.polarity import polarity_unclear
+from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.matrix_io.recompute import undeciding_rows
+from torquerig.decide.matrix_io.sheet import Book, Entry, Method
+from torquerig.decide.pugh import pugh
+from torquerig.decide.ranks import shown_rank
+from torquerig.metrics.figure import Figure
+from torquerig.study.reference_decision.computed import ComputedTable
+from torquerig.study.reference_decision.reasons import (
+    Compared,
+    Reason,
+    points_turned,
+    reason_of_demand,
+    reason_of_points,
+    reason_of_sign,
+    signs_of,
+    turned_round,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CellBeside:
+    """One cell: what is printed, what is computed and from which figure, and why they differ."""
+
+    row: str
+    alternative: str
+    published: str
+    computed: str
+    figure: Figure
+    reason: Reason
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableBeside:
+    """One table beside its computed one.
+
+    Parameters
+    ----------
+    table : ComputedTable
+    cells : tuple of CellBeside
+        Row by row of the published table.
+    under : mapping of str to tuple of str
+        What stands under or behind the table, a text per published alternative: sums, ranks, decisions.
+    rated : KesselringResult or None
+        With the lost weight on the goal and the added motors (Kesselring).
+    findings : tuple of Finding
+        The published table's errors.
+    """
+
+    table: ComputedTable
+    cells: tuple[CellBeside, ...]
+    under: Mapping[str, tuple[str, ...]]
+    rated: KesselringResult | None
+    findings: tuple[Finding, ...]
+
+    @property
+    def differing(self) -> tuple[CellBeside, ...]:
+        """The cells whose computed mark is another one."""
+        return tuple(cell for cell in self.cells if cell.reason.sentence)
+
+
+def table_beside(table: ComputedTable, book: Book, *, agree_within: float) -> TableBeside:
+    """Return a computed table beside the published one."""
+    findings = tuple(one for one in audit(book) if one.table == table.sheet.name)
+    unclear = {row.criterion for row in table.sheet.rows if _is_unclear(table, row.criterion, book)}
+    if table.sheet.method is not Method.KESSELRING:
+        made = _elimination if table.sheet.method is Method.ELIMINATION else _pugh
+        cells, under = made(table, unclear)
+        return TableBeside(table=table, cells=cells, under=under, rated=None, findings=findings)
+    cells, under, rated = _kesselring(table, unclear, agree_within)
+    return TableBeside(table=table, cells=cells, under=under, rated=rated, findings=findings)
+
+
+Found = tuple[tuple[CellBeside, ...], dict[str, tuple[str, ...]]]
+
+
+def _elimination(table: ComputedTable, unclear: set[str]) -> Found:
+    sheet, cells = table.sheet, []
+    marks = _every_mark(table.matrix)
+    others = _every_mark(table.otherwise) if table.otherwise else {}
+    for row in sheet.rows:
+        for name, said in zip(sheet.alternatives, row.entries, strict=True):
+            key = name, row.criterion
+            compared = _compared(table, key, said, marks[key], others.get(key, ""))
+            cells.append(_cell(table, key, said, marks[key], reason_of_demand(compared)))
+    printed = {True: "Yes", False: "No", None: ""}
+    wishes = {row.criterion for row in undeciding_rows(sheet)} if None not in sheet.passed else set()
+    under = {
+        "printed decision": tuple(printed[passed] for passed in sheet.passed),
+        "computed, every - eliminates": _decisions(table, set()),
+    }
+    if 0 < len(wishes) < len(sheet.rows):
+        under["computed, without the columns that never decide"] = _decisions(table, wishes)
+    return tuple(cells), under
+
+
+def _decisions(table: ComputedTable, without: set[str]) -> tuple[str, ...]:
+    criteria = tuple(one for one in table.matrix.criteria if one.name not in without)
+    cells = {key: cell for key, cell in table.matrix.cells.items() if key[1] not in without}
+    chart = eliminate(replace(table.matrix, criteria=criteria, cells=cells))
+    made = {row.alternative: str(row.decision) for row in chart.rows}
+    return tuple(made[name] for name in table.sheet.alternatives)
+
+
+def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
+    sheet, cells = table.sheet, []
+    result = pugh(table.matrix, sheet.datum)
+    same = pugh(table.same_gearbox, sheet.datum) if table.same_gearbox else result
+    others = pugh(table.otherwise, sheet.datum) if table.otherwise else None
+    signs = {name: signs_of(result, name) for name in sheet.alternatives}
+    for row in sheet.rows:
+        column = [signs[name][row.criterion] for name in sheet.alternatives]
+        criterion = _criterion(table, row.criterion)
+        turned = row.criterion in unclear and turned_round(list(row.entries), column, criterion)
+        for name, said in zip(sheet.alternatives, row.entries, strict=True):
+            key = name, row.criterion
+            other = signs_of(others, name).get(row.criterion, "") if others else ""
+            compared = replace(
+                _compared(table, key, said, signs[name][row.criterion], other),
+                datum=table.figures[sheet.datum, row.criterion], polarity=turned,
+                same_gearbox=signs_of(same, name)[row.criterion],
+            )  # fmt: skip
+            cells.append(_cell(table, key, said, signs[name][row.criterion], reason_of_sign(compared)))
+    places = [result.alternatives.index(name) for name in sheet.alternatives]
+    best, worst = result.rank_range
+    nets = [(int(result.net_low[place]), int(result.net_high[place])) for place in places]
+    return tuple(cells), {
+        "printed sum": _printed(sheet.sums),
+        "computed net, ? either way": tuple(f"{low}" if low == high else f"{low}..{high}" for low, high in nets),
+        "printed rank": _printed(sheet.ranks),
+        f"computed rank, {sheet.datum} among them": tuple(
+            shown_rank(int(best[place]), int(worst[place])) for place in places
+        ),
+    }
+
+
+def _kesselring(
+    table: ComputedTable, unclear: set[str], within: float
+) -> tuple[tuple[CellBeside, ...], dict[str, tuple[str, ...]], KesselringResult]:
+    sheet, cells = table.sheet, []
+    printed = {row.criterion for row in sheet.rows}
+    result = kesselring(
+        replace(
+            table.matrix,
+            criteria=tuple(one for one in table.matrix.criteria if one.name in printed),
+            cells={key: cell for key, cell in table.matrix.cells.items() if key[1] in printed},
+        ),
+        profile=sheet.profile,
+    )
+    places = [result.alternatives.index(name) for name in sheet.alternatives]
+    for row in sheet.rows:
+        column = result.criteria.index(row.criterion)
+        turned = row.criterion in unclear and points_turned(list(row.entries), result, column, places)
+        for name, place, said in zip(sheet.alternatives, places, row.entries, strict=True):
+            low, high = float(result.low[place, column]), float(result.high[place, column])
+            shown = f"{low:.2g}" if high - low < 0.05 else f"{low:.2g}..{high:.2g}"
+            compared = replace(_compared(table, (name, row.criterion), said, shown, ""), polarity=turned)
+            reason = reason_of_points(compared, low=low, high=high, within=within)
+            cells.append(_cell(table, (name, row.criterion), said, shown, reason))
+    shares = zip(result.total_low / result.ideal, result.total_high / result.ideal, strict=True)
+    ranges = [f"{low:.2f}..{high:.2f}" if high - low > 5e-3 else f"{low:.2f}" for low, high in shares]
+    printed_shares = tuple(
+        "" if one is None else f"{one / (sheet.ideal_sum or result.ideal):.2f}" for one in sheet.sums
+    )
+    under = {
+        "printed sum": _printed(sheet.sums),
+        "printed T/T_max": printed_shares,
+        "computed T/T_max": tuple(ranges[place] for place in places),
+    }
+    return tuple(cells), under, kesselring(table.matrix, profile=sheet.profile)
+
+
+def _every_mark(matrix: DecisionMatrix) -> dict[tuple[str, str], str]:
+    """Return the mark of every cell, those behind a first ``-`` too."""
+    found = {}
+    for criterion in matrix.criteria:
+        kept = {key: cell for key, cell in matrix.cells.items() if key[1] == criterion.name}
+        for row in eliminate(replace(matrix, criteria=(criterion,), cells=kept)).rows:
+            found[row.alternative, criterion.name] = str(row.marks[criterion.name])
+    return found
+
+
+def _compared(table: ComputedTable, key: tuple[str, str], said: Entry, computed: str, other: str) -> Compared:
+    planned = table.planned.rows[key[1]].otherwise
+    return Compared(
+        published=said, computed=computed, figure=table.figures[key], criterion=_criterion(table, key[1]),
+        otherwise=other, other_purpose=planned.purpose if planned else "",
+        other_figure=table.other_figures.get(key, Figure()),
+    )  # fmt: skip
+
+
+def _cell(table: ComputedTable, key: tuple[str, str], said: Entry, computed: str, reason: Reason) -> CellBeside:
+    shown = said if isinstance(said, str) else f"{said:g}"
+    return CellBeside(
+        row=key[1], alternative=key[0], published=shown, computed=computed, figure=table.figures[key], reason=reason
+    )
+
+
+def _is_unclear(table: ComputedTable, row: str, book: Book) -> bool:
+    """Whether a lint says that the row's name leaves open which way is better."""
+    return any(repr(row) in finding.what for finding in polarity_unclear(table.sheet, book))
+
+
+def _criterion(table: ComputedTable, name: str) -> Criterion:
+    return next(one for one in table.matrix.criteria if one.name == name)
+
+
+def _printed(values: tuple[float | None, ...] | tuple[int | None, ...]) -> tuple[str, ...]:
+    return tuple("" if value is None else f"{value:g}" for value in values)

@@ -1,0 +1,103 @@
+"""Every published cell simulated at the fitted load, with its spread over seeds and what would be needed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.effect import chain_effect
+from torquerig.filters.evaluation.placebo import Placebo, placebo
+from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.fitting import Fit, Places, place_of
+from torquerig.study.reference_report.published import Cell
+
+COPIES = 3
+KNOWN_HARMONICS = 30
+
+
+@dataclass(frozen=True, kw_only=True)
+class CellResult:
+    """A published cell and what the simulated rig makes of it.
+
+    Parameters
+    ----------
+    cell : Cell
+    occupancy, size : float
+        Where it was simulated [%], [m].
+    cut, lowest, highest : float
+        Reduction of the standard deviation over copies of the run: mean and range [%].
+    shipped_cut : float
+        The same with the scenario's own load, nothing fitted [%].
+    mean : float
+        Of the reading [N m].
+    mean_change, energy_change : float
+        [%]; the report prints 0 and nothing.
+    lines, load : float
+        Rms of lines and noise, and of the load's fluctuation, in the reading [N m].
+    taken : float
+        Share of the load's variance that the notches take [1].
+    needed : float or None
+        Rms of the load's fluctuation at which the published cut would come out [N m].
+    placebo : Placebo or None
+        The same notches at empty orders.
+    """
+
+    cell: Cell
+    occupancy: float
+    size: float
+    cut: float
+    lowest: float
+    highest: float
+    shipped_cut: float
+    mean: float
+    mean_change: float
+    energy_change: float | None
+    lines: float
+    load: float
+    taken: float
+    needed: float | None
+    placebo: Placebo | None
+
+    @property
+    def difference(self) -> float:
+        """Simulated less published [percentage points]."""
+        return self.cut - self.cell.cut
+
+
+def cell_results(
+    rig: SeedRig, chain: Chain, fit: Fit, *, cells: Sequence[Cell], places: Places,
+    progress: Callable[[int, int, str], None],
+) -> tuple[CellResult, ...]:  # fmt: skip
+    """Return every cell, simulated as a whole at the fitted load (not superposed), ``COPIES`` times."""
+    made = []
+    for number, cell in enumerate(cells, start=1):
+        made.append(_cell(rig, chain, fit, cell, places))
+        progress(number, len(cells), f"Table {cell.table}, {cell.shown}")
+    return tuple(made)
+
+
+def _cell(rig: SeedRig, chain: Chain, fit: Fit, cell: Cell, places: Places) -> CellResult:
+    occupancy, size = place = place_of(cell, occupancy=fit.occupancy, size=rig.size)
+    scale, parts, ratio = fit.scale_at(size), places[place], rig.kinematics.ratio
+    readings = [rig.reading(occupancy, size, scale=scale, copy=copy) for copy in range(COPIES)]
+    effects = [chain_effect(one, chain.apply(one), ratio=ratio) for one in readings]
+    cuts = [effect.std_reduction_percent for effect in effects]
+    needed = parts.needed(cell.cut)
+    return CellResult(
+        cell=cell,
+        occupancy=occupancy,
+        size=size,
+        cut=sum(cuts) / len(cuts),
+        lowest=min(cuts),
+        highest=max(cuts),
+        shipped_cut=float(parts.cut(1.0)),
+        mean=parts.mean,
+        mean_change=effects[0].mean_change_percent,
+        energy_change=effects[0].energy_change_percent,
+        lines=parts.lines(),
+        load=parts.load(scale),
+        taken=parts.taken(),
+        needed=None if needed is None else parts.load(needed),
+        placebo=placebo(chain, readings[0], known=rig.kinematics.lines(KNOWN_HARMONICS)),
+    )

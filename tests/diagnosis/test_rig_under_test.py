@@ -1,0 +1,63 @@
+"""What a scenario must have before its recordings can be diagnosed, and which ratio a sheet may mean."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from torquerig.diagnosis.looking.observed import Observed
+from torquerig.diagnosis.rig_under_test import check_rig
+from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
+from torquerig.errors import InputError, RecordingError
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
+from torquerig.rig.parts import ImposedMotion
+from torquerig.scenario.reading import Scenario
+
+ANGLE = 40.0 * np.arange(20000) / 5000.0
+NOISE = 1e-3 * np.random.default_rng(1).standard_normal(ANGLE.size)
+MOTION = ImposedMotion(name="moved", at="motor", channel="motor_angle")
+
+
+def test_a_rig_that_nothing_drives_is_said(wear_rig: Scenario) -> None:
+    still = wear_rig.rig.without("speed_controller")
+    with pytest.raises(InputError, match="nothing in the scenario drives a motor; add a speed_controller"):
+        check_rig(still)
+    with pytest.raises(InputError, match=r"imposes the motion 'moved' and measures 'torque_sensor'.*measured: moved"):
+        check_rig(still + MOTION)
+
+
+def test_a_measured_part_that_no_torque_passes_is_said(wear_rig: Scenario) -> None:
+    with pytest.raises(InputError, match="measures 'wear_part', which no torque passes"):
+        check_rig(replace(wear_rig.rig, measured="wear_part"))
+
+
+def test_a_rig_that_is_driven_may_have_a_motion_imposed_beside(wear_rig: Scenario) -> None:
+    check_rig(wear_rig.rig)
+    check_rig(wear_rig.rig + MOTION)
+
+
+@pytest.mark.parametrize("stated", [1.0, 3.0])
+def test_a_sheet_may_mean_the_gears_behind_the_sensor(
+    stated: float, bench: Callable[..., Rig], by_hand: Callable[..., Observed]
+) -> None:
+    """The sensor turns with the motor, the drum a third as fast: both are this rig's."""
+    sheets, runs, rig = stating(stated, by_hand), [by_hand(NOISE, ANGLE)], bench("before", wheel=60)
+    assert [*off_ratios(sheets, runs, rig)] == []
+    assert [sheet.run.gear_ratio for sheet in at_ratio_of(sheets, rig)] == [1.0], "lines are counted up to the sensor"
+
+
+def test_a_sheet_of_no_gear_of_the_rig_is_held_to_lines(
+    bench: Callable[..., Rig], by_hand: Callable[..., Observed]
+) -> None:
+    """Noise has none, so that they tell neither."""
+    with pytest.raises(RecordingError, match="a gear ratio of 4, the scenario's rig has 1, and its lines do not tell"):
+        list(off_ratios(stating(4.0, by_hand), [by_hand(NOISE, ANGLE)], bench("before", wheel=60)))
+
+
+def stating(ratio: float, by_hand: Callable[..., Observed]) -> list[Recording]:
+    made = by_hand(NOISE, ANGLE).recording
+    return [replace(made, run=replace(made.run, gear_ratio=ratio))]

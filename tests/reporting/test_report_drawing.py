@@ -1,0 +1,90 @@
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgb
+
+from torquerig.errors import InputError
+from torquerig.metrics.figure import Figure
+from torquerig.reporting.figures.envelope import envelope
+from torquerig.reporting.figures.picture import new_figure, svg, write_picture
+from torquerig.reporting.figures.shades import GOOD_IS_HIGH, readable_on, shade
+from torquerig.reporting.figures.spectrum_figure import spectrum_figure
+from torquerig.reporting.layout import figure_text, plain
+
+
+@pytest.mark.parametrize("logarithmic", [False, True])
+def test_the_envelope_keeps_every_extreme_and_few_points(logarithmic):
+    x = np.linspace(1, 1000, 100_000)
+    y = np.random.default_rng(1).standard_normal(x.size)
+    y[54_321] = 99.0
+    across, along = envelope(x, y, columns=100, logarithmic=logarithmic)
+    assert across.size <= 200
+    assert (along.max(), along.min()) == (99.0, y.min())
+    assert np.all(np.diff(across) > 0)
+
+
+def test_a_short_curve_is_drawn_as_it_is():
+    x, y = np.arange(10.0), np.arange(10.0) ** 2
+    assert envelope(x, y, columns=5)[1] is y
+
+
+@pytest.mark.parametrize("value", np.linspace(0, 1, 21))
+def test_text_on_the_colour_scale_has_the_contrast_that_wcag_asks_for(value):
+    style = dict(part.split(":") for part in shade(value, 0, 1, scale=GOOD_IS_HIGH).split(";"))
+    luminances = sorted(_luminance(to_rgb(style[key])) for key in ("background", "color"))
+    assert (luminances[1] + 0.05) / (luminances[0] + 0.05) >= 4.5  # WCAG 2.2, success criterion 1.4.3, level AA
+
+
+def test_white_on_dark_and_black_on_light():
+    assert readable_on((0.1, 0.1, 0.3)) == "#fff"
+    assert readable_on((0.9, 0.9, 0.6)) == "#000"
+
+
+def test_numbers_have_no_exponent():
+    assert plain(1.3e3) == "1300"
+    assert plain(2.0e-5) == "0.00002"
+    assert figure_text(Figure(low=340.0, high=1.3e3)) == "340..1300"
+    assert figure_text(Figure(value=0.1, low=0.1, high=0.1)) == "0.1"
+    assert figure_text(Figure()) == "?"
+
+
+def test_the_spectrum_labels_its_lines_by_cause(runs):
+    drive = runs.drives[0]
+    kinematics_lines = [
+        level.line for name in ("seed_code",) for level in drive.chains[name].effect.levels if level.line.harmonic == 1
+    ]
+    figure = spectrum_figure(
+        drive.recording, drive.recording, lines=kinematics_lines, motor_speed=drive.motor_speed, ratio=5.0
+    )
+    texts = [text.get_text() for text in figure.axes[0].texts]
+    assert "motor shaft  16.67 Hz" in texts
+    assert "electrical  116.7 Hz" in texts
+    peaks = max(figure.axes[0].lines, key=lambda line: len(line.get_xdata()))
+    tallest = peaks.get_xdata()[np.argmax(peaks.get_ydata())]
+    assert tallest == pytest.approx(116.67, abs=0.5)  # the sine of seven periods per motor turn, drawn at its place
+    assert svg(figure) == svg(figure)
+
+
+@pytest.mark.parametrize("ending", ["svg", "png"])
+def test_a_picture_is_written_once_and_not_overwritten(tmp_path, ending):
+    path = tmp_path / f"bars.{ending}"
+    write_picture(new_figure(2, 1), path)
+    drawn = path.read_bytes()
+    assert drawn[:5] in (b"<?xml", b"\x89PNG\r")
+    with pytest.raises(InputError, match="is there already"):
+        write_picture(new_figure(3, 1), path)
+    assert path.read_bytes() == drawn
+    write_picture(new_figure(3, 1), path, overwrite=True)
+    assert path.read_bytes() != drawn
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize(("name", "told"), [("a.jpeg", "svg or .png"), ("missing/a.svg", "there is no folder")])
+def test_a_picture_that_cannot_be_written_is_refused_in_words(tmp_path, name, told):
+    with pytest.raises(InputError, match=told):
+        write_picture(new_figure(2, 1), tmp_path / name)
+
+
+def _luminance(colour):
+    """Relative luminance of an sRGB colour, WCAG 2.2."""
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in colour]
+    return float(np.dot([0.2126, 0.7152, 0.0722], linear))
