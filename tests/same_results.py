@@ -6,7 +6,7 @@ For moves and renames, which must change no result::
 
 Each command runs in both checkouts in a folder of its own, with the ``src`` of that checkout first on the path. Exit
 code 1 where a result differs. Texts may differ: of a diagnosis only numbers and names of mechanisms are compared.
-``--practice`` names a folder with ``*.parquet`` runs of one rig and ``scenario.yaml``; without it no diagnosis is made.
+``--practice`` names a folder with ``*.parquet`` runs of one wear rig; without it no diagnosis is made.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def run(root: Path, folder: Path, practice: Path | None) -> dict[str, str]:
             digests[result] = hashlib.sha256((folder / result).read_bytes()).hexdigest()
     if practice is not None:
         runs = [str(path) for path in sorted(practice.glob("*.parquet"))]
-        scenario = str(practice / "scenario.yaml")
+        scenario = str(root / "scenarios" / "wear_rig.yaml")
         torquerig(root, folder, ["diagnose", *runs, "--scenario", scenario, "--json", "diagnosis.json"], "diagnose")
         numbers = json.dumps(without_texts(json.loads((folder / "diagnosis.json").read_text())), sort_keys=True)
         digests["diagnosis.json"] = hashlib.sha256(numbers.encode()).hexdigest()
