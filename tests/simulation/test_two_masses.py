@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tests.motulator_peer import two_masses
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
@@ -146,23 +147,9 @@ def test_backlash_of_case_6_3_ends_and_contacts() -> None:
 
 def test_two_mass_system_beside_motulator() -> None:
     """Its TwoMassMechanicalSystem, 1 N m on the motor from rest: same roots, and the same end after 0.2 s."""
-    model = pytest.importorskip("motulator.drive.model", reason="motulator is not installed (pip install motulator)")
-    from types import SimpleNamespace
-
     from scipy.integrate import solve_ivp
 
-    par = SimpleNamespace(J_M=0.005, J_L=0.005, K_S=700, C_S=0.01, B_L=0.0)
-    system = model.TwoMassMechanicalSystem(par=par, tau_L=lambda _: 0.0)
-
-    def slope(time: float, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        w_M, w_L, twist = values
-        system.state.w_M, system.state.w_L, system.state.theta_ML = w_M, w_L, twist
-        system.state.exp_j_theta_M = 1.0
-        system.inp.tau_M = 1.0
-        system.set_outputs(time)
-        d_w_M, _, d_w_L, d_twist = system.rhs()
-        return np.array([d_w_M, d_w_L, d_twist])
-
+    slope = two_masses(motor=0.005, load=0.005, stiffness=700, damping=0.01)
     still = slope(0.0, np.zeros(3))
     matrix = np.column_stack([slope(0.0, column) - still for column in np.eye(3)])
     theirs = np.sort(np.linalg.eigvals(matrix).imag)[-1] / (2 * pi)
