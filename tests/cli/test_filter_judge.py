@@ -10,7 +10,7 @@ from torquerig.recordings.files import write_recording
 def reading(tmp_path, monkeypatch):
     from pathlib import Path
 
-    from torquerig.cli.inputs import catalog_beside
+    from torquerig.catalog.search import catalog_for
     from torquerig.document import read_document
     from torquerig.scenario.reading import read_scenario
     from torquerig.simulation.simulator import simulate
@@ -18,7 +18,7 @@ def reading(tmp_path, monkeypatch):
 
     monkeypatch.chdir(tmp_path)
     scenario = Path(__file__).resolve().parents[2] / "scenarios" / "wear_rig.yaml"
-    made = read_scenario(read_document(scenario), catalog_beside(scenario, ()), seed=1)
+    made = read_scenario(read_document(scenario), catalog_for(scenario, ()), seed=1)
     recording = with_true_lines(simulate(made.rig, duration=3.0, seed=1), made.rig, seed=1)
     write_recording(recording, tmp_path / "known.parquet")
     write_recording(recording.without_truth(), tmp_path / "measured.parquet")

@@ -9,8 +9,9 @@ import click
 from torquerig.catalog.entry import Entry, estimates
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import Catalog
+from torquerig.catalog.search import catalog_for
 from torquerig.catalog.table import catalog_tables
-from torquerig.cli.inputs import catalog_beside, catalog_option
+from torquerig.cli.inputs import catalog_option
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
 
@@ -23,7 +24,7 @@ def command(name: str | None, catalogs: tuple[Path, ...]) -> None:
 
     A ? is unknown; what stands behind it is the interval that a simulation draws from.
     """
-    catalog = catalog_beside(None, catalogs)
+    catalog = catalog_for(None, catalogs)
     if name is not None:
         click.echo(_details(catalog, name))
         return

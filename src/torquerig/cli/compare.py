@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from torquerig.cli.inputs import catalog_beside, catalog_option, set_option
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option, set_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
 from torquerig.decide.matrix_io.certainty_text import tell_trace
@@ -59,7 +60,7 @@ def command(
     With --set the unedited study is run beside the edited one, and what the edit changes is shown.
     """
     document = read_document(scenario)
-    study = open_study(overridden(document, settings), catalog_beside(scenario, catalogs))
+    study = open_study(overridden(document, settings), catalog_for(scenario, catalogs))
     folder = out or Path("reports") / scenario.stem
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file; name a folder for the report with --out")

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option, edited, set_option
 from torquerig.cli.targets import check_targets
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
@@ -72,7 +73,7 @@ def command(
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
     written = [(target, _HEAD), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
     check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
-    document, catalog = edited(scenario, settings), catalog_beside(scenario, catalogs)
+    document, catalog = edited(scenario, settings), catalog_for(scenario, catalogs)
     made = read_scenario(document, catalog, seed=seed)
     read = _read(recordings)
     outcome: Outcome | MotionOutcome
@@ -129,7 +130,7 @@ def _check(
 ) -> None:
     from torquerig.cli.diagnose_check import checked
 
-    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     click.echo(checked(made, _read(recordings)))
 
 

@@ -8,13 +8,14 @@ from pathlib import Path
 import click
 
 from torquerig.catalog.motor import Motor
-from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile_option, profile_settings, set_option
-from torquerig.cli.one_drive import scenario_or_candidate
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.scenario.demand_check import check_demand, entry_of
 from torquerig.scenario.drive_demand import drive_demand
+from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.thermal.copies import ThermalCopies, thermal_copies
 from torquerig.thermal.judged import JudgedDuty, judged_duty
 from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand, duty_of_recording
@@ -63,7 +64,7 @@ def command(
     """
     if picture is not None and picture.exists() and not force:
         raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
-    catalog = catalog_beside(scenario, catalogs)
+    catalog = catalog_for(scenario, catalogs)
     document = edited(scenario, (*settings, *profile_settings(profile)))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     entry = entry_of(made.rig, catalog)

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import click
 
-from torquerig.catalog.reading import Catalog
+from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.filter_judge import judge_chains, judged_pictures
 from torquerig.cli.filter_long import blocks_for, described, filter_long
-from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
+from torquerig.cli.inputs import catalog_option
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.chain_file import read_chains
 from torquerig.filters.chains.filter_chain import Chain
@@ -23,6 +23,7 @@ from torquerig.recordings.files import check_target, open_stream, read_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
 # a mean of equal numbers is off by so much
@@ -67,7 +68,7 @@ def command(
     panels = judged_pictures(recording, names, picture, force=force) if judge else {}
     stream = open_stream(recording)
     sheet = described(stream)
-    kinematics, assumed = _kinematics(sheet, catalog_beside(None, catalogs), motor=motor, ratio=ratio)
+    kinematics, assumed = kinematics_of_recording(sheet, catalog_for(None, catalogs), motor=motor, ratio=ratio)
     known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
     chains = [_chain(name, known) for name in names]
     if picture is not None and not judge:
@@ -153,22 +154,6 @@ def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | Non
         from torquerig.reporting.figures.picture import check_picture
 
         check_picture(picture, overwrite=force)
-
-
-def _kinematics(
-    before: Recording, catalog: Catalog, *, motor: str | None, ratio: float | None
-) -> tuple[Kinematics, str]:
-    """Return what the lines follow from, and what of the motor was assumed for it in words."""
-    name, turns = motor or before.run.motor, before.run.gear_ratio if ratio is None else ratio
-    if name is None or turns is None:
-        missing = "--motor NAME" if name is None else "--ratio N"
-        raise InputError(f"{before.name}: the sidecar does not name the motor and gear_ratio of the run; add {missing}")
-    pole_pairs, slots, assumed = winding_of(catalog.motor(name))
-    sheet = before.run.others
-    if motor is None and isinstance(sheet.get("pole_pairs"), int):
-        pole_pairs, slots, assumed = sheet["pole_pairs"], sheet.get("slots"), ""
-    words = f"{name}: {assumed}" if assumed else ""
-    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns), words
 
 
 def _chain(name: str, known: Mapping[str, Chain]) -> Chain:

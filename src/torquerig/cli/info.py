@@ -10,7 +10,8 @@ from pathlib import Path
 import click
 import numpy as np
 
-from torquerig.cli.inputs import catalog_beside, winding_of
+from torquerig.catalog.search import catalog_for
+from torquerig.catalog.winding import winding_of
 from torquerig.errors import TorquerigError, UnknownNameError
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
@@ -100,7 +101,7 @@ def _lines(stream: RecordingStream) -> tuple[KinematicLine, ...]:
     pole_pairs, slots = None, None
     if stream.run.motor is not None:
         with suppress(UnknownNameError):
-            pole_pairs, slots, _ = winding_of(catalog_beside(None, ()).motor(stream.run.motor))
+            pole_pairs, slots, _ = winding_of(catalog_for(None, ()).motor(stream.run.motor))
     return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=stream.run.gear_ratio or 1.0).lines()
 
 

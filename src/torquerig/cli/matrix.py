@@ -72,9 +72,9 @@ def _worked_out(document: Document) -> WorkedOut:
 
     catalog = None
     if isinstance(document.data, dict) and document.data.get("motors"):
-        from torquerig.cli.inputs import catalog_beside
+        from torquerig.catalog.search import catalog_for
 
-        catalog = catalog_beside(document.path, ())
+        catalog = catalog_for(document.path, ())
     return work_out(matrix_from(document, catalog=catalog))
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import click
 
-from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option, edited, set_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.scenario.kinematics import kinematics_of
@@ -52,7 +53,7 @@ def command(
     asked = None if speed_max is None else _read(speed_max, "rad/s", "--speed-max")
     if not sampled > 0 or (asked is not None and not asked > 0):
         raise InputError("--rate and --speed-max are more than 0; write for example --speed-max '3000 rpm'")
-    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, catalogs), seed=seed)
+    made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     twin = twin_of(made.rig, rate=sampled, seed=seed)
     top = asked or 1.5 * abs(twin.motor_speed_rpm) * pi / 30 or NO_SPEED_TOP
     if picture is not None and not twin.reads_a_spring:

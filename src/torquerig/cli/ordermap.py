@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import click
 import numpy as np
 
-from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option
 from torquerig.errors import InputError, UnitError
 from torquerig.orders.analysis.even_angle import output_turns, over_angle
 from torquerig.orders.analysis.found_lines import FoundLine, found_lines
@@ -23,6 +24,7 @@ from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematic
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
 if TYPE_CHECKING:
@@ -87,19 +89,8 @@ def _known_of(
         if motor is not None or ratio is not None or gearbox is not None:
             raise InputError("--scenario names motor and gearbox already; leave --motor, --ratio and --gearbox out")
         return _of_scenario(scenario, catalogs)
-    catalog = catalog_beside(None, catalogs)
-    box = catalog.gearbox(gearbox) if gearbox else None
-    turns = ratio if ratio is not None else box.ratio if box else read.run.gear_ratio
-    name = motor or read.run.motor
-    if turns is None or name is None:
-        missing = "--ratio N" if name else "--motor NAME"
-        raise InputError(f"{read.name}: the sidecar does not name the motor and gear_ratio of the run; add {missing}")
-    pole_pairs, slots, _ = winding_of(catalog.motor(name))
-    sheet = read.run.others
-    if motor is None and isinstance(sheet.get("pole_pairs"), int):
-        pole_pairs, slots = sheet["pole_pairs"], sheet.get("slots")
-    teeth = box.tooth_sets()[:1] if box else ()
-    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns, teeth=teeth), {}
+    catalog = catalog_for(None, catalogs)
+    return kinematics_of_recording(read, catalog, motor=motor, ratio=ratio, gearbox=gearbox)[0], {}
 
 
 def _of_scenario(scenario: Path, catalogs: Sequence[Path]) -> tuple[Kinematics, dict[str, float]]:
@@ -108,7 +99,7 @@ def _of_scenario(scenario: Path, catalogs: Sequence[Path]) -> tuple[Kinematics, 
     from torquerig.scenario.reading import read_scenario
     from torquerig.simulation.twin.linear_twin import twin_of
 
-    made = read_scenario(read_document(scenario), catalog_beside(scenario, catalogs), seed=1)
+    made = read_scenario(read_document(scenario), catalog_for(scenario, catalogs), seed=1)
     modes = {
         f"mode {number}": mode.damped for number, mode in enumerate(twin_of(made.rig).modes(), start=1) if mode.damped
     }

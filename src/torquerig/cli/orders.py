@@ -6,7 +6,9 @@ from pathlib import Path
 
 import click
 
-from torquerig.cli.inputs import catalog_beside, catalog_option, winding_of
+from torquerig.catalog.search import catalog_for
+from torquerig.catalog.winding import winding_of
+from torquerig.cli.inputs import catalog_option
 from torquerig.errors import InputError, UnitError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.order_report import orders_report
@@ -32,7 +34,7 @@ def command(
     planets: int | None, speed: str, harmonics: int, mains: str, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Show each line's frequency, its order on motor and output shaft, its cause, and what it coincides with."""
-    catalog = catalog_beside(None, catalogs)
+    catalog = catalog_for(None, catalogs)
     pole_pairs, slots, assumed = winding_of(catalog.motor(motor))
     teeth: tuple[Planetary, ...] = ()
     if (sun is None) != (ring is None):

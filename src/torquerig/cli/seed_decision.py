@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from torquerig.cli.inputs import catalog_beside, catalog_option
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option
 from torquerig.document import read_document
 from torquerig.errors import InputError
 
@@ -44,7 +45,7 @@ def command(
     for path in outs:
         _check_target(path, force=force)
     path = plan or shipped_scenarios() / "seed_decision.yaml"
-    made = read_plan(read_document(path), catalog_beside(path, catalogs), draws=draws)
+    made = read_plan(read_document(path), catalog_for(path, catalogs), draws=draws)
     with drive_progress("study") as progress:
         decision = redone(made, progress=progress, workers=workers)
     _tell(decision)

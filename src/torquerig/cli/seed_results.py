@@ -6,8 +6,9 @@ from pathlib import Path
 
 import click
 
+from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
-from torquerig.cli.inputs import catalog_beside, catalog_option, edited, set_option
+from torquerig.cli.inputs import catalog_option, edited, set_option
 from torquerig.cli.progress import drive_progress
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
@@ -41,7 +42,7 @@ def command(
 
     with drive_progress("seed results") as progress:
         results: SeedResults = seed_results(
-            edited(path, settings), catalog_beside(path, catalogs), seed=seed, progress=progress
+            edited(path, settings), catalog_for(path, catalogs), seed=seed, progress=progress
         )
     head = ["table", "row", "published %", "", "simulated %", "copies %", "difference", "nothing fitted %"]
     rows = [

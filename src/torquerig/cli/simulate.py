@@ -7,8 +7,8 @@ from pathlib import Path
 
 import click
 
-from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile_option, profile_settings, set_option
-from torquerig.cli.one_drive import scenario_or_candidate
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.errors import UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, write_recording
@@ -16,6 +16,7 @@ from torquerig.scenario.demand_check import check_demand
 from torquerig.scenario.reading import Scenario
 from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
+from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.units import IN_A_LINE, parse_quantity
 
 DURATION = 10.0  # [s]
@@ -47,7 +48,7 @@ def command(
     """
     stated = _seconds(duration)
     check_target(out, overwrite=force)
-    catalog = catalog_beside(scenario, catalogs)
+    catalog = catalog_for(scenario, catalogs)
     document = edited(scenario, (*settings, *profile_settings(profile)))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     seconds = stated or _length(made)

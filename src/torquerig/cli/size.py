@@ -7,14 +7,15 @@ from pathlib import Path
 import click
 
 from torquerig.catalog.reading import Catalog
-from torquerig.cli.inputs import catalog_beside, catalog_option, edited, profile_option, profile_settings, set_option
-from torquerig.cli.one_drive import scenario_or_candidate
+from torquerig.catalog.search import catalog_for
+from torquerig.cli.inputs import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.document import Document
 from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
 from torquerig.scenario.demand_check import check_demand
 from torquerig.study.definition import Study, open_study
+from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
 from torquerig.study.sized_candidates import with_cycle
 
@@ -53,7 +54,7 @@ def command(
         from torquerig.reporting.figures.picture import check_picture
 
         check_picture(picture, overwrite=force)
-    catalog = catalog_beside(scenario, catalogs)
+    catalog = catalog_for(scenario, catalogs)
     document = edited(scenario, (*settings, *profile_settings(profile)))
     document = document if profile else with_cycle(document)
     if every:

@@ -135,7 +135,8 @@ def effects(
     Stages of the sensor add exactly; mechanisms on the shafts are differences of runs in which they are switched on one
     after the other.
     """
-    from torquerig.cli.inputs import catalog_beside, edited
+    from torquerig.catalog.search import catalog_for
+    from torquerig.cli.inputs import edited
     from torquerig.plain_table import grid
     from torquerig.scenario.reading import read_scenario
     from torquerig.synthetic.mixture import components_of
@@ -143,7 +144,7 @@ def effects(
 
     check_target(out, overwrite=force)
     number = 1 if seed is None else seed
-    made = read_scenario(edited(scenario, settings), catalog_beside(scenario, ()), seed=number)
+    made = read_scenario(edited(scenario, settings), catalog_for(scenario, ()), seed=number)
     wander = made.operating_point.slow_speed_wander
     recording = taken_apart(made.rig, duration=duration, seed=number, wander=wander, scenario=made.title)
     _write(recording, out, force=force)

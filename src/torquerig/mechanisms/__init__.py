@@ -33,6 +33,8 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING
 
+from torquerig.errors import did_you_mean
+from torquerig.extensions import extensions_of
 from torquerig.rig.part import Part
 
 if TYPE_CHECKING:
@@ -87,3 +89,17 @@ else:  # whatever files there are, so that a mechanism goes with its file
     }
     globals().update(_classes)
     __all__ = list(_classes)
+
+
+def extended() -> dict[str, type[Part]]:
+    """Return the classes of all mechanisms by name: those of this folder, and those of other installed packages."""
+    built_in: dict[str, type[Part]] = {name: globals()[name] for name in __all__}
+    return built_in | {cls.__name__: cls for cls in extensions_of("torquerig.mechanisms", Part).values()}
+
+
+def __getattr__(name: str) -> type[Part]:
+    """Return a mechanism that another installed package adds."""
+    others = {} if name.startswith("_") else extended()
+    if name not in others:
+        raise AttributeError(f"there is no mechanism {name!r}; {did_you_mean(name, others)}")
+    return others[name]

@@ -26,8 +26,7 @@ from torquerig.scenario.phase_level import asks_for_phase_level, with_phase_leve
 
 KINDS: dict[str, type[Part]] = {
     word: cls
-    for room in (parts, mechanisms)
-    for cls in (getattr(room, name) for name in room.__all__)
+    for cls in (*(getattr(parts, name) for name in parts.__all__), *mechanisms.extended().values())
     for word in get_args(get_type_hints(cls)["kind"])
 }
 """Every kind of part and effect that a scenario may name, by the word it uses."""

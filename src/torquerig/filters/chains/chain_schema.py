@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args
 
 from pydantic import BeforeValidator, Field, TypeAdapter
 
 from torquerig.errors import did_you_mean
+from torquerig.extensions import extensions_of
 from torquerig.filters.butterworth import ButterworthLowPass, CausalButterworthLowPass
 from torquerig.filters.chains.chain_form import Made, StageForm
 from torquerig.filters.chains.chain_line_stages import (
@@ -126,7 +127,10 @@ _Texts = (
     | HampelText
     | MovingMeanKeptText
 )
-_TYPES = tuple(str(get_args(text.model_fields["type"].annotation)[0]) for text in get_args(_Texts))
+_FORMS: tuple[type[StageForm], ...] = (
+    *get_args(_Texts), *extensions_of("torquerig.filters", StageForm).values()
+)  # fmt: skip
+_TYPES = tuple(str(get_args(form.model_fields["type"].annotation)[0]) for form in _FORMS)
 
 
 def _known_type(written: Any) -> Any:
@@ -138,6 +142,9 @@ def _known_type(written: Any) -> Any:
     return written
 
 
-StageText = Annotated[_Texts, Field(discriminator="type"), BeforeValidator(_known_type)]
+if TYPE_CHECKING:
+    StageText = Annotated[_Texts, Field(discriminator="type"), BeforeValidator(_known_type)]
+else:  # the forms of other packages too
+    StageText = Annotated[Union[_FORMS], Field(discriminator="type"), BeforeValidator(_known_type)]  # noqa: UP007
 MovingMeanKeptText.model_rebuild()
 CHAINS: TypeAdapter[dict[str, list[StageText]]] = TypeAdapter(dict[str, list[StageText]])

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from torquerig.errors import InputError, RecordingError, did_you_mean
+from torquerig.extensions import extensions
 from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import read_csv
 from torquerig.recordings.files.lvm import read_lvm
@@ -21,7 +22,7 @@ from torquerig.recordings.files.wav import read_wav
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 
-READERS: Mapping[str, Callable[[Path], Table]] = {
+READERS: dict[str, Callable[[Path], Table]] = {
     ".parquet": read_parquet,
     ".csv": read_csv,
     ".tsv": read_csv,
@@ -32,6 +33,11 @@ READERS: Mapping[str, Callable[[Path], Table]] = {
     ".lvm": read_lvm,
     ".wav": read_wav,
 }
+
+
+def readers() -> Mapping[str, Callable[[Path], Table]]:
+    """Return the reader of each ending: the built-in ones, and those of other installed packages."""
+    return READERS | {f".{name.lower()}": reader for name, reader in extensions("torquerig.readers").items()}
 
 
 def read_recording(path: Path) -> Recording:
@@ -50,7 +56,7 @@ def read_recording(path: Path) -> Recording:
     """
     path = Path(path)
     check_readable(path)
-    reader = READERS[path.suffix.lower()]
+    reader = readers()[path.suffix.lower()]
     beside = sidecar_path(path)
     sidecar = read_sidecar(beside) if beside.is_file() else None
     table = reader(path)
@@ -84,14 +90,14 @@ def check_readable(path: Path) -> None:
     if path.is_dir():
         raise InputError(f"{path}: is a folder; name a recording in it")
     if not path.exists():
-        near = [one.name for one in path.parent.iterdir() if one.suffix in READERS] if path.parent.is_dir() else []
+        near = [one.name for one in path.parent.iterdir() if one.suffix in readers()] if path.parent.is_dir() else []
         hint = did_you_mean(path.name, near[:20]) if near else "check the path"
         raise InputError(f"{path}: there is no such file; {hint}")
     ending = path.suffix.lower()
     if ending == ".yaml":
         raise InputError(f"{path}: is a sidecar; name the table beside it ({path.stem}.parquet, {path.stem}.csv, ...)")
-    if ending not in READERS:
-        raise InputError(f"{path}: the ending {ending!r} is no format of a recording; read are {', '.join(READERS)}")
+    if ending not in readers():
+        raise InputError(f"{path}: the ending {ending!r} is no format of a recording; read are {', '.join(readers())}")
 
 
 def sheets_of(

@@ -18,7 +18,7 @@ from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
 from torquerig.recordings.files.pieces import TablePieces, pieces_of
-from torquerig.recordings.files.reading import check_readable, sheets_of
+from torquerig.recordings.files.reading import check_readable, readers, sheets_of
 from torquerig.recordings.files.sidecar import ChannelSheet, read_sidecar, sidecar_path
 from torquerig.recordings.files.tdms_pieces import tdms_pieces
 from torquerig.recordings.files.timebase import agreed_rate
@@ -106,7 +106,7 @@ def open_stream(path: Path) -> RecordingStream:
     check_readable(path)
     beside = sidecar_path(path)
     sidecar = read_sidecar(beside) if beside.is_file() else None
-    table = STREAMS[path.suffix.lower()](path)
+    table = _pieces(path)
     sheets = sheets_of(table.names, table.units, sidecar, path)
     time = table.time_name()
     lengths = {name: table.lengths[name] for name in (*([time] if time else []), *sheets) if name in table.lengths}
@@ -121,6 +121,16 @@ def open_stream(path: Path) -> RecordingStream:
         table=table,
         run=sidecar.run if sidecar else Run(),
         origin=sidecar.origin if sidecar else {},
+    )
+
+
+def _pieces(path: Path) -> TablePieces:
+    """Return the table of a file in pieces; a format that comes with another package is read whole."""
+    ending = path.suffix.lower()
+    if ending in STREAMS:
+        return STREAMS[ending](path)
+    return pieces_of(
+        readers()[ending](path), reason=f"the reader of {ending} files reads them whole; save it as Parquet"
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError, did_you_mean
-from torquerig.recordings.files.reading import READERS
+from torquerig.recordings.files.reading import readers
 from torquerig.recordings.profiles.corners import Corners
 from torquerig.recordings.profiles.gaps import refuse_gaps
 from torquerig.units import UNITS
@@ -61,9 +61,9 @@ def read_profile(path: Path) -> tuple[Corners, bool]:
 def _columns(path: Path) -> Mapping[str, NDArray[np.float64]]:
     if not path.is_file():
         raise InputError(f"{path}: there is no such file of a profile; check the path")
-    if path.suffix.lower() not in READERS:
-        raise InputError(f"{path}: the ending {path.suffix!r} is no format of a table; read are {', '.join(READERS)}")
-    return READERS[path.suffix.lower()](path).columns
+    if path.suffix.lower() not in readers():
+        raise InputError(f"{path}: the ending {path.suffix!r} is no format of a table; read are {', '.join(readers())}")
+    return readers()[path.suffix.lower()](path).columns
 
 
 def _places(path: Path, rows: int) -> Callable[[int], str]:
