@@ -162,7 +162,7 @@ def test_check_says_what_would_be_compared_and_writes_nothing(folder: Path, caps
     assert "good.parquet" in out
     assert "steady, 1000 rpm, 5 % occupancy, encoder_count" in out
     assert "motor.inertia" in out
-    assert out.rstrip().endswith("nothing was diagnosed")
+    assert out.rstrip().endswith("no diagnosis was made")
     with pytest.raises(SystemExit) as stopped:
         main(("diagnose", "pressure.csv", "--scenario", WEAR_RIG, "--check"))
     assert stopped.value.code == 2

@@ -21,11 +21,11 @@ from torquerig.diagnosis.showing.comparison_curves import held_spans, line_wave,
 from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.recordings.recording import Recording
-from torquerig.reporting.diagnosis.causes import FOUND, KNOWN, causes
-from torquerig.reporting.diagnosis.numbers import numbers_table, unit_of
+from torquerig.reporting.diagnosis.line_labels import FOUND, KNOWN, line_labels
 from torquerig.reporting.diagnosis.page import diagnosis_page
-from torquerig.reporting.diagnosis.pictures import places_picture
-from torquerig.reporting.diagnosis.residual_figure import residuals_to_show
+from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table, unit_of
+from torquerig.reporting.diagnosis.pictures import mismatch_picture
+from torquerig.reporting.diagnosis.residual_figure import has_residuals
 from torquerig.scenario.reading import Scenario, read_scenario
 from torquerig.simulation.simulator import simulate
 
@@ -85,7 +85,9 @@ def test_the_page_says_what_the_diagnosis_says(page: str, outcome: Outcome) -> N
     (finding,) = diagnosis.findings
     assert finding.mechanism == "gear_mesh"
     text = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", page))
-    assert "The model lacks gear mesh; with it the misfit on data that no fit has seen falls from" in text
+    assert (
+        "The model lacks gear mesh. With it, the mean squared standardised residual on held-out data falls from" in text
+    )
     assert f"confidence {100 * finding.confidence:.0f} %" in text
     assert finding.explanation in text
     assert all(name in text for name in finding.parameters)
@@ -108,9 +110,9 @@ def test_a_picture_of_places_is_drawn_only_where_there_is_something_to_see(outco
     """pytest turns matplotlib's complaints about an empty or squeezed picture into errors."""
     (worst, *_) = outcome.diagnosis.mismatch
     shares = ((0.0,), (1e-6,), (0.0, 0.0))
-    assert places_picture(()) is None
-    assert all(places_picture([replace(worst, share_of_misfit=one) for one in each]) is None for each in shares)
-    small = places_picture([replace(worst, share_of_misfit=1e-3)])
+    assert mismatch_picture(()) is None
+    assert all(mismatch_picture([replace(worst, share_of_misfit=one) for one in each]) is None for each in shares)
+    small = mismatch_picture([replace(worst, share_of_misfit=1e-3)])
     assert small is not None
     assert small.caption.startswith("Each place")
 
@@ -118,20 +120,20 @@ def test_a_picture_of_places_is_drawn_only_where_there_is_something_to_see(outco
 def test_residuals_are_drawn_only_where_there_are_some(runs: tuple[Compared, ...]) -> None:
     steady = runs[0]
     bare = replace(steady, held=replace(steady.held, places=(), power=np.zeros(0)))
-    assert residuals_to_show(steady, ())
-    assert residuals_to_show(None, runs[1:])
-    assert not residuals_to_show(bare, ())
+    assert has_residuals(steady, ())
+    assert has_residuals(None, runs[1:])
+    assert not has_residuals(bare, ())
 
 
 def test_the_page_of_nothing_missing_says_so_in_words(outcome: Outcome) -> None:
     fine = replace(outcome.diagnosis, verdict="adequate", mismatch=(), findings=())
     told = diagnosis_page(replace(outcome, diagnosis=fine, left=()), title="a", command="b", model=None, seed=0)
-    assert "Nothing is missing that these recordings can show" in told
-    assert "Nowhere by more than chance leaves, so there is no picture of it." in told
+    assert "No physics is missing that these recordings can show." in told
+    assert "No difference is significant, so there is no figure of it." in told
     shareless = tuple(replace(one, share_of_misfit=0.0) for one in outcome.diagnosis.mismatch)
     none = replace(outcome, diagnosis=replace(fine, verdict="unexplained", mismatch=shareless))
     told = diagnosis_page(none, title="a", command="b", model=None, seed=0)
-    assert "none of these places has a share of the misfit that could be seen" in told
+    assert "No figure: no place has a visible share of the squared residual." in told
 
 
 def test_only_what_no_fit_has_seen_is_compared(runs: tuple[Compared, ...]) -> None:
@@ -169,7 +171,7 @@ def test_an_order_spectrum_shows_a_line_at_its_order_with_its_size(runs: tuple[C
 
 
 def test_lines_are_labelled_by_cause(outcome: Outcome, runs: tuple[Compared, ...]) -> None:
-    listed = causes(outcome, runs[0])
+    listed = line_labels(outcome, runs[0])
     found = [cause for cause in listed if cause.colour == FOUND]
     assert [(cause.text, round(cause.order)) for cause in found] == [("gear mesh", 84)]
     known = {round(cause.order): cause.text for cause in listed if cause.colour == KNOWN}
@@ -180,7 +182,7 @@ def test_lines_are_labelled_by_cause(outcome: Outcome, runs: tuple[Compared, ...
 def test_the_fitted_numbers_stand_in_their_declared_units(outcome: Outcome) -> None:
     assert unit_of(outcome.completed.part("wear_part"), "inertia") == "kg*m^2"
     assert unit_of(outcome.completed.part("load"), "mean_by_occupancy_percent") == "N*m"
-    table = numbers_table(outcome.before.nominal, outcome.before.model, outcome.after.model)
+    table = fitted_parameters_table(outcome.before.nominal, outcome.before.model, outcome.after.model)
     rows = {row[0].text: [cell.text for cell in row] for row in table.rows}
     assert rows["wear part.inertia"][1:3] == ["0.002", "10.5 %"]
     assert rows["wear part.inertia"][-1] == "kg*m^2"

@@ -22,13 +22,13 @@ from torquerig.diagnosis.showing.motion_curves import level_over_speed, telling_
 from torquerig.diagnosis.showing.motion_lines import lines_compared
 from torquerig.recordings.files import write_recording
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.reporting.diagnosis.motion_course_figure import motion_course_figure
 from torquerig.reporting.diagnosis.motion_lines_figure import motion_lines_figure
 from torquerig.reporting.diagnosis.motion_page import motion_page
-from torquerig.reporting.diagnosis.motion_place_figure import motion_place_figure
+from torquerig.reporting.diagnosis.motion_position_figure import motion_position_figure
+from torquerig.reporting.diagnosis.motion_residual_figure import motion_residual_figure
 from torquerig.reporting.diagnosis.motion_speed_figure import motion_speed_figure
 from torquerig.reporting.diagnosis.motion_window_figure import motion_window_figure
-from torquerig.reporting.diagnosis.numbers import added_numbers_table, numbers_table
+from torquerig.reporting.diagnosis.parameter_tables import added_parameters_table, fitted_parameters_table
 from torquerig.reporting.figures.picture import svg
 
 
@@ -105,8 +105,8 @@ def test_the_page_says_what_the_diagnosis_says(page: str, found: MotionOutcome) 
     (finding,) = diagnosis.findings
     assert (finding.mechanism, diagnosis.verdict) == ("stribeck_friction", "unexplained")
     before, after = (f"{100 * value:.3g} %" for value in (diagnosis.fit.before, diagnosis.fit.after))
-    assert f"The model lacks stribeck friction, and the error on data that no fit has seen falls from {before}" in text
-    assert f"to {after} of the effort" in text
+    assert f"The model lacks stribeck friction. With it, the rms residual on held-out data falls from {before}" in text
+    assert f"to {after} of the measured torque or force." in text
     assert f"confidence {100 * finding.confidence:.0f} %" in text
     assert finding.explanation in text
     assert all(name in text for name in finding.parameters)
@@ -114,7 +114,7 @@ def test_the_page_says_what_the_diagnosis_says(page: str, found: MotionOutcome) 
     assert all(remark in text for remark in diagnosis.remarks)
     assert "torquerig diagnose a" in text
     assert "m.yaml" in text
-    assert "fit and held out, by turns" in text
+    assert "fit and held out, alternating" in text
 
 
 def test_every_rival_stands_with_its_scores(page: str, found: MotionOutcome) -> None:
@@ -124,16 +124,16 @@ def test_every_rival_stands_with_its_scores(page: str, found: MotionOutcome) -> 
         variant = f" ({one.candidate.variant.replace('_', ' ')})" if one.candidate.variant else ""
         assert re.search(re.escape(one.candidate.mechanism.replace("_", " ") + variant) + r" +-?[\d.]+ ", text)
     assert "named" in text
-    assert "the model without it" in text
+    assert "model without it" in text
 
 
 def test_places_are_told_before_and_after(page: str, found: MotionOutcome) -> None:
     text = words_of(page)
     assert any(one.domain == "speed" for one in found.missed)
     assert not any(one.domain == "speed" for one in found.left)
-    assert re.search(r"in the mean force at -?[\d.]+ m/s goes with the speed", text)
+    assert re.search(r"in the mean force at -?[\d.]+ m/s depends on the speed", text)
     assert re.search(r"at 1(49|50)[\d.]* cycles/m of the motion periodic in the position", text)
-    assert "What is left with the findings in the model" in text
+    assert "Differences that remain with the findings in the model" in text
 
 
 def test_what_was_set_aside_stands_with_its_reason(page: str, found: MotionOutcome) -> None:
@@ -147,8 +147,8 @@ def test_the_next_experiment_is_told_where_there_is_one(found: MotionOutcome) ->
     asked = replace(finding, next_experiment="turn it slowly", equivalent_to=("quadratic_drag",))
     text = words_of(paged(replace(found, diagnosis=replace(found.diagnosis, findings=(asked,)))))
     assert "Next run: turn it slowly." in text
-    assert "cannot tell it from quadratic drag" in text
-    assert re.search(r"quadratic drag [^a-z]+ cannot be told from it", text)
+    assert "do not distinguish it from quadratic drag" in text
+    assert re.search(r"quadratic drag [^a-z]+ not distinguished by these recordings", text)
 
 
 def test_the_same_outcome_gives_the_same_page(page: str, found: MotionOutcome) -> None:
@@ -156,10 +156,10 @@ def test_the_same_outcome_gives_the_same_page(page: str, found: MotionOutcome) -
 
 
 def test_the_numbers_of_a_line_have_its_units(found: MotionOutcome) -> None:
-    (row,) = numbers_table(found.nominal, found.before, found.after, called=IN_A_LINE.called).rows
+    (row,) = fitted_parameters_table(found.nominal, found.before, found.after, unit_names=IN_A_LINE.called).rows
     assert [row[0].text, row[1].text, row[-1].text] == ["carriage.mass", "11.5", "kg"]
     assert float(row[4].text) == pytest.approx(10.0, rel=0.01)
-    added = added_numbers_table(found.before, found.after, called=IN_A_LINE.called)
+    added = added_parameters_table(found.before, found.after, unit_names=IN_A_LINE.called)
     assert added is not None
     rows = {each[0].text: each for each in added.rows}
     assert float(rows["stribeck friction.coulomb"][1].text) == pytest.approx(6.0, rel=0.1)
@@ -174,36 +174,34 @@ def test_the_window_shows_measured_effort_and_both_models(found: MotionOutcome) 
     assert effort == pytest.approx(run.run.effort[window])
     assert time[0] == pytest.approx(window.start / RATE)
     assert curve(above, "calibrated model")[1] == pytest.approx(run.before[window])
-    assert curve(above, "with what was found")[1] == pytest.approx(run.after[window])
+    assert curve(above, "with findings")[1] == pytest.approx(run.after[window])
     left = [line.get_ydata() for line in below.get_lines() if len(line.get_ydata()) == effort.size]
     assert left[0] == pytest.approx(effort - run.before[window])
     assert left[1] == pytest.approx(effort - run.after[window])
-    assert above.get_ylabel() == "effort [N]"
+    assert above.get_ylabel() == "force [N]"
 
 
 def test_only_held_out_samples_stand_over_place_and_time(found: MotionOutcome) -> None:
     (run,) = motion_compared(found)
-    above, below = motion_place_figure(run, scale=IN_A_LINE).axes
+    above, below = motion_position_figure(run, scale=IN_A_LINE).axes
     place, effort = curve(above, "recording")
     assert place == pytest.approx(run.run.position[run.run.held])
     assert effort == pytest.approx(run.run.effort[run.run.held])
-    (course,) = motion_course_figure([run], scale=IN_A_LINE).axes
-    time, left = curve(course, "left, with what was found")
+    (course,) = motion_residual_figure([run], scale=IN_A_LINE).axes
+    time, left = curve(course, "residual, with findings")
     held = run.run.held[np.rint(time * RATE).astype(int)]
     assert held.all()
     assert np.abs(left).max() == pytest.approx(np.abs((run.run.effort - run.after)[run.run.held]).max())
-    assert below.get_xlabel() == "place [m]"
+    assert below.get_xlabel() == "position [m]"
 
 
 def test_the_speed_picture_shows_what_friction_adds(found: MotionOutcome) -> None:
     (run,) = motion_compared(found)
     left, right = motion_speed_figure(run, level_over_speed([run]), scale=IN_A_LINE).axes
-    speed, added = curve(left, "what was found adds")
+    speed, added = curve(left, "effect of the findings")
     fast = np.abs(speed) > 0.1
     assert np.abs(added - (6.0 * np.sign(speed) + 8.0 * speed))[fast].max() < 1.5
-    assert (
-        np.abs(curve(right, "with what was found")[1]).max() < 0.2 * np.abs(curve(right, "calibrated model")[1]).max()
-    )
+    assert np.abs(curve(right, "with findings")[1]).max() < 0.2 * np.abs(curve(right, "calibrated model")[1]).max()
 
 
 def test_lines_are_marked_at_their_place_and_in_turns_where_it_turns(turned: MotionOutcome) -> None:
@@ -214,21 +212,24 @@ def test_lines_are_marked_at_their_place_and_in_turns_where_it_turns(turned: Mot
     strongest = at[int(np.argmax(size))]
     assert strongest == pytest.approx(84, abs=0.5)
     assert size.max() == pytest.approx(0.02, rel=0.1)
-    assert axes.get_xlabel() == "lines over the place [cycles/turn]"
+    assert axes.get_xlabel() == "cycles over position [cycles/turn]"
     assert next(float(text.get_text()) for text in axes.texts) == pytest.approx(84, abs=0.5)
     text = words_of(paged(turned))
     assert "at its native order 84" in text
-    assert "No effort over speed" in text
+    assert "No figure over speed" in text
 
 
 def test_nothing_missing_is_said_in_words_without_a_picture_of_places(fine: MotionOutcome) -> None:
     assert fine.diagnosis.verdict == "adequate"
     page = paged(fine)
     text = words_of(page)
-    assert "Nothing is missing that these recordings can show: with its own numbers fitted, the model's error" in text
-    assert "Nowhere by more than chance leaves, so there is no picture of it." in text
-    assert "No effort over speed: nothing that was found, or is left, goes with the speed." in text
-    assert "with what was found" not in "".join(re.findall(r"<th[^>]*>[^<]*\[N\]</th>", page))
+    assert (
+        "No physics is missing that these recordings can show. With the scenario's parameters fitted, the rms residual"
+        in text
+    )
+    assert "No difference is significant, so there is no figure of it." in text
+    assert "No figure over speed: no finding and no residual depends on the speed." in text
+    assert "with findings" not in "".join(re.findall(r"<th[^>]*>[^<]*\[N\]</th>", page))
     assert page.count("<img ") == 4
 
 
@@ -236,14 +237,14 @@ def test_places_without_a_share_are_told_and_not_drawn(found: MotionOutcome) -> 
     bare = tuple(replace(one, share_of_misfit=0.0) for one in found.missed)
     page = paged(replace(found, missed=bare))
     assert page.count("<img ") == 5
-    assert "none of these places has a share of the misfit that could be seen" in page
+    assert "No figure: no place has a visible share of the squared residual." in page
 
 
 def test_too_short_a_way_for_lines_is_said(found: MotionOutcome) -> None:
     (run,) = found.runs
     still = replace(run, held=run.held & (np.arange(run.held.size) < 640))
     text = words_of(paged(replace(found, runs=(still,))))
-    assert "No spectrum of what is left" in text
+    assert "No spectrum of the residual." in text
 
 
 def test_no_picture_is_squeezed_by_a_run_that_stands_still_where_it_was_held_out(found: MotionOutcome) -> None:
@@ -255,10 +256,10 @@ def test_no_picture_is_squeezed_by_a_run_that_stands_still_where_it_was_held_out
     position[rest], speed[rest] = 0.1, 0.0
     still = replace(run, run=replace(run.run, held=held, position=position, speed=speed))
     figures: tuple[Figure, ...] = (
-        motion_place_figure(still, scale=IN_A_LINE),
+        motion_position_figure(still, scale=IN_A_LINE),
         motion_window_figure(still, scale=IN_A_LINE),
         motion_speed_figure(still, level_over_speed([still]), scale=IN_A_LINE),
-        motion_course_figure([still], scale=IN_A_LINE),
+        motion_residual_figure([still], scale=IN_A_LINE),
     )
     assert all(svg(figure) for figure in figures)
 
@@ -285,5 +286,5 @@ def test_what_the_samples_show_stands_on_the_page_without_rivals(friction: float
     outcome = diagnosed(made.with_values("force_N", np.clip(made.channels["force_N"].values, -limit, limit)))
     text = unescape(paged(outcome))
     assert f"a reading that stops at {limit:g} N, where the motion asks for more" in text
-    assert ("It and what was tried in its place" in text) == (friction > 0)
+    assert ("Alternative hypotheses" in text) == (friction > 0)
     assert "left out of fits and judgement" in text

@@ -1,4 +1,4 @@
-"""``torquerig diagnose``: where recordings and model differ, and which physics was left out."""
+"""``torquerig diagnose``: find where recordings and model differ, and which physics the model lacks."""
 
 from __future__ import annotations
 
@@ -28,26 +28,30 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 _PAGE = "<!-- written by torquerig diagnose -->"
-_MOST_WORKERS = 4  # of their own accord: each holds some 200 MB of its own
-_HEAD = "Written by torquerig diagnose: the nominal rig, fitted, with what was found missing."
+_MOST_WORKERS = 4  # unless --workers states another number: each process takes some 200 MB
+_MARK = "Written by torquerig diagnose"
+_HEAD = f"{_MARK}: the nominal rig with fitted parameters and the findings."
 
 
 @click.command("diagnose")
 @click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--scenario", required=True, type=click.Path(path_type=Path), help="The rig's nominal scenario.")
-@click.option("--json", "out", default=None, help="Diagnosis to write; - is standard output.")
+@click.option("--json", "out", default=None, help="JSON file to write; - writes to standard output.")
 @click.option(
     "--report",
     type=click.Path(path_type=Path),
     default=None,
-    help="HTML page to write: the diagnosis with its pictures, in one file.",
+    help="HTML page to write, with figures, in one file.",
 )
 @click.option("--model", type=click.Path(path_type=Path), default=None,
-              help="Completed scenario to write; beside the JSON when not given.")  # fmt: skip
-@click.option("--check", is_flag=True, help="Only say whether scenario and recordings fit, and what is compared.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Fixes every random number.")
+              help="Completed scenario to write; default: next to the JSON file.")  # fmt: skip
+@click.option("--check", is_flag=True, help="Only check that scenario and recordings match, and list what is compared.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of all random numbers.")
 @click.option(
-    "--workers", type=click.IntRange(1), default=None, help="Fits at a time; default: one per core, four at most."
+    "--workers",
+    type=click.IntRange(1),
+    default=None,
+    help="Fits to run in parallel; default: one per core, at most four.",
 )
 @set_option
 @catalog_option
@@ -55,9 +59,10 @@ def command(
     *, recordings: tuple[Path, ...], scenario: Path, out: str | None, report: Path | None, model: Path | None,
     check: bool, seed: int, workers: int | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Say where RECORDINGS (runs of one rig) and the SCENARIO differ, which effect was left out, and how sure that is.
+    """Find which physics the SCENARIO lacks, given RECORDINGS of one rig.
 
-    Exit code 0 means that a diagnosis was reached, whatever it says.
+    The JSON holds the verdict, the findings with confidence, and the remaining differences.
+    Exit code 0 means that a diagnosis was reached, whatever the verdict. Exit code 2 means a usage or input error.
     """
     from torquerig.cli.progress import stages
     from torquerig.diagnosis.engine import diagnose
@@ -69,9 +74,9 @@ def command(
         _check(recordings, scenario, settings, catalogs, seed=seed)
         return
     if out is None:
-        raise click.UsageError("Missing option '--json': name the file that the diagnosis goes into, or - to print it.")
+        raise click.UsageError("Missing option '--json': name the JSON file to write, or - for standard output.")
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
-    written = [(target, _HEAD), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
+    written = [(target, _MARK), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
     check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     document, catalog = edited(scenario, settings), catalog_for(scenario, catalogs)
     made = read_scenario(document, catalog, seed=seed)
@@ -102,26 +107,28 @@ def command(
         return
     with whole_file(Path(out)) as partial:
         partial.write_text(text, encoding="utf-8", newline="\n")
-    click.echo("\n".join(_told(outcome)))
+    click.echo("\n".join(_summary(outcome)))
     for path in (out, report, data["model"]):
         if path is not None:
             click.echo(f"wrote {path}")
 
 
-def _told(outcome: Outcome | MotionOutcome) -> Iterator[str]:
-    """Yield the verdict and the remarks, a sentence each."""
+def _summary(outcome: Outcome | MotionOutcome) -> Iterator[str]:
+    """Yield the verdict and the remarks."""
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
-    from torquerig.reporting.diagnosis.sentences import EFFORT, FEATURES, verdict_sentence
+    from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
 
-    yardstick = EFFORT if isinstance(outcome, MotionOutcome) else FEATURES
-    yield verdict_sentence(outcome.diagnosis, outcome.left, yardstick=yardstick)
+    measure = MOTION_RESIDUAL if isinstance(outcome, MotionOutcome) else FEATURE_RESIDUAL
+    yield verdict_sentence(outcome.diagnosis, outcome.left, measure=measure)
     yield from outcome.diagnosis.remarks
 
 
 def _read(paths: tuple[Path, ...]) -> list[Recording]:
     read = [read_recording(path) for path in paths]
     if len({recording.name for recording in read}) < len(read):
-        raise InputError("two recordings have the same file name; rename one, so that the diagnosis can name them")
+        raise InputError(
+            "two recordings have the same file name; rename one, because the diagnosis refers to them by name"
+        )
     return read
 
 
@@ -145,7 +152,7 @@ def _page(outcome: Outcome | MotionOutcome, *, title: str, command: str, model: 
 
 
 def _command(recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[str, ...], seed: int) -> str:
-    """Return the command that makes the diagnosis again, without any folder of this machine."""
+    """Return the command that reproduces the diagnosis, without folders of this machine."""
     edits = [part for setting in settings for part in ("--set", setting)]
     names = [_named(path) or "" for path in recordings]
     fixed = ["--seed", str(seed)] if seed else []
@@ -156,7 +163,7 @@ def _command(recordings: tuple[Path, ...], scenario: Path, *, settings: tuple[st
 
 
 def _named(path: Path | str | None) -> str | None:
-    """Return a path as it is shown: its name alone where it is of this machine."""
+    """Return a path for display; of an absolute path only the name."""
     if path is None:
         return None
     return Path(path).name if Path(path).is_absolute() else Path(path).as_posix()

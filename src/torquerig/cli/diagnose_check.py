@@ -1,4 +1,4 @@
-"""What ``torquerig diagnose --check`` prints: whether scenario and recordings fit, and what would be compared."""
+"""Output of ``torquerig diagnose --check``: whether scenario and recordings match, and what is compared."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.reading import Scenario
 
-_HEAD = ["recording", "samples", "per second", "compared", "rms", "motion"]
+_HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]
 
 
 def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
-    """Return what a diagnosis would compare, in a table.
+    """Return a table of what a diagnosis compares.
 
     Raises
     ------
     InputError, RecordingError
-        Where a diagnosis would refuse the scenario or a recording before anything is computed.
+        If a diagnosis would reject the scenario or a recording before any computation.
     """
     moves = under_measured_motion(scenario.rig)
     rows = _of_motion(scenario, recordings) if moves else _of_speed_loop(scenario, recordings)
-    spreads = sorted(scenario.uncertainties)
-    fitted = f"fitted before anything is called missing: {', '.join(spreads) or 'nothing, no number has a rel_sd'}"
-    return "\n".join([grid([_HEAD, *rows]), wrapped(fitted), "nothing was diagnosed"])
+    names = sorted(scenario.uncertainties)
+    fitted = f"parameters fitted before mechanisms are tested: {', '.join(names) or 'none, no parameter has a rel_sd'}"
+    return "\n".join([grid([_HEAD, *rows]), wrapped(fitted), "scenario and recordings match; no diagnosis was made"])
 
 
 def _of_motion(scenario: Scenario, recordings: Sequence[Recording]) -> list[list[str]]:
@@ -40,7 +40,11 @@ def _of_motion(scenario: Scenario, recordings: Sequence[Recording]) -> list[list
     for run in runs:
         effort, stroke = float(np.sqrt(np.mean(run.effort**2))), float(np.ptp(run.position))
         fastest = float(np.abs(run.speed).max())
-        moved = f"{stroke:.4g} m, to {fastest:.3g} m/s" if line else f"{stroke:.4g} rad, to {fastest:.3g} rad/s"
+        moved = (
+            f"travel {stroke:.4g} m, up to {fastest:.3g} m/s"
+            if line
+            else f"travel {stroke:.4g} rad, up to {fastest:.3g} rad/s"
+        )
         compared = next(name for name, one in run.recording.channels.items() if one is run.channel)
         rows.append([
             run.name, f"{run.recording.samples}", f"{run.rate:g}", f"{compared}, below {BAND * run.rate:g} Hz",

@@ -1,4 +1,4 @@
-"""The lines that both models leave under measured motion, over the place and in frequency."""
+"""Spectral lines in the residuals of both models under measured motion, over position and in frequency."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from matplotlib.ticker import FuncFormatter, LogLocator
 
 from torquerig.diagnosis.showing.motion_comparison import Scale
 from torquerig.diagnosis.showing.motion_lines import LinesCompared, LinesLeft
-from torquerig.reporting.diagnosis.motion_sides import AFTER_LABEL, BEFORE_LABEL, GRID
+from torquerig.reporting.diagnosis.motion_panels import AFTER_LABEL, BEFORE_LABEL, GRID
 from torquerig.reporting.diagnosis.spectrum_figure import AFTER, BEFORE
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 
 _LABELLED = 12
-_APART = 0.05  # of its place: a label nearer to another would cover it
-_BELOW = 6.0  # times under the median of the quietest spectrum, the axis ends
+_APART = 0.05  # [1] least relative distance of two labels
+_BELOW = 6.0  # [1] median of the quietest spectrum over the lower end of the axis
 
 
 def motion_lines_figure(domains: Sequence[LinesCompared], *, scale: Scale) -> Figure:
-    """Return a panel per domain: stems of lines, and the spectrum beside them, before and after."""
+    """Return a panel per domain: stems of lines and the spectrum between them, before and after."""
     figure = new_figure(10.5, 0.4 + 3.0 * len(domains))
     panels = figure.subplots(len(domains), 1, squeeze=False)[:, 0]
     for axes, one in zip(panels, domains, strict=True):
@@ -47,8 +47,8 @@ def _draw(axes: Axes, one: LinesCompared, scale: Scale) -> None:
     axes.set_xlim(float(one.before.places[0]), float(one.before.places[-1]))
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.set_xlabel(f"lines over the place [{scale.lines}]" if one.domain == "order" else "frequency [Hz]")
-    axes.set_ylabel(f"amplitude left [{scale.effort}]")
+    axes.set_xlabel(f"cycles over position [{scale.lines}]" if one.domain == "order" else "frequency [Hz]")
+    axes.set_ylabel(f"residual amplitude [{scale.effort}]")
     axes.grid(axis="y", color=GRID, linewidth=0.6)
 
 
@@ -59,7 +59,7 @@ def _stems(axes: Axes, left: LinesLeft, *, colour: str, label: str, marker: str,
 
 
 def _labels(axes: Axes, models: Sequence[tuple[LinesLeft, str, str]]) -> None:
-    """Write the places of the strongest lines, one where several stand close together."""
+    """Label the strongest lines, one of several that are close together."""
     lines = sorted(
         ((line, colour) for left, colour, _ in models for line in left.lines), key=lambda each: -each[0].amplitude
     )

@@ -1,4 +1,4 @@
-"""The tables of a diagnosis under measured motion: what was tried for each finding, errors run by run, the runs."""
+"""Tables of a diagnosis under measured motion: alternative hypotheses, residuals run by run, the runs."""
 
 from __future__ import annotations
 
@@ -13,50 +13,53 @@ from torquerig.diagnosis.motion.tried import Step
 from torquerig.diagnosis.outcome import Finding
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnosis.showing.motion_scores import Score, scores, without
+from torquerig.reporting.diagnosis.motion_panels import effort_name
 from torquerig.reporting.diagnosis.sentences import mechanism_text
 from torquerig.reporting.layout import Cell, Table, number, plain, words
 
 SIZES = (
-    "The size of a line is its power over the floor beside it, that of a speed the mean residual there over its "
-    "standard deviation. Shares overlap, for what goes with the speed has lines too."
+    "Excess of a line: its power over the neighbouring noise floor. Excess at a speed: the mean residual over its "
+    "standard deviation. Shares can overlap, because a speed-dependent residual has spectral lines too."
 )
-CHANCE = (
-    "of lines and speeds by Bonferroni, of times and places of a stroke by as many stretches in another order or of "
-    "another sign, which tell no less than 0.001"
+CORRECTION = (
+    "Lines and speeds: corrected for all tested places (Bonferroni). Times and positions: permutation or sign-flip "
+    "test, with a smallest p-value of 0.001."
 )
-NOWHERE = (
-    "No line and no speed stands out of what the calibrated model leaves, so there is no picture of places: what was "
-    "found shows in the course of the effort, below."
+NO_PLACE = (
+    "No line and no speed is significant in the residual of the calibrated model, so there is no figure of places. "
+    "The figures over time show the effect of the findings."
 )
-ASIDE = (
-    "Judged on what fits may see. The library's other mechanisms are not looked for under measured motion: what they "
-    "leave is told as a line over the place or in frequency."
+REJECTED = (
+    "Tested on the fitted data. The library's other mechanisms are not tested under measured motion. Their residuals "
+    "are reported as lines over position or in frequency."
 )
-_USED = {"split": "fit and held out, by turns", "fit": "fit", "held_out": "held out"}
+_USED = {"split": "fit and held out, alternating", "fit": "fit", "held_out": "held out"}
 
 
-def rivals_tables(outcome: MotionOutcome) -> list[Table | None]:
-    """Return, for each finding, the hypotheses that were tried in its place and what each leaves.
+def alternatives_tables(outcome: MotionOutcome) -> list[Table | None]:
+    """Return, for each finding, the alternative hypotheses with their residuals.
 
-    None for the first ones, which the samples showed: nothing was tried in their place.
+    None for findings from single samples, which have no alternatives.
     """
-    found, seen = outcome.diagnosis.findings, len(outcome.diagnosis.findings) - len(outcome.steps)
-    tried = [_rivals(finding, step, outcome) for finding, step in zip(found[seen:], outcome.steps, strict=True)]
-    return [*([None] * seen), *tried]
+    found, of_samples = outcome.diagnosis.findings, len(outcome.diagnosis.findings) - len(outcome.steps)
+    tried = [
+        _alternatives(finding, step, outcome) for finding, step in zip(found[of_samples:], outcome.steps, strict=True)
+    ]
+    return [*([None] * of_samples), *tried]
 
 
-def _rivals(finding: Finding, step: Step, outcome: MotionOutcome) -> Table:
+def _alternatives(finding: Finding, step: Step, outcome: MotionOutcome) -> Table:
     rows = [_row(one, finding) for one in scores(step, outcome)]
     nothing = (*words("none of them"), number("0"), number(""), number(""),
-               number(_percent(without(step, outcome))), *words("the model without it"))  # fmt: skip
+               number(_percent(without(step, outcome))), *words("model without it"))  # fmt: skip
     return Table(
-        caption="It and what was tried in its place",
-        head=("mechanism", "gain", "of the best", "residual falls by", "held-out error", "judgement"),
+        caption="Alternative hypotheses",
+        head=("mechanism", "gain", "of the best", "residual falls by", "held-out residual", "judgement"),
         rows=(*rows, nothing), emphasised=frozenset({0}),
-        note="The gain is twice the growth of the log likelihood on what fits see, with the colour of what is left "
-        f"reckoned with and each further number paid for; below {LEAST_GAIN:g}, or where the residual falls by less "
-        f"than {LEAST_FALL:.0%}, nothing is named. What gains clearly less by its own numbers alone is not fitted "
-        "with all of the model.",
+        note="Gain: twice the increase of the log-likelihood of the fitted data, less the penalty for further "
+        "parameters. The likelihood accounts for coloured residuals. A finding needs a gain of at least "
+        f"{LEAST_GAIN:g} and a residual that falls by at least {LEAST_FALL:.0%}. Each candidate is first fitted alone; "
+        "only the best are refitted together with the model.",
     )  # fmt: skip
 
 
@@ -75,33 +78,33 @@ def _percent(share: float) -> str:
 
 def _judged(one: Score, finding: Finding) -> str:
     if one.named:
-        return "named"
+        return "accepted"
     if one.mechanism == finding.mechanism:
-        return "another form of the same"
+        return "variant of the same mechanism"
     if one.mechanism in finding.equivalent_to:
-        return "cannot be told from it"
-    return "explains less" if one.gain > 0 else "is not worth its numbers"
+        return "not distinguished by these recordings"
+    return "explains less" if one.gain > 0 else "gain below the penalty for its parameters"
 
 
 def held_out_table(runs: Sequence[MotionCompared], *, scale: Scale) -> Table:
-    """Return the error of each run's held-out samples."""
+    """Return the rms residual of each run's held-out samples."""
     alone = all(one.alone for one in runs)
     rows = []
     for one in runs:
         models = [one.before] if alone else [one.before, one.after]
-        left = (number(f"{plain(one.left(each))} ({_percent(one.error(each))})") for each in models)
+        residuals = (number(f"{plain(one.left(each))} ({_percent(one.error(each))})") for each in models)
         held = f"{np.count_nonzero(one.run.held) / one.run.rate:.3g}"
-        rows.append((*words(one.run.name), number(held), number(plain(one.effort_rms)), *left))
+        rows.append((*words(one.run.name), number(held), number(plain(one.effort_rms)), *residuals))
     unit = scale.effort
-    head = ("recording", "held out [s]", f"effort, rms [{unit}]", f"calibrated model leaves [{unit}]")
+    head = ("recording", "held out [s]", f"{effort_name(scale)}, rms [{unit}]", f"calibrated model [{unit}]")
     return Table(
-        caption="What the models leave of the held-out effort, run by run (rms, and as a share of the effort)",
-        head=head + (() if alone else (f"with what was found [{unit}]",)), rows=tuple(rows),
+        caption=f"Rms residual of held-out data, run by run, and as a share of the {effort_name(scale)}",
+        head=head + (() if alone else (f"with findings [{unit}]",)), rows=tuple(rows),
     )  # fmt: skip
 
 
 def runs_table(outcome: MotionOutcome, *, scale: Scale) -> Table:
-    """Return the recordings: how they moved, what was measured, and what they served for."""
+    """Return the recordings with their motion, the measured quantity and their use."""
     rows = []
     for run, used in zip(outcome.runs, outcome.diagnosis.recordings, strict=True):
         travel = plain(float(np.ptp(run.position)) / scale.place_unit)
@@ -112,5 +115,5 @@ def runs_table(outcome: MotionOutcome, *, scale: Scale) -> Table:
     return Table(
         caption="The recordings", rows=tuple(rows),
         head=("recording", "length [s]", "samples per second", f"travel [{scale.place}]",
-              f"highest speed [{scale.speed}]", "effort measured as", "used for"),
+              f"highest speed [{scale.speed}]", f"{effort_name(scale)} measured as", "used for"),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""A diagnosis in sentences: the verdict, a place, what kind of line stands there, how likely chance is."""
+"""Sentences of a diagnosis: the verdict, the place and kind of a mismatch, a p-value."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from torquerig.diagnosis.outcome import Diagnosis, Finding, Mismatch
 from torquerig.reporting.layout import plain
 
 _SMALLEST = 1e-12
-_STROKE = ("m", "rad")  # where the motion was measured, and is no count of turns
+_STROKE = ("m", "rad")  # axes of a measured position, as opposed to a count of turns
 _SHAFT = {"output_shaft": "output shaft", "motor_shaft": "motor shaft"}
 _ANGLE = {axis: f"angle of the {shaft}" for axis, shaft in _SHAFT.items()}
 WORDS = {
@@ -20,78 +20,97 @@ WORDS = {
 
 
 @dataclass(frozen=True, kw_only=True)
-class Yardstick:
-    """How the misfit on held-out data is said.
+class ResidualMeasure:
+    """How the residual on held-out data is named and formatted.
 
     Parameters
     ----------
     name : str
-        What falls.
     percent : bool
-        Whether it is a share, said in per cent.
+        Whether it is a share, written in per cent.
     of : str
-        Of what, behind the number.
-    true : str
-        What a true model has, as a clause.
-    placeless : str
-        What is said of an unexplained rest that stands at no place.
+        What the share refers to, written behind the number.
+    true_model : str
+        Sentence with the value that a true model has, or empty.
+    without_place : str
+        Sentence for an unexplained residual that no place locates.
     """
 
     name: str
     percent: bool = False
     of: str = ""
-    true: str = ""
-    placeless: str = "what is left is in the samples themselves"
+    true_model: str = ""
+    without_place: str = "The evidence is in single samples; see the remarks."
 
-    def said(self, value: float) -> str:
-        """Return a misfit as it is said."""
+    def formatted(self, value: float) -> str:
+        """Return a residual as text."""
         return f"{plain(100 * value)} %" if self.percent else plain(value)
 
 
-FEATURES = Yardstick(name="misfit on data that no fit has seen", true=", where a true model has about 1")
-EFFORT = Yardstick(
-    name="error on data that no fit has seen", percent=True, of=" of the effort",
-    placeless="what speaks against the model stands at no place, but in the remarks",
+FEATURE_RESIDUAL = ResidualMeasure(
+    name="mean squared standardised residual on held-out data", true_model=" A true model has about 1."
+)
+MOTION_RESIDUAL = ResidualMeasure(
+    name="rms residual on held-out data", percent=True, of=" of the measured torque or force",
+    without_place="No single place shows the remaining residual; see the remarks.",
 )  # fmt: skip
 
 
 def mechanism_text(name: str) -> str:
-    """Return a mechanism's name as it is said."""
+    """Return a mechanism's name without underscores."""
     return name.replace("_", " ")
 
 
-def verdict_sentence(diagnosis: Diagnosis, left: Sequence[Mismatch], *, yardstick: Yardstick = FEATURES) -> str:
-    """Return the verdict as one sentence; ``left`` is what the completed model still misses."""
-    fit, name = diagnosis.fit, yardstick.name
-    named = " and ".join(_named(finding) for finding in diagnosis.findings)
-    before, after = yardstick.said(fit.before), yardstick.said(fit.after)
-    falls = f"the {name} falls from {before} to {after}{yardstick.of}"
-    if before == after:  # faults of samples, which are kept from fits and judgement
-        falls = f"the {name} is {after}{yardstick.of}, as without"
+def verdict_sentence(
+    diagnosis: Diagnosis, left: Sequence[Mismatch], *, measure: ResidualMeasure = FEATURE_RESIDUAL
+) -> str:
+    """Return the verdict in sentences of one statement each.
+
+    Parameters
+    ----------
+    diagnosis : Diagnosis
+    left : sequence of Mismatch
+        Where the completed model still differs from the recordings, largest share first.
+    measure : ResidualMeasure
+    """
+    fit, name = diagnosis.fit, measure.name
+    before, after = measure.formatted(fit.before), measure.formatted(fit.after)
     if diagnosis.verdict == "adequate":
         return (
-            f"Nothing is missing that these recordings can show: with its own numbers fitted, the model's {name} is "
-            f"{yardstick.said(fit.before)}{yardstick.of}{yardstick.true}."
+            f"No physics is missing that these recordings can show. With the scenario's parameters fitted, the {name} "
+            f"is {before}{measure.of}.{measure.true_model}"
         )
-    if diagnosis.verdict == "missing_physics":
-        them = "it" if len(diagnosis.findings) == 1 else "them"
-        return f"The model lacks {named}; with {them} {falls}{yardstick.true}."
-    where = f"what is left stands {place_text(left[0])}" if left else yardstick.placeless
+    remaining = _remaining(left) or measure.without_place
     if not diagnosis.findings:
-        return f"Something is missing that no mechanism of the library explains: {where}."
-    rest = f"but that is not all, and no mechanism of the library explains the rest: {where}"
-    return f"The model lacks {named}, and {falls}; {rest}."
+        return f"Something is missing that no mechanism of the library explains. {remaining}"
+    named = " and ".join(_named(finding) for finding in diagnosis.findings)
+    them = "it" if len(diagnosis.findings) == 1 else "them"
+    # faults of samples are excluded from fits and residuals, so that they change neither
+    change = f"stays at {after}" if before == after else f"falls from {before} to {after}"
+    lacks = f"The model lacks {named}. With {them}, the {name} {change}{measure.of}."
+    if diagnosis.verdict == "missing_physics":
+        return lacks + measure.true_model
+    return f"{lacks} No mechanism of the library explains the rest. {remaining}"
+
+
+def _remaining(left: Sequence[Mismatch]) -> str:
+    if not left:
+        return ""
+    more = f", and at {len(left) - 1} other places" if len(left) > 2 else ", and at one other place"
+    return f"The largest remaining residual is {place_text(left[0])}{more if len(left) > 1 else ''}."
 
 
 def _named(finding: Finding) -> str:
     named = mechanism_text(finding.mechanism)
     if finding.equivalent_to:
-        named += f" (or {', or '.join(map(mechanism_text, finding.equivalent_to))}, which these recordings cannot tell)"
+        named += (
+            f" (or {' or '.join(map(mechanism_text, finding.equivalent_to))}; these recordings do not distinguish them)"
+        )
     return named
 
 
 def place_text(mismatch: Mismatch) -> str:
-    """Return where a mismatch stands, as one reads it aloud."""
+    """Return where a mismatch is: an order, a frequency, a position, a speed or a time."""
     at, width = plain(mismatch.at, 5), mismatch.width
     if mismatch.domain == "order" and mismatch.axis in _SHAFT:
         return f"at order {at} of the {_SHAFT[mismatch.axis]}"
@@ -107,26 +126,28 @@ def place_text(mismatch: Mismatch) -> str:
 
 def _of_the_level(mismatch: Mismatch, at: str) -> str:
     if mismatch.axis in _STROKE:
-        return f"where the motion passes {at} {mismatch.axis}"
+        return f"at position {at} {mismatch.axis}"
     if mismatch.axis == "m/s":
         return f"in the mean force at {at} m/s"
-    what = "slow torque" if mismatch.domain in ("speed", "level") else mismatch.domain
+    if mismatch.domain == "time":
+        return f"at time {at} {mismatch.axis}"
+    what = "slow torque" if mismatch.domain in ("speed", "level") else "distribution of values"
     return f"in the {what} at {at} {mismatch.axis}"
 
 
 def kind_text(mismatch: Mismatch) -> str:
-    """Return the neutral term for a mismatch: what it is fixed to."""
+    """Return the kind of a mismatch: what its frequency or level depends on."""
     if mismatch.domain == "order":
         return f"periodic in the {_ANGLE.get(mismatch.axis, 'position')}"
     if mismatch.domain == "frequency":
-        return "fixed in frequency" if mismatch.width < 0.02 * mismatch.at else "a band of the spectrum"
+        return "line of constant frequency" if mismatch.width < 0.02 * mismatch.at else "frequency band"
     if mismatch.axis in _STROKE:
-        return "comes again at a place of the stroke"
-    return {"speed": "goes with the speed", "level": "mean of a run", "time": "transient"}.get(
-        mismatch.domain, "distribution of the values"
+        return "repeats at a position of the stroke"
+    return {"speed": "depends on the speed", "level": "mean of a recording", "time": "transient"}.get(
+        mismatch.domain, "distribution of values"
     )
 
 
-def chance_text(p_value: float) -> str:
-    """Return a probability for a table, the smallest as a bound."""
+def p_value_text(p_value: float) -> str:
+    """Return a p-value for a table, the smallest as a bound."""
     return f"< {_SMALLEST:.0e}" if p_value < _SMALLEST else f"{p_value:.1g}"

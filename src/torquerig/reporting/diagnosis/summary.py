@@ -1,4 +1,4 @@
-"""What every page of a diagnosis says, whatever the rig: the verdict, its figures, the findings; and its HTML."""
+"""The content that the pages of both kinds of rig share: verdict, key figures, findings, HTML."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from torquerig.diagnosis.outcome import Diagnosis, Finding, HeldOut, Mismatch
-from torquerig.reporting.diagnosis.sentences import WORDS, Yardstick, mechanism_text, verdict_sentence
+from torquerig.reporting.diagnosis.sentences import WORDS, ResidualMeasure, mechanism_text, verdict_sentence
 from torquerig.reporting.diagnosis.tables import parameters_table
 from torquerig.reporting.html import html
 from torquerig.reporting.layout import Table, plain
 
-NOWHERE = "Nowhere by more than chance leaves, so there is no picture of it."
+NO_MISMATCH = "No difference is significant, so there is no figure of it."
 
 
 def rendered(content: Mapping[str, Any], *, title: str, command: str, model: str | None, seed: int) -> str:
@@ -22,27 +22,29 @@ def rendered(content: Mapping[str, Any], *, title: str, command: str, model: str
     return html("diagnosis.html", {**made, **content})
 
 
-def told(
-    diagnosis: Diagnosis, left: Sequence[Mismatch], *, yardstick: Yardstick, rivals: Sequence[Table | None]
+def verdict_content(
+    diagnosis: Diagnosis, left: Sequence[Mismatch], *, measure: ResidualMeasure, alternatives: Sequence[Table | None]
 ) -> Mapping[str, Any]:
-    """Return the verdict and the findings, each with the table of its rivals; ``left`` is what still stands out."""
+    """Return verdict, key figures and findings, each finding with the table of its alternative hypotheses.
+
+    ``left`` holds the significant residuals of the completed model.
+    """
     return {
         "verdict": WORDS[diagnosis.verdict],
-        "sentence": verdict_sentence(diagnosis, left, yardstick=yardstick),
-        "figures": _figures(diagnosis.fit, found=bool(diagnosis.findings), yardstick=yardstick),
-        "findings": tuple(_finding(*each) for each in zip(diagnosis.findings, rivals, strict=True)),
+        "sentence": verdict_sentence(diagnosis, left, measure=measure),
+        "figures": _figures(diagnosis.fit, found=bool(diagnosis.findings), measure=measure),
+        "findings": tuple(_finding(*each) for each in zip(diagnosis.findings, alternatives, strict=True)),
         "next_experiment": diagnosis.next_experiment,
         "remarks": diagnosis.remarks,
     }
 
 
-def _figures(fit: HeldOut, *, found: bool, yardstick: Yardstick) -> tuple[tuple[str, str], ...]:
-    word = yardstick.name.split()[0]
-    nominal, calibrated = yardstick.said(fit.nominal), yardstick.said(fit.before)
-    first = ((f"{word} on held-out data: nominal", nominal), ("calibrated", calibrated))
+def _figures(fit: HeldOut, *, found: bool, measure: ResidualMeasure) -> tuple[tuple[str, str], ...]:
+    nominal, calibrated = measure.formatted(fit.nominal), measure.formatted(fit.before)
+    first = (("held-out residual: nominal", nominal), ("calibrated", calibrated))
     if not found:
         return first
-    return (*first, ("with what was found", yardstick.said(fit.after)), ("improvement", _improvement(fit)))
+    return (*first, ("with findings", measure.formatted(fit.after)), ("improvement", _improvement(fit)))
 
 
 def _improvement(fit: HeldOut) -> str:
@@ -50,14 +52,14 @@ def _improvement(fit: HeldOut) -> str:
     return f"{plain(value)} % (95 %: {plain(low)} to {plain(high)} %)"
 
 
-def _finding(finding: Finding, rivals: Table | None) -> Mapping[str, Any]:
+def _finding(finding: Finding, alternatives: Table | None) -> Mapping[str, Any]:
     variant = f" ({mechanism_text(finding.variant)})" if finding.variant else ""
     return {
         "name": mechanism_text(finding.mechanism) + variant,
         "explanation": finding.explanation,
         "confidence": f"{100 * finding.confidence:.0f} %",
         "parameters": parameters_table(finding),
-        "rivals": rivals,
+        "alternatives": alternatives,
         "equivalents": tuple(mechanism_text(name) for name in finding.equivalent_to),
         "next_experiment": finding.next_experiment,
     }

@@ -1,4 +1,4 @@
-"""A short window that no fit has seen: the recording, and level and lines of the model before and after."""
+"""A short held-out window: the recording, and level and lines of the models before and after."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ def diagnosis_window_figure(shown: Compared, *, ratio: float) -> Figure:
     axes = figure.add_subplot()
     axes.plot(*envelope(time, shown.held.observed.torque[window]), color=RECORDED, linewidth=0.9, label="recording")
     sides = [(shown.before, BEFORE, "calibrated model")]
-    sides += [] if shown.after is shown.before else [(shown.after, AFTER, "with what was found")]
+    sides += [] if shown.after is shown.before else [(shown.after, AFTER, "with findings")]
     for side, colour, label in sides:
         wave = line_wave(shown.held, side, row=row, window=window)
         axes.plot(*envelope(time, wave), color=colour, linewidth=1.1, label=label)
     axes.set_xlim(time[0], time[-1])
     axes.set_xlabel("time [s]")
     axes.set_ylabel("torque [N m]")
-    axes.set_title(f"{shown.held.observed.name}: level and lines, the random load left out", loc="left", fontsize=8)
+    axes.set_title(f"{shown.held.observed.name}: level and lines, without the random load", loc="left", fontsize=8)
     axes.grid(color="#e3e7eb", linewidth=0.6)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
     return figure

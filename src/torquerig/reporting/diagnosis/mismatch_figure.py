@@ -1,4 +1,4 @@
-"""Where recordings and model differ: each place's share of the misfit."""
+"""Shares of the squared residual by place, as bars."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.reporting.diagnosis.sentences import chance_text, place_text
+from torquerig.reporting.diagnosis.sentences import p_value_text, place_text
 from torquerig.reporting.figures.picture import new_figure
 
 COLOURS = {
@@ -15,32 +15,32 @@ COLOURS = {
     "distribution": "#8d6bb5",
 }  # fmt: skip
 MOST = 12
-_LEAST = 5e-4  # a share that is written as 0.0 %
+_LEAST = 5e-4  # [1] a smaller share is written as 0.0 %
 
 
-def to_be_seen(mismatches: Sequence[Mismatch]) -> bool:
-    """Whether any bar would be more than a line at zero."""
+def has_visible_share(mismatches: Sequence[Mismatch]) -> bool:
+    """Return whether any bar is longer than zero."""
     return any(one.share_of_misfit >= _LEAST for one in mismatches)
 
 
-def diagnosis_places_figure(mismatches: Sequence[Mismatch]) -> Figure:
-    """Return bars of the shares of the misfit [%], largest first, coloured by what the place is fixed to."""
+def mismatch_figure(mismatches: Sequence[Mismatch]) -> Figure:
+    """Return bars of the shares of the squared residual [%], largest first, coloured by domain."""
     shown = sorted(mismatches, key=lambda one: -one.share_of_misfit)[:MOST][::-1]
     figure = new_figure(10.5, 0.7 + 0.27 * len(shown))
     axes = figure.add_subplot()
     shares = [100 * one.share_of_misfit for one in shown]
     axes.barh(range(len(shown)), shares, color=[COLOURS[one.domain] for one in shown], height=0.7)
     for row, (one, share) in enumerate(zip(shown, shares, strict=True)):
-        said = f"  {share:.1f} %, p {chance_text(one.p_value)}"
-        axes.text(share, row, said, va="center", fontsize=7.5, clip_on=True)
+        label = f"  {share:.1f} %, p {p_value_text(one.p_value)}"
+        axes.text(share, row, label, va="center", fontsize=7.5, clip_on=True)
     axes.set_yticks(range(len(shown)), [place_text(one) for one in shown])
     axes.set_xlim(0, 1.25 * max(shares))
-    axes.set_xlabel("share of the misfit [%]")
+    axes.set_xlabel("share of the squared residual [%]")
     present = dict.fromkeys(one.domain for one in reversed(shown))
-    handles = [axes.barh([0], [0], color=COLOURS[domain], label=_words(domain)) for domain in present]
+    handles = [axes.barh([0], [0], color=COLOURS[domain], label=_domain_text(domain)) for domain in present]
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
     return figure
 
 
-def _words(domain: str) -> str:
-    return {"order": "turns with a shaft", "frequency": "in frequency", "speed": "goes with speed"}.get(domain, domain)
+def _domain_text(domain: str) -> str:
+    return {"order": "shaft order", "speed": "depends on speed"}.get(domain, domain)

@@ -1,4 +1,4 @@
-"""What stands at each line of a diagnosed spectrum: a part of the model, what was found missing, or nothing known."""
+"""Labels of spectral lines: a part of the nominal model, a finding, or unexplained."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.sensor_stages.tone import Tone, folded
 
-KNOWN, FOUND, OPEN = "#52606d", "#b42318", "#8a5a00"
-_NEAR = 0.004  # orders nearer than this share of themselves get one label
-_NARROW = 0.02  # of its own place: a mismatch in frequency wider than this is a band, not a line
-_WEAK = 0.02  # of the strongest line that a finding adds: less is not labelled
+KNOWN, FOUND, UNEXPLAINED = "#52606d", "#b42318", "#8a5a00"
+_NEAR = 0.004  # [1] orders with a smaller relative distance get one label
+_NARROW = 0.02  # [1] width over frequency: a wider mismatch is a band, not a line
+_WEAK = 0.02  # [1] share of the strongest line of a finding: a smaller line is not labelled
 
 
 @dataclass(frozen=True)
-class Cause:
-    """A line to label: order of the output shaft [1/rev], what causes it, and the colour of what is known of it."""
+class LineLabel:
+    """A label: order of the output shaft [1/rev], cause of the line, and the colour for known, found or unexplained."""
 
     order: float
     text: str
@@ -33,38 +33,41 @@ class Cause:
 
 @dataclass(frozen=True)
 class _Line:
-    """A line of a rig in one run: order of the output shaft, its owner, its size in the reading [N m]."""
+    """A line of a rig in one run: order of the output shaft [1/rev], part that causes it, amplitude read [N m]."""
 
     order: float
-    owner: str
-    size: float
+    source: str
+    amplitude: float
 
 
-def causes(outcome: Outcome, shown: Compared) -> tuple[Cause, ...]:
-    """Return the labels of the lines in one run, by rising order, one at each place; what was found goes first."""
+def line_labels(outcome: Outcome, shown: Compared) -> tuple[LineLabel, ...]:
+    """Return the labels of the lines in one run, by rising order; at one order a finding replaces a known line."""
     rig, ratio = outcome.before.model.rig, kinematics_of(outcome.completed).ratio
-    had = list(_lines(rig, shown, ratio))
-    listed: list[Cause] = []
+    known = list(_lines(rig, shown, ratio))
+    listed: list[LineLabel] = []
     for candidate in outcome.after.accepted:
         fitted = tuple(outcome.completed.part(part.name) for part in candidate.parts)
         for part in fitted:
             rig = rig + part
-        rest = _lines(rig, shown, ratio)
-        new = [line for line in rest if not _near(line.order, [one.order for one in had if one.size >= line.size])]
-        least = _WEAK * max((line.size for line in new), default=0.0)
-        said = candidate.mechanism.replace("_", " ")
-        listed += [Cause(line.order, said, FOUND) for line in new if line.size > least]
-    listed += [Cause(order, "unexplained", OPEN) for order in _open(outcome.left, shown, ratio)]
-    listed += [Cause(line.order, line.owner.replace("_", " "), KNOWN) for line in had]
-    kept: list[Cause] = []
-    for cause in listed:
-        if not _near(cause.order, [other.order for other in kept]):
-            kept.append(cause)
-    return tuple(sorted(kept, key=lambda cause: cause.order))
+        lines = _lines(rig, shown, ratio)
+        new = [
+            line for line in lines
+            if not _near(line.order, [one.order for one in known if one.amplitude >= line.amplitude])
+        ]  # fmt: skip
+        least = _WEAK * max((line.amplitude for line in new), default=0.0)
+        text = candidate.mechanism.replace("_", " ")
+        listed += [LineLabel(line.order, text, FOUND) for line in new if line.amplitude > least]
+    listed += [LineLabel(order, "unexplained", UNEXPLAINED) for order in _unexplained(outcome.left, shown, ratio)]
+    listed += [LineLabel(line.order, line.source.replace("_", " "), KNOWN) for line in known]
+    kept: list[LineLabel] = []
+    for label in listed:
+        if not _near(label.order, [other.order for other in kept]):
+            kept.append(label)
+    return tuple(sorted(kept, key=lambda label: label.order))
 
 
 def is_line(mismatch: Mismatch) -> bool:
-    """Whether a mismatch is one line, not a band."""
+    """Return whether a mismatch is one spectral line, not a band."""
     return mismatch.domain == "order" or (mismatch.domain == "frequency" and mismatch.width < _NARROW * mismatch.at)
 
 
@@ -90,7 +93,7 @@ def _lines(rig: Rig, shown: Compared, ratio: float) -> Iterator[_Line]:
                     yield _Line(at / turns, stage.source, volts)
 
 
-def _open(left: Sequence[Mismatch], shown: Compared, ratio: float) -> Iterator[float]:
+def _unexplained(left: Sequence[Mismatch], shown: Compared, ratio: float) -> Iterator[float]:
     turns = _per_order(shown, ratio)
     for each in left:
         if is_line(each) and each.domain == "order":

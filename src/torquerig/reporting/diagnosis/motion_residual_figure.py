@@ -1,4 +1,4 @@
-"""What both models leave of each run over time under measured motion, where no fit has looked."""
+"""Held-out residuals of both models over time under measured motion, a panel per run."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from matplotlib.figure import Figure
 
 from torquerig.diagnosis.showing.motion_comparison import MotionCompared, Scale
 from torquerig.diagnosis.showing.motion_curves import held_pieces
-from torquerig.reporting.diagnosis.motion_sides import GRID, HELD, sides
+from torquerig.reporting.diagnosis.motion_panels import GRID, HELD_OUT, drawn_models, effort_name
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 
 MOST = 6
 _COLUMNS = 900  # of a panel
-_EFFORT = "#d5dae0"
+_MEASURED_COLOUR = "#d5dae0"
 
 
-def motion_course_figure(runs: Sequence[MotionCompared], *, scale: Scale) -> Figure:
-    """Return a panel per run: the effort over all of it, the residuals of held-out stretches."""
+def motion_residual_figure(runs: Sequence[MotionCompared], *, scale: Scale) -> Figure:
+    """Return a panel per run: measured torque or force, and the residuals of held-out stretches."""
     shown = runs[:MOST]
     figure = new_figure(10.5, 0.6 + 1.8 * len(shown))
     panels = figure.subplots(len(shown), 1, squeeze=False)[:, 0]
@@ -34,15 +34,21 @@ def motion_course_figure(runs: Sequence[MotionCompared], *, scale: Scale) -> Fig
 def _draw(axes: Axes, one: MotionCompared, scale: Scale) -> None:
     run = one.run
     time, pieces = np.arange(run.effort.size) / run.rate, held_pieces(run)
-    axes.plot(*envelope(time, run.effort), color=_EFFORT, linewidth=0.7, label="measured effort", zorder=1)
+    axes.plot(
+        *envelope(time, run.effort),
+        color=_MEASURED_COLOUR,
+        linewidth=0.7,
+        label=f"measured {effort_name(scale)}",
+        zorder=1,
+    )
     for index, piece in enumerate(pieces):
         name = "_" if index else ""
-        axes.axvspan(time[piece.start], time[piece.stop - 1], color=HELD, zorder=0, label=name or "no fit has looked")
-        for side in sides(one):
-            left = (run.effort - side.effort)[piece]
-            drawn = envelope(time[piece], left, columns=max(1, _COLUMNS // len(pieces)))
-            axes.plot(*drawn, color=side.colour, linewidth=0.7, label=name or f"left, {side.label}")
+        axes.axvspan(time[piece.start], time[piece.stop - 1], color=HELD_OUT, zorder=0, label=name or "held out")
+        for model in drawn_models(one):
+            residual = (run.effort - model.effort)[piece]
+            drawn = envelope(time[piece], residual, columns=max(1, _COLUMNS // len(pieces)))
+            axes.plot(*drawn, color=model.colour, linewidth=0.7, label=name or f"residual, {model.label}")
     axes.set_xlim(0, time[-1])
-    axes.set_ylabel(f"effort [{scale.effort}]")
+    axes.set_ylabel(f"{effort_name(scale)} [{scale.effort}]")
     axes.set_title(run.name, loc="left", fontsize=8)
     axes.grid(color=GRID, linewidth=0.6)

@@ -1,4 +1,4 @@
-"""The slow torque of every run over time, what the model expected before and after where no fit has looked."""
+"""The slow torque of every run over time, with the prediction of the models on held-out stretches."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from torquerig.reporting.figures.picture import new_figure
 _MOST = 6
 
 
-def diagnosis_course_figure(runs: Sequence[Compared]) -> Figure:
-    """Return a panel per run: means over 20 ms, held-out stretches shaded, the models' slow torque on these."""
+def slow_torque_figure(runs: Sequence[Compared]) -> Figure:
+    """Return a panel per run: means over 20 ms, shaded held-out stretches, the models' slow torque on these."""
     shown = runs[:_MOST]
     figure = new_figure(10.5, 0.6 + 1.6 * len(shown))
     panels = figure.subplots(len(shown), 1, squeeze=False)[:, 0]
@@ -32,10 +32,10 @@ def _draw(axes: Axes, one: Compared) -> None:
     time, torque = slow_course(one.held.observed)
     axes.plot(time, torque, color=RECORDED, linewidth=0.7, label="recording, 20 ms means")
     for place, (start, stop) in enumerate(held_spans(one.held)):
-        axes.axvspan(start, stop, color="#fff4d6", zorder=0, label="_" if place else "no fit has looked")
+        axes.axvspan(start, stop, color="#fff4d6", zorder=0, label="_" if place else "held out")
     _model(axes, one, one.before, colour=BEFORE, label="calibrated model", width=1.6)
     if one.after is not one.before:
-        _model(axes, one, one.after, colour=AFTER, label="with what was found", width=1.2)
+        _model(axes, one, one.after, colour=AFTER, label="with findings", width=1.2)
     axes.set_xlim(0, one.held.observed.recording.duration)
     axes.set_ylabel("torque [N m]")
     axes.set_title(one.held.observed.name, loc="left", fontsize=8)
@@ -43,7 +43,7 @@ def _draw(axes: Axes, one: Compared) -> None:
 
 
 def _model(axes: Axes, one: Compared, side: Side, *, colour: str, label: str, width: float) -> None:
-    """Draw levels of steady stretches and ramps; the simulated course where a run turns back."""
+    """Draw levels of steady stretches and ramps, and the simulation of a run that reverses."""
     for place, part in enumerate(one.held.parts):
         span = np.array([part.start, part.stop]) / one.held.observed.rate
         level = np.full(2, side.expected.level[place])
@@ -53,5 +53,5 @@ def _model(axes: Axes, one: Compared, side: Side, *, colour: str, label: str, wi
     time, torque = slow_course(side.copy)
     for place, (start, stop) in enumerate(held_spans(one.held)):
         kept = np.asarray((time >= start) & (time <= stop))
-        own = "_" if place else label
-        axes.plot(time[kept], torque[kept], color=colour, linewidth=0.5 * width, label=own)
+        name = "_" if place else label
+        axes.plot(time[kept], torque[kept], color=colour, linewidth=0.5 * width, label=name)
