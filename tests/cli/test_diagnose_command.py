@@ -123,7 +123,7 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(
 ) -> None:
     main(("diagnose", "codes.parquet", "--scenario", WEAR_RIG, "--json", "codes.json"))
     told = capsys.readouterr().out.splitlines()
-    assert told[0].startswith("The model lacks quantization; with it the misfit on data that no fit has seen")
+    assert told[0].startswith("The model lacks quantization. With it, the mean squared standardised residual on held-out data")
     assert told[-2:] == ["wrote codes.json", "wrote codes.model.yaml"]
     data = json.loads((folder / "codes.json").read_text(encoding="utf-8"))
     assert [finding["mechanism"] for finding in data["findings"]] == ["quantization"]
@@ -185,5 +185,5 @@ def test_check_of_a_measured_motion_tells_effort_and_stroke_in_si(
     out = capsys.readouterr().out
     assert "force_V, below 50 Hz" in out
     assert "7.0" in out  # N rms: 50 N/V times 0.2 V over sqrt(2)
-    assert "0.2 m, to 0.40" in out
+    assert "travel 0.2 m, up to 0.40" in out
     assert "carriage.mass" in out
