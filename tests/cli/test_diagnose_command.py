@@ -123,7 +123,9 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(
 ) -> None:
     main(("diagnose", "codes.parquet", "--scenario", WEAR_RIG, "--json", "codes.json"))
     told = capsys.readouterr().out.splitlines()
-    assert told[0].startswith("The model lacks quantization. With it, the mean squared standardised residual on held-out data")
+    assert told[0].startswith(
+        "The model lacks quantization. With it, the mean squared standardised residual on held-out data"
+    )
     assert told[-2:] == ["wrote codes.json", "wrote codes.model.yaml"]
     data = json.loads((folder / "codes.json").read_text(encoding="utf-8"))
     assert [finding["mechanism"] for finding in data["findings"]] == ["quantization"]
