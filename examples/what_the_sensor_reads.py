@@ -1,4 +1,4 @@
-"""One second of the wear rig, read by its sensor, and what the seed report's filter makes of it: one picture.
+"""One second of the wear rig, read by its sensor, and what the reference report's filter makes of it: one picture.
 
 Run: python examples/what_the_sensor_reads.py [PICTURE.svg]
 """
@@ -9,7 +9,7 @@ from pathlib import Path
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
-from torquerig.filters.chains.filter_chain import seed_code_chain
+from torquerig.filters.chains.filter_chain import report_filter_code_chain
 from torquerig.metrics.truth_error import truth_error
 from torquerig.reporting.figures.picture import write_picture
 from torquerig.reporting.figures.spectrum_figure import spectrum_figure
@@ -21,7 +21,7 @@ document = read_document(shipped_scenarios() / "wear_rig.yaml")
 rig = read_scenario(document, load_catalog(shipped_folder()), seed=1).rig
 reading = simulate(rig, duration=4.0, seed=1, wander=2e-4)
 kinematics = kinematics_of(rig)
-chain = seed_code_chain(kinematics)
+chain = report_filter_code_chain(kinematics)
 filtered = chain.apply(reading)
 for name, recording in (("unfiltered", reading), ("filtered", filtered)):
     torque = recording.torque()

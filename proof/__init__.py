@@ -2,7 +2,7 @@
 
 - ``rig_program``   the independent rig: its own equations, integrator and effects; it imports nothing of torquerig
 - ``trials``        which cases a set of trials holds: clean, wrong parameters only, left out, in no library
-- ``riddle``        the seed's 280 Hz riddle: mesh, comb or resonance, with and without wander, at one speed and at two
+- ``riddle``        the 280 Hz line of the reference report: mesh, comb or resonance, at one speed or two
 - ``sealed``        answers written apart, their hash printed before anything is diagnosed, verified when opened
 - ``scoring``       what a set of diagnoses is worth against the sealed answers
 - ``prove``         what ``python -m proof`` does, stage by stage

@@ -1,4 +1,4 @@
-"""The seed's riddle: 280 Hz and its harmonics at 1000 rpm behind a 5:1 gear, in every load case.
+"""The reference report's riddle: 280 Hz and its harmonics at 1000 rpm behind a 5:1 gear, in every load case.
 
 Three rigs whose 280 Hz look alike at 1000 rpm, each with and without speed wander and at one speed and at two: a
 planetary mesh of 21 and 84 teeth (order 84 of the output shaft), a comb of fixed frequency, and a resonance at 280 Hz
@@ -23,7 +23,7 @@ from proof.rig_program.transfer import gain_of_twist, mode_frequencies
 from proof.rig_program.true_rig import TrueRig, draw_true_rig
 
 RIDDLE = 280.0  # [Hz]
-HARMONICS = (1.0, 0.4, 0.3, 0.2, 0.15)  # 280 to 1400 Hz, as the seed reports them
+HARMONICS = (1.0, 0.4, 0.3, 0.2, 0.15)  # 280 to 1400 Hz, as the reference report reports them
 READING = 0.05  # [V] of the first
 
 
@@ -61,7 +61,7 @@ def _case(name: str, seed: tuple[int, ...], *, kind: int, wanders: bool, two: bo
 
 
 def _one_speed() -> tuple[tuple[float, float], ...]:
-    """Give the seed's own load cases at 1000 rpm."""
+    """Give the reference report's load cases at 1000 rpm."""
     return ((1000.0, 0.0), (1000.0, 5.0), (1000.0, 11.0), (1000.0, 15.0))
 
 

@@ -13,7 +13,7 @@ FAMILIES = {
     "cogging": "cogging",
     "cogging_tolerance_slots": "cogging",
     "cogging_tolerance_poles": "cogging",
-    "cogging_as_published": "cogging",
+    "cogging_per_pole": "cogging",
     "electrical": "commutation_ripple",
     "six_pulse": "commutation_ripple",
     "gear_mesh": "gear_mesh",

@@ -1,4 +1,4 @@
-"""The seed's riddle: what was said of 280 Hz in each of the twelve rigs."""
+"""The reference report's riddle: what was said of 280 Hz in each of the twelve rigs."""
 
 from __future__ import annotations
 

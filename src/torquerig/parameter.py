@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pydantic_core import CoreSchema
 
 EVIDENCE = {
-    "DOC": "printed in the seed report, or in the maker's own table for this very product",
+    "DOC": "printed in the reference report, or in the maker's own table for this very product",
     "SC": "seen in a maker's table for a product of the same class",
     "MEM": "same-class figure from general knowledge, not read again",
     "RT": "rule of thumb",

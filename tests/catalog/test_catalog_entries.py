@@ -101,7 +101,7 @@ def test_a_stiffness_per_arcmin_is_the_makers_per_radian():
 
 
 def test_only_one_tooth_set_of_five_to_one_has_the_280_hertz_line():
-    # seed audit, section C: of all 5:1 sets only sun 21 / ring 84 meshes 84 times per output turn
+    # report audit, section C: of all 5:1 sets only sun 21 / ring 84 meshes 84 times per output turn
     sets = CATALOG.gearbox("economy-5-1").tooth_sets()
     assert [stage for stage in sets if stage.mesh_order_out == 84] == [Planetary(21, 84, 3)]
     assert CATALOG.gearbox("ZLS160-5").tooth_sets() == (Planetary(21, 84, 3),)

@@ -9,7 +9,7 @@ from torquerig.catalog.reading import load_catalog, read_entry
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.errors import InputError, UnknownNameError
 
-# seed report, Table II, first column; INNOMOTICS is the maker of the last
+# reference report, Table II, first column; INNOMOTICS is the maker of the last
 TABLE_II = [
     "HDS60-0102A",
     "HDS6A-0102A",
@@ -21,7 +21,7 @@ TABLE_II = [
     "ESM013B-152-304",
     "INNOMOTICS GP-71M",
 ]
-# seed report, Tables III-V and VI, in the order of their columns
+# reference report, Tables III-V and VI, in the order of their columns
 NAMES_OF_LATER_TABLES = {
     "REF": "bldc-12n14p",
     "HDS5C-102A": "HDS6A-0102A",
@@ -121,7 +121,7 @@ def test_a_real_motor_of_an_aliased_name_wins_over_the_alias(own):
 BROKEN = {
     "a bare number": ("value: 1.27 N*m", "value: 1.27", "rated_torque: 1.27 has no unit; write '1.27 N*m'"),
     "no evidence": (
-        'rated_torque: {value: 1.27 N*m, evidence: DOC, source: "seed report, Table VII"}',
+        'rated_torque: {value: 1.27 N*m, evidence: DOC, source: "reference report, Table VII"}',
         "rated_torque: 1.27 N*m",
         "rated_torque: '1.27 N*m' needs its evidence; write a mapping",
     ),

@@ -102,7 +102,7 @@ def test_teeth_are_drawn_among_the_possible_sets():
 def test_the_rig_motor_has_the_published_lines_and_a_servo_those_of_its_class():
     rig = {(line.family, line.order): line.torque for line in ripple_lines(nominal(CATALOG.motor("bldc-12n14p")))}
     assert len(rig) == 12
-    assert rig["cogging_as_published", 6] == pytest.approx(0.020)
+    assert rig["cogging_per_pole", 6] == pytest.approx(0.020)
     # pole pairs 4, slots 9: handbook 1.1 gives cogging at LCM(9, 8) = 72, 1.4 six pulses at 24
     servo = {(line.family, line.order) for line in ripple_lines(nominal(CATALOG.motor("HDS6A-0104A")))}
     assert {("cogging", 72), ("six_pulse", 24), ("cogging_tolerance_slots", 9), ("cogging_tolerance_poles", 8)} <= servo

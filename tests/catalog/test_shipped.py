@@ -19,6 +19,6 @@ def test_the_wheel_takes_both_folders_to_where_the_package_looks() -> None:
 
 def test_the_shipped_folders_are_there() -> None:
     assert {"motors", "gearboxes", "sensors", "couplings"} <= {path.name for path in shipped_folder().iterdir()}
-    assert {"wear_rig.yaml", "filters.yaml", "seed_tables.yaml"} <= {
+    assert {"wear_rig.yaml", "filters.yaml", "reference_tables.yaml"} <= {
         path.name for path in shipped_scenarios().iterdir()
     }

@@ -64,7 +64,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "a picture that is there": (("info", "good.csv", "--picture", "file.svg"), "file.svg: is there already; choose another name, or overwrite it with --force"),
     "no such recording": (("info", "run.csv"), "run.csv: there is no such file"),
     "no motor in the sidecar": (("filter", "good.csv"), "good.csv: the sidecar does not name the motor"),
-    "unknown chain": (("filter", "good.csv", "--chain", "seed_cod", "--motor", "REF", "--ratio", "5"), "did you mean 'seed_code'"),
+    "unknown chain": (("filter", "good.csv", "--chain", "report_filter_cod", "--motor", "REF", "--ratio", "5"), "did you mean 'report_filter_code'"),
     "out of two chains": (("filter", "good.csv", "--out", "x.csv"), "--out and --picture take one chain"),
     "filter onto itself": (("filter", "good.csv", "--chain", "none", "--out", "good.csv"), "good.csv: is there already"),
     "a picture of another kind beside a recording": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "new.csv", "--picture", "x.gif"), "x.gif: a picture is written as .svg or .png"),
@@ -82,7 +82,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "no demand": (("compare", WEAR_RIG, "--set", "demands={}"), "study.demands: nothing is listed"),
     "ratio that is none": (("compare", WEAR_RIG, "--set", "gearbox.ratio=abc"), "rig.gearbox.ratio: 'abc' is no ratio"),
     "band upside down": (("compare", WEAR_RIG, "--set", "speed use.band=[1.0, 0.3]"), "swap them"),
-    "unknown filter": (("compare", WEAR_RIG, "--set", "filters.names=[seed_cod]"), "did you mean 'seed_code'"),
+    "unknown filter": (("compare", WEAR_RIG, "--set", "filters.names=[report_filter_cod]"), "did you mean 'report_filter_code'"),
     "unknown present filter": (("compare", WEAR_RIG, "--set", "present.filter=nil"), "study.present.filter: there is no chain"),
 }  # fmt: skip
 

@@ -87,7 +87,7 @@ def test_catalog_shows_all_and_one(capsys: pytest.CaptureFixture[str]) -> None:
     assert "stands for" in capsys.readouterr().out
 
 
-def test_orders_shows_the_seeds_lines(capsys: pytest.CaptureFixture[str]) -> None:
+def test_orders_shows_the_lines_of_the_reference_report(capsys: pytest.CaptureFixture[str]) -> None:
     assert run("orders", "--ratio", "5", "--speed", "1000 rpm") == 0
     out = capsys.readouterr().out
     assert all(frequency in out for frequency in ("3.33", "16.67", "100", "116.67", "1400"))
@@ -127,16 +127,16 @@ def test_info_and_filter_tell_what_is_in_a_recording(recording: str, capsys: pyt
     assert "30000 samples at 25000 Hz, 1.2 s" in capsys.readouterr().out
     assert run("filter", recording) == 0
     out = capsys.readouterr().out
-    assert "seed_code" in out
-    assert "seed_text" in out
+    assert "report_filter_code" in out
+    assert "report_filter_text" in out
     assert "error to true load" in out
     assert run("filter", recording, "--chain", "low_pass_20Hz", "--out", "after.csv", "--picture", "after.png") == 0
     assert read_recording(Path("after.csv")).samples == 30_000
     assert Path("after.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_matrix_recomputes_the_seed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run("matrix", str(shipped_scenarios() / "seed_tables.yaml")) == 0
+def test_matrix_recomputes_the_reference_report(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("matrix", str(shipped_scenarios() / "reference_tables.yaml")) == 0
     assert "4.25" in capsys.readouterr().out
 
 

@@ -31,7 +31,7 @@ def run(capsys, *arguments):
 
 
 def test_it_judges_by_truth_and_placebo_and_draws_four_panels(reading, capsys):
-    told = run(capsys, "filter", "known.parquet", "--chain", "seed_code", "--judge")
+    told = run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--judge")
     assert "empty places" in told
     assert "error to the true load" in told
     assert "100-200 Hz N*m" in told
@@ -40,14 +40,15 @@ def test_it_judges_by_truth_and_placebo_and_draws_four_panels(reading, capsys):
     assert "A step put in" in told
     assert "lines taken exactly" in told
     assert "times that of perfect line removal" in told
-    drawn = (reading / "known.seed_code.judged.svg").read_bytes()
+    drawn = (reading / "known.report_filter_code.judged.svg").read_bytes()
     assert drawn.startswith(b"<?xml")
-    run(capsys, "filter", "known.parquet", "--chain", "seed_code", "--judge", "--force")
-    assert (reading / "known.seed_code.judged.svg").read_bytes() == drawn
+    run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--judge", "--force")
+    assert (reading / "known.report_filter_code.judged.svg").read_bytes() == drawn
 
 
 def test_without_truth_it_says_so_and_still_sets_the_placebo_beside(reading, capsys):
-    told = run(capsys, "filter", "measured.parquet", "--chain", "seed_code", "--judge", "--picture", "mine.png")
+    chosen = ("--chain", "report_filter_code", "--judge", "--picture", "mine.png")
+    told = run(capsys, "filter", "measured.parquet", *chosen)
     assert "true load is not known" in told
     assert "empty places" in told
     assert (reading / "mine.png").read_bytes().startswith(b"\x89PNG")
@@ -67,8 +68,8 @@ def test_a_chain_without_lines_has_no_placebo(reading, capsys):
     ("arguments", "said"),
     [
         (("--judge", "--picture", "one.svg"), "--picture takes one chain"),
-        (("--chain", "seed_code", "--judge", "--picture", "one.pdf"), "written as .svg or .png"),
-        (("--chain", "seed_code", "--judge", "--picture", "there.svg"), "overwrite it with --force"),
+        (("--chain", "report_filter_code", "--judge", "--picture", "one.pdf"), "written as .svg or .png"),
+        (("--chain", "report_filter_code", "--judge", "--picture", "there.svg"), "overwrite it with --force"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_before_the_work(reading, capsys, arguments, said):

@@ -10,7 +10,7 @@ from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli import main
 
 EXAMPLE = shipped_scenarios() / "matrix_example.yaml"
-SEED = str(shipped_scenarios() / "seed_tables.yaml")
+TABLES = str(shipped_scenarios() / "reference_tables.yaml")
 
 
 def run(*arguments):
@@ -123,7 +123,10 @@ def test_all_weights_zero_and_a_sheet_without_a_column_are_exit_code_2(tmp_path,
         ((str(EXAMPLE), "--trace", "servo B", "price"), "'servo B' is not in the matrix; did you mean 'servo A'"),
         ((str(EXAMPLE), "--trace", "servo A", "prise"), "unknown criterion 'prise'; did you mean 'price'"),
         ((str(EXAMPLE), "--before", "none.yaml"), "none.yaml: there is no such file"),
-        ((SEED, "--out", "m.md"), "holds published tables; --out, --trace and --before want a matrix of one's own"),
+        (
+            (TABLES, "--out", "m.md"),
+            "holds published tables; --out, --trace and --before want a matrix of one's own",
+        ),
         (("none.xlsx",), "none.xlsx: there is no such file"),
     ],
 )

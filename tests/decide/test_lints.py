@@ -14,11 +14,11 @@ from torquerig.decide.lints.polarity import polarity_against_the_name
 from torquerig.decide.lints.rank_checks import conventions_differ
 from torquerig.decide.lints.sums import products_do_not_follow
 from torquerig.decide.lints.ties import winners_tie
-from torquerig.decide.matrix_io.seed_tables import read_tables, tables_from
+from torquerig.decide.matrix_io.published_tables import read_tables, tables_from
 from torquerig.decide.matrix_io.sheet import Book, Method, Row, Sheet
 from torquerig.document import parse_document
 
-FILE = Path(__file__).resolve().parents[2] / "scenarios" / "seed_tables.yaml"
+FILE = Path(__file__).resolve().parents[2] / "scenarios" / "reference_tables.yaml"
 
 
 def found_in(book):

@@ -18,7 +18,7 @@ def line_of(text, start, *, after=""):
 
 
 def test_published_tables_stand_printed_beside_recomputed():
-    text = matrix_report(SCENARIOS / "seed_tables.yaml")
+    text = matrix_report(SCENARIOS / "reference_tables.yaml")
     assert line_of(text, "SUM as printed", after="Table IV")[3:] == ["-3", "-1", "-1", "1", "-1"]
     assert line_of(text, "SUM recomputed", after="Table IV")[-5:] == ["-3", "-1", "-1", "1", "-1"]
     assert line_of(text, "net with ? either way", after="Table V ")[-5:] == ["-4..0", "-2..2", "-2..2", "-4..0", "0..4"]

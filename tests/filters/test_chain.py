@@ -1,4 +1,4 @@
-"""The seed's two chains against its Appendix A and the audit, and chains written in YAML."""
+"""The reference report's two chains against its Appendix A and the audit, and chains written in YAML."""
 
 from math import pi
 from pathlib import Path
@@ -10,7 +10,7 @@ from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.filters.butterworth import ButterworthLowPass
 from torquerig.filters.chains.chain_file import read_chains
-from torquerig.filters.chains.filter_chain import seed_code_chain, seed_text_chain
+from torquerig.filters.chains.filter_chain import report_filter_code_chain, report_filter_text_chain
 from torquerig.filters.ideal_bandstop import IdealBandstop
 from torquerig.filters.moving_mean import MovingMeanKept
 from torquerig.filters.synchronous_average import SynchronousAverage
@@ -20,7 +20,7 @@ from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 
 ROOT = Path(__file__).resolve().parents[2]
-SEED_MOTOR = Kinematics(pole_pairs=7, slots=12, ratio=5)
+REPORT_MOTOR = Kinematics(pole_pairs=7, slots=12, ratio=5)
 SPEED = 1000 * pi / 30
 RATE = 25000.0
 
@@ -31,19 +31,19 @@ def recording(torque):
 
 
 def test_the_twenty_bands_of_appendix_a():
-    # code lines 26-72: remove, 2 remove, 3 remove, 4 remove of each family, +-extra; seed audit B4 for the slips
+    # code lines 26-72: remove, 2 remove, 3 remove, 4 remove of each family, +-extra; report audit B4 for the slips
     rps, poles, magnets, gear, extra = 1000 / 60, 12, 14, 5, 0.5
     fundamentals = [rps * poles / 2, poles * magnets / 2 * rps / gear, rps, rps / gear, rps * magnets / 2]
     expected = [(k * f - extra, k * f + extra) for f in fundamentals for k in (1, 2, 3, 4)]
-    (stage,) = seed_code_chain(SEED_MOTOR).stages
+    (stage,) = report_filter_code_chain(REPORT_MOTOR).stages
     assert np.array(stage.bands(SPEED)) == pytest.approx(np.array(expected), rel=1e-12)
 
 
-def test_the_seed_chain_keeps_the_mean_and_cuts_its_lines():
+def test_the_report_filter_keeps_the_mean_and_cuts_its_lines():
     at = np.arange(150_000) / RATE  # 6 s: every line of the motor at 1000 rpm stands on a bin
-    lines = sum(np.sin(2 * pi * line.frequency(SPEED) * at) for line in seed_code_chain(SEED_MOTOR).lines)
+    lines = sum(np.sin(2 * pi * line.frequency(SPEED) * at) for line in report_filter_code_chain(REPORT_MOTOR).lines)
     kept = 2.5 + 0.5 * np.sin(2 * pi * 57 * at)
-    answer = seed_code_chain(SEED_MOTOR).apply(recording(kept + lines)).torque()
+    answer = report_filter_code_chain(REPORT_MOTOR).apply(recording(kept + lines)).torque()
     assert answer.mean() == pytest.approx(2.5, abs=1e-12)
     # a phase of 42 000 rad is rounded to 4e-12, in 20 lines
     assert answer == pytest.approx(kept, abs=1e-10)
@@ -53,10 +53,10 @@ def test_the_seed_chain_keeps_the_mean_and_cuts_its_lines():
     ("frequency", "gain"),
     [(10 / 3, 0.97), (20 / 3, 0.89), (10.0, 0.76), (40 / 3, 0.59), (50 / 3, 0.41)],
 )
-def test_the_text_of_the_seed_puts_the_shaft_lines_back(frequency, gain):
-    # seed audit B3, two digits printed
+def test_the_text_of_the_report_puts_the_shaft_lines_back(frequency, gain):
+    # report audit B3, two digits printed
     at = np.arange(30 * 7500) / RATE  # whole periods of every one of them
-    (stage,) = seed_text_chain(SEED_MOTOR).stages
+    (stage,) = report_filter_text_chain(REPORT_MOTOR).stages
     answer = stage.apply(recording(np.sin(2 * pi * frequency * at))).torque()
     inner = slice(5 * 7500, 25 * 7500)
     measured = abs(2 * np.mean(answer[inner] * np.exp(-2j * pi * frequency * at[inner])))
@@ -66,14 +66,15 @@ def test_the_text_of_the_seed_puts_the_shaft_lines_back(frequency, gain):
     assert transfer == pytest.approx(gain, abs=0.006)
 
 
-def test_the_shipped_chains_hold_the_seed_chains():
-    chains = read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=SEED_MOTOR)
+def test_the_shipped_chains_hold_the_report_filters():
+    chains = read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=REPORT_MOTOR)
     assert list(chains) == [
-        "none", "seed_code", "seed_text", "low_pass_20Hz", "order_lines", "order_lines_low_pass", "order_lines_inverse",
+        "none", "report_filter_code", "report_filter_text", "low_pass_20Hz", "order_lines", "order_lines_low_pass",
+        "order_lines_inverse",
     ]  # fmt: skip
     assert chains["order_lines_inverse"].left_out[-1] == "load_inverse: no model of the rig is known here"
-    assert chains["seed_code"] == seed_code_chain(SEED_MOTOR)
-    assert chains["seed_text"] == seed_text_chain(SEED_MOTOR)
+    assert chains["report_filter_code"] == report_filter_code_chain(REPORT_MOTOR)
+    assert chains["report_filter_text"] == report_filter_text_chain(REPORT_MOTOR)
     assert chains["low_pass_20Hz"].stages == (ButterworthLowPass(cutoff=20.0, order=4),)
     assert chains["order_lines"].left_out == ("gear_mesh: tooth counts unknown",)
 
@@ -89,13 +90,13 @@ def test_the_shipped_chains_follow_the_drive():
 
 def test_no_filter_gives_the_recording_back():
     source = recording(np.arange(10.0))
-    chains = read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=SEED_MOTOR)
+    chains = read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=REPORT_MOTOR)
     assert chains["none"].apply(source) is source
 
 
 def test_every_shipped_chain_keeps_mean_and_length():
     values = 2.0 + 0.1 * np.random.default_rng(0).normal(size=100_000)
-    for chain in read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=SEED_MOTOR).values():
+    for chain in read_chains(ROOT / "scenarios" / "filters.yaml", kinematics=REPORT_MOTOR).values():
         answer = chain.apply(recording(values)).torque()
         assert answer.size == values.size
         # a low-pass moves the mean by what it makes of the ends only
@@ -104,13 +105,13 @@ def test_every_shipped_chain_keeps_mean_and_length():
 
 def test_harmonics_may_be_a_range_a_number_or_a_list():
     text = "filters: {a: [{type: ideal_bandstop, lines: {motor: 2..3, shaft: 1, electrical: [1, 4]}}]}"
-    chain = read_chains(parse_document(text, Path("f.yaml")), kinematics=SEED_MOTOR)["a"]
+    chain = read_chains(parse_document(text, Path("f.yaml")), kinematics=REPORT_MOTOR)["a"]
     assert [line.motor_order for line in chain.lines] == pytest.approx([2, 3, 0.2, 7, 28])
 
 
 def test_stages_nest():
     text = "filters: {a: [{type: moving_mean_kept, samples: 100, around: [{type: ideal_bandstop, lines: {motor: 1}}]}]}"
-    chain = read_chains(parse_document(text, Path("f.yaml")), kinematics=SEED_MOTOR)["a"]
+    chain = read_chains(parse_document(text, Path("f.yaml")), kinematics=REPORT_MOTOR)["a"]
     (kept,) = chain.stages
     assert isinstance(kept, MovingMeanKept)
     assert isinstance(kept.around[0], IdealBandstop)
@@ -137,7 +138,7 @@ filters:
 
 
 def test_every_stage_can_be_written_keeps_a_constant_and_says_its_reach():
-    chain = read_chains(parse_document(STAGES, Path("f.yaml")), kinematics=SEED_MOTOR)["a"]
+    chain = read_chains(parse_document(STAGES, Path("f.yaml")), kinematics=REPORT_MOTOR)["a"]
     speed = Channel(values=np.full(100_000, SPEED), quantity="motor_speed", unit="rad/s")
     source = recording(np.full(100_000, 2.5)).with_channel("speed", speed)
     for stage in chain.stages:
@@ -169,9 +170,9 @@ def test_every_stage_can_be_written_keeps_a_constant_and_says_its_reach():
 def test_what_is_written_wrongly_is_named_with_its_line(text, sentence):
     document = parse_document("filters:\n  " + text.replace("\n", "\n  "), Path("f.yaml"))
     with pytest.raises(InputError, match=sentence):
-        read_chains(document, kinematics=SEED_MOTOR)
+        read_chains(document, kinematics=REPORT_MOTOR)
 
 
 def test_a_file_without_filters_says_so():
     with pytest.raises(InputError, match="the key 'filters' is missing"):
-        read_chains(parse_document("filter: {}", Path("f.yaml")), kinematics=SEED_MOTOR)
+        read_chains(parse_document("filter: {}", Path("f.yaml")), kinematics=REPORT_MOTOR)

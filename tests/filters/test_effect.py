@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from torquerig.errors import RecordingError
-from torquerig.filters.chains.filter_chain import seed_code_chain
+from torquerig.filters.chains.filter_chain import report_filter_code_chain
 from torquerig.filters.effect import chain_effect
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
@@ -26,7 +26,7 @@ def recording(torque, **run):
 def test_a_removed_line_shows_in_every_figure():
     torque = 2.0 + 0.3 * np.sin(2 * pi * 60 * AT) + 0.4 * np.sin(2 * pi * 37.3 * AT)
     before = recording(torque)
-    chain = seed_code_chain(KINEMATICS)
+    chain = report_filter_code_chain(KINEMATICS)
     effect = chain_effect(before, chain.apply(before), ratio=5, lines=chain.lines)
     assert effect.std_before == pytest.approx(sqrt((0.09 + 0.16) / 2), rel=1e-9)
     assert effect.std_after == pytest.approx(sqrt(0.16 / 2), rel=1e-9)
@@ -34,7 +34,7 @@ def test_a_removed_line_shows_in_every_figure():
     assert effect.variance_reduction_percent == pytest.approx(36.0, rel=1e-9)
     assert effect.mean_change_percent == pytest.approx(0.0, abs=1e-12)
     levels = effect.family_levels()
-    assert levels["cogging_as_published"] == pytest.approx((0.3, 0.0), abs=1e-12)
+    assert levels["cogging_per_pole"] == pytest.approx((0.3, 0.0), abs=1e-12)
     assert levels["electrical"] == pytest.approx((0.0, 0.0), abs=1e-12)
 
 

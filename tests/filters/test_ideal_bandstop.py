@@ -1,4 +1,4 @@
-"""The seed's filter: what is on a bin goes, what is off the bands stays to the last digits."""
+"""The reference report's filter: what is on a bin goes, what is off the bands stays to the last digits."""
 
 from math import pi
 
@@ -43,8 +43,8 @@ def test_any_length_keeps_length_and_mean(samples):
     assert answer.mean() == pytest.approx(values.mean(), abs=1e-13)
 
 
-def test_the_control_signal_of_the_seed_keeps_all_but_its_bands():
-    # seed 3.7: all frequencies from 0 to half the sample rate at one amplitude
+def test_the_control_signal_of_the_report_keeps_all_but_its_bands():
+    # reference report, 3.7: all frequencies from 0 to half the sample rate at one amplitude
     rng = np.random.default_rng(3)
     rate, samples = 2500.0, 25000
     spectrum = np.exp(2j * pi * rng.uniform(size=samples // 2 + 1))

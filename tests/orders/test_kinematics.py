@@ -1,4 +1,4 @@
-"""The kinematic lines against the seed's eq. 3.1-3.4 and Table I, and against handbook."""
+"""The kinematic lines against the reference report's eq. 3.1-3.4 and Table I, and against handbook."""
 
 from dataclasses import replace
 from math import pi
@@ -10,7 +10,7 @@ from torquerig.orders.kinematics.kinematic_lines import FAMILIES, Kinematics, ki
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 
 RPM = pi / 30
-SEED_MOTOR = Kinematics(pole_pairs=7, slots=12, ratio=5)
+REPORT_MOTOR = Kinematics(pole_pairs=7, slots=12, ratio=5)
 
 
 def frequencies(kinematics, family, rpm=1000.0, harmonics=4):
@@ -20,17 +20,17 @@ def frequencies(kinematics, family, rpm=1000.0, harmonics=4):
 @pytest.mark.parametrize(
     ("family", "printed"),
     [
-        # seed Table I; 12.32 there is 13.33 (seed audit A), the others are printed to two digits
+        # reference report, Table I; 12.32 there is 13.33 (report audit A), the others are printed to two digits
         ("shaft", [3.33, 6.66, 9.99, 13.33]),
         ("motor", [16.67, 33.33, 50.0, 66.66]),
-        ("cogging_as_published", [100.0, 200.0, 300.0, 400.0, 500.0]),
+        ("cogging_per_pole", [100.0, 200.0, 300.0, 400.0, 500.0]),
         ("electrical", [116.67, 233.33, 350.0, 466.66, 583.33]),
-        ("unknown_as_published", [280.0, 560.0, 840.0, 1120.0, 1400.0]),
+        ("slots_times_pole_pairs", [280.0, 560.0, 840.0, 1120.0, 1400.0]),
     ],
 )
-def test_seed_table_i(family, printed):
+def test_table_i_of_the_reference_report(family, printed):
     # the table cuts instead of rounding: up to 0.01 below per printed digit, 9.99 for 10.00
-    assert frequencies(SEED_MOTOR, family, harmonics=len(printed)) == pytest.approx(printed, abs=0.011)
+    assert frequencies(REPORT_MOTOR, family, harmonics=len(printed)) == pytest.approx(printed, abs=0.011)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def test_seed_table_i(family, printed):
     ],
 )
 def test_handbook_coincidence_table(family, motor_order, hertz):
-    line = next(line for line in SEED_MOTOR.lines() if line.family == family)
+    line = next(line for line in REPORT_MOTOR.lines() if line.family == family)
     assert line.motor_order == motor_order
     assert line.output_order == 5 * motor_order
     assert line.frequency(1000 * RPM) == pytest.approx(hertz, rel=1e-12)
@@ -52,7 +52,7 @@ def test_handbook_coincidence_table(family, motor_order, hertz):
 
 def test_planetary_21_84_meshes_at_280_hz_at_1000_rpm():
     # handbook section 9
-    geared = replace(SEED_MOTOR, teeth=(Planetary(21, 84, 3),))
+    geared = replace(REPORT_MOTOR, teeth=(Planetary(21, 84, 3),))
     assert frequencies(geared, "gear_mesh") == pytest.approx([280.0, 560.0, 840.0, 1120.0], rel=1e-12)
     assert frequencies(geared, "gear_mesh", rpm=600) == pytest.approx([168.0, 336.0, 504.0, 672.0], rel=1e-12)
     line = next(line for line in geared.lines() if line.family == "gear_mesh")
@@ -60,7 +60,7 @@ def test_planetary_21_84_meshes_at_280_hz_at_1000_rpm():
 
 
 def test_two_stages_mesh_at_their_own_shafts():
-    # 20:50 then 42:84 stand at 84 per output turn, that is 280 Hz at 1000 rpm and 5:1 (seed audit C)
+    # 20:50 then 42:84 stand at 84 per output turn, that is 280 Hz at 1000 rpm and 5:1 (report audit C)
     geared = Kinematics(ratio=5, teeth=(Spur(20, 50), Spur(42, 84)))
     first, second = (line for line in geared.lines(1) if line.family == "gear_mesh")
     assert (first.motor_order, first.output_order) == (20.0, 100.0)
@@ -76,14 +76,14 @@ def test_two_equal_stages_keep_their_places():
 
 
 def test_motor_and_output_order_differ_by_the_ratio_in_every_line():
-    geared = replace(SEED_MOTOR, teeth=(Planetary(21, 84, 3),))
+    geared = replace(REPORT_MOTOR, teeth=(Planetary(21, 84, 3),))
     assert {line.family for line in geared.lines()} == set(FAMILIES)
     for line in geared.lines():
         assert line.output_order == pytest.approx(5 * line.motor_order, rel=1e-12)
 
 
 def test_frequency_is_proportional_to_speed_and_blind_to_its_sign():
-    for line in SEED_MOTOR.lines():
+    for line in REPORT_MOTOR.lines():
         assert line.frequency(-3.0) == line.frequency(3.0) == pytest.approx(3 * line.frequency(1.0))
 
 

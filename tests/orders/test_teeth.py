@@ -1,4 +1,4 @@
-"""Tooth counts against handbook 4.2 and seed audit C."""
+"""Tooth counts against handbook 4.2 and report audit C."""
 
 import re
 
@@ -9,7 +9,7 @@ from torquerig.orders.kinematics.teeth import Planetary, Spur
 
 
 def test_only_sun_21_and_ring_84_give_mesh_order_16_8_at_ratio_5():
-    # seed audit C: zs zr / (zs + zr) = 16.8 with N = 5 has one solution
+    # report audit C: zs zr / (zs + zr) = 16.8 with N = 5 has one solution
     stage = Planetary(21, 84, planets=3)
     assert stage.ratio == 5.0
     assert stage.mesh_order_in == pytest.approx(16.8, rel=1e-15)
@@ -31,7 +31,7 @@ def test_only_sun_21_and_ring_84_give_mesh_order_16_8_at_ratio_5():
     ],
 )
 def test_the_admissible_five_to_one_sets_of_the_audit_assemble(sun, ring, planets):
-    # seed audit C, list of admissible 5:1 sets
+    # report audit C, list of admissible 5:1 sets
     assert Planetary(sun, ring, planets).ratio == 5.0
 
 

@@ -30,5 +30,5 @@ def test_numba_is_imported_in_the_kernel_alone():
     assert [path.name for path in GENERATOR if "numba" in imported(path)] == ["kernel.py"]
 
 
-def test_the_seed_of_this_list_is_not_empty():
+def test_the_list_of_generator_files_is_not_empty():
     assert len(GENERATOR) > 40

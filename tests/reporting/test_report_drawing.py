@@ -50,7 +50,7 @@ def test_numbers_have_no_exponent():
 def test_the_spectrum_labels_its_lines_by_cause(runs):
     drive = runs.drives[0]
     kinematics_lines = [
-        level.line for name in ("seed_code",) for level in drive.chains[name].effect.levels if level.line.harmonic == 1
+        level.line for level in drive.chains["report_filter_code"].effect.levels if level.line.harmonic == 1
     ]
     figure = spectrum_figure(
         drive.recording, drive.recording, lines=kinematics_lines, motor_speed=drive.motor_speed, ratio=5.0

@@ -78,7 +78,7 @@ def test_the_response_is_one_for_slow_load_and_rings_at_the_shafts_mode():
     assert 110 < peak < 145  # issue: the load rings the shaft near 130 Hz
 
 
-def test_a_mesh_line_at_the_seeds_unknown_order_does_no_harm_although_no_teeth_are_known():
+def test_a_mesh_line_at_the_unknown_order_of_the_report_does_no_harm_although_no_teeth_are_known():
     # the 280 Hz of the report: order 84 of the output, named by no tooth count; without it in the chain 1.075 times
     settings = ("operating_point.load.occupancy=5 %",
                 "rig.mesh={kind: gear_mesh, order_output: 84, transmission_error: [5.0e-5 rad]}")  # fmt: skip

@@ -170,7 +170,7 @@ def test_motor_ripple_below_the_mode_follows_the_handbook_section_0() -> None:
 
 @pytest.mark.parametrize("speed_rpm", [1000.0, 600.0])
 def test_planetary_mesh_with_ring_84_stands_at_84_output_turns(speed_rpm: float) -> None:
-    """Sun 21, ring 84: 280.000 Hz at 1000 rpm of the sun (seed-audit C), 168 Hz at 600 rpm (ZLS160)."""
+    """Sun 21, ring 84: 280.000 Hz at 1000 rpm of the sun (report audit C), 168 Hz at 600 rpm (ZLS160)."""
     rig = driven(GearMesh(name="mesh", order_output=84, transmission_error=(5e-5,)), speed_rpm=speed_rpm)
     made = simulate(rig, duration=3.0, seed=1)
     values = made.channels["true_sensor_torque_Nm"].values

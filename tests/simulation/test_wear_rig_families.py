@@ -1,4 +1,4 @@
-"""The seed report's five families in the simulated 1:5 BLDC run, and gone behind the seed's own filter."""
+"""The five line families of the reference report in the simulated 1:5 BLDC run, and none behind its filter."""
 
 from __future__ import annotations
 
@@ -20,18 +20,19 @@ from torquerig.simulation.simulator import simulate
 MESH = "rig.mesh={kind: gear_mesh, order_output: 84, transmission_error: [5.0e-5 rad]}"
 DURATION = 12.0  # [s] whole periods of all five at 1000 rpm; the load's noise falls with its root
 
-# the seed, Table I at 1000 rpm: the fundamental of each family [Hz]
+# reference report, Table I at 1000 rpm: the fundamental of each family [Hz]
 FAMILIES = {"shaft": 200 / 60, "motor": 1000 / 60, "cogging": 100.0, "electrical": 7000 / 60}
 
 
 @cache
 def spectra(*settings: str) -> dict[str, NDArray[np.float64]]:
-    """Amplitude [N m] by frequency of the reading, before and after the seed's chain."""
+    """Amplitude [N m] by frequency of the reading, before and after the reference report's chain."""
     document = overridden(read_document(shipped_scenarios() / "wear_rig.yaml"), settings)
     scenario = read_scenario(document, load_catalog(shipped_folder()), seed=1)
     wander = scenario.operating_point.slow_speed_wander
     reading = simulate(scenario.rig, duration=DURATION, seed=1, wander=wander)
-    chain = read_chains(shipped_scenarios() / "filters.yaml", kinematics=kinematics_of(scenario.rig))["seed_code"]
+    chains = read_chains(shipped_scenarios() / "filters.yaml", kinematics=kinematics_of(scenario.rig))
+    chain = chains["report_filter_code"]
     made = {"before": reading.torque(), "after": chain.apply(reading).torque()}
     return {name: 2 / values.size * np.abs(np.fft.rfft(values - values.mean())) for name, values in made.items()}
 
@@ -49,7 +50,7 @@ def beside(levels: NDArray[np.float64], frequency: float) -> float:
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-def test_four_families_stand_at_their_frequencies_and_are_gone_behind_the_seeds_filter(family: str) -> None:
+def test_four_families_stand_at_their_frequencies_and_are_gone_behind_the_report_filter(family: str) -> None:
     frequency = FAMILIES[family]
     made = spectra()
     assert line(made["before"], frequency) > 1.5 * beside(made["before"], frequency)

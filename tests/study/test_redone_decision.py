@@ -35,7 +35,7 @@ from torquerig.study.results import StudyRuns
 from torquerig.study.verdict import verdict
 
 CATALOG = load_catalog(shipped_folder())
-SHIPPED = shipped_scenarios() / "seed_decision.yaml"
+SHIPPED = shipped_scenarios() / "reference_decision.yaml"
 TABLES = """
 tables:
   - name: Signs
@@ -106,7 +106,7 @@ def test_the_shipped_plan_runs_what_its_tables_name(shipped):
 
 
 def test_table_two_from_the_catalog(shipped):
-    """The audit of the seed: 200 W and 100 W fail 6 N m at 5:1, a motor of 400 W reaches it."""
+    """The audit of the reference report: 200 W and 100 W fail 6 N m at 5:1, a motor of 400 W reaches it."""
     table = elimination(shipped)
     cells = {(cell.row, cell.alternative): cell for cell in table.cells}
     assert cells["0.5-6 Nm", "HDS6A-0102A"].reason.cause is Cause.READING  # 0.637 N m lies in 0.5-6 at the motor
@@ -253,6 +253,6 @@ def test_the_command_refuses_before_it_simulates(tmp_path, monkeypatch, capsys):
     Path("there.html").write_text("kept")
     for name, told in (("there.html", "is there already"), ("page.pdf", ".html or .md")):
         with pytest.raises(SystemExit, match="2"):
-            main(["seed-decision", str(SHIPPED), "--out", name])
+            main(["reference-decision", str(SHIPPED), "--out", name])
         assert told in capsys.readouterr().err
     assert Path("there.html").read_text() == "kept"

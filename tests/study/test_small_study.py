@@ -35,7 +35,7 @@ SMALL = (
     "study.draws=1",
     "study.motors=[bldc-12n14p, HDS5C-102A, GP-71M]",
     "study.gearboxes=[reference-5-1, economy-20-1]",
-    "study.filters.names=[none, seed_code, low_pass_20Hz]",
+    "study.filters.names=[none, report_filter_code, low_pass_20Hz]",
 )
 TINY = (*SMALL, "study.draws=0", "study.motors=[bldc-12n14p]", "study.filters.names=[none, low_pass_20Hz]")
 

@@ -7,7 +7,7 @@ import pytest
 
 from torquerig.document import parse_document
 from torquerig.errors import InputError, RecordingError
-from torquerig.filters.chains.filter_chain import seed_code_chain
+from torquerig.filters.chains.filter_chain import report_filter_code_chain
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.files import read_recording, write_recording
 from torquerig.recordings.recording import Recording, random_for
@@ -54,10 +54,10 @@ def test_the_control_signal_has_every_frequency_at_equal_amplitude(samples: int)
     assert amplitudes == pytest.approx(np.full(samples // 2 + 1, 0.3), rel=1e-12)
 
 
-def test_the_seeds_filter_cuts_its_lines_from_the_control_signal_and_nothing_else() -> None:
-    # seed Figures 4.4 and 4.5: the filtered control signal is gone in the bands and as before outside
+def test_the_report_filter_cuts_its_lines_from_the_control_signal_and_nothing_else() -> None:
+    # reference report, Figures 4.4 and 4.5: the filtered control signal is gone in the bands and as before outside
     kinematics = Kinematics(pole_pairs=7, slots=12, ratio=5.0)
-    chain = seed_code_chain(kinematics)
+    chain = report_filter_code_chain(kinematics)
     speed = 1000 * np.pi / 30
     values = control_signal(50_000, amplitude=1.0, rng=random_for(1, "x"))
     recording = Recording(sample_rate=5000.0, channels={"torque_V": volts(values)}, run=Run(speed=speed))

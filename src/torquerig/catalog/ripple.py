@@ -21,7 +21,7 @@ class KnownLines(Record):
     mechanical : dict of int to Estimate
         Imbalance and runout of the rotor and their harmonics.
     cogging_as_published : dict of int to Estimate
-        The line that the seed calls cogging (LCM of slots and magnets, divided by the magnets) and its harmonics.
+        Order LCM(slots, magnets) / magnets and its harmonics: the reference report calls this line cogging.
     electrical : dict of int to Estimate
         The electrical period (pole pairs per turn) and its harmonics.
     """

@@ -1,7 +1,7 @@
 """The command line: one command per file, each imported only when it is called.
 
 init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  filter  matrix  diagnose
-seed-results  seed-decision  compare
+reference-results  reference-decision  compare
 """
 
 from __future__ import annotations
@@ -29,10 +29,11 @@ COMMANDS = {
     "filter": "put a recording through filter chains and say what they changed",
     "matrix": "work out elimination, Pugh and Kesselring matrices and what is wrong with them",
     "diagnose": "say where recordings and model differ, and which physics was left out",
-    "seed-results": "set the simulated rig beside the seed report's tables and figures",
-    "seed-decision": "make the seed report's motor decision again, cell by cell beside its tables",
+    "reference-results": "set the simulated rig beside the reference report's tables and figures",
+    "reference-decision": "make the reference report's motor decision again, cell by cell beside its tables",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
+_RENAMED = {"seed-results": "reference-results", "seed-decision": "reference-decision"}
 
 
 class _Lazy(click.Group):
@@ -51,7 +52,9 @@ class _Lazy(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         from torquerig.errors import did_you_mean
+        from torquerig.renamed import current_name
 
+        args = [current_name(word, _RENAMED, what="command") for word in args[:1]] + args[1:]
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
             ctx.fail(f"there is no command {args[0]!r}; {did_you_mean(args[0], COMMANDS)}")
         return super().resolve_command(ctx, args)

@@ -15,6 +15,7 @@ from torquerig.cli.inputs import catalog_option
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.chain_file import read_chains
 from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.filters.effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -33,7 +34,12 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
 
 @click.command("filter")
 @click.argument("recording", type=click.Path(path_type=Path))
-@click.option("--chain", "names", multiple=True, help="Chain to apply; several compare them. Default: the seed's two.")
+@click.option(
+    "--chain",
+    "names",
+    multiple=True,
+    help="Filter chain to apply; repeatable. Default: report_filter_code and report_filter_text.",
+)
 @click.option(
     "--filters", type=click.Path(path_type=Path), default=None, help="File of chains; default: the shipped one."
 )
@@ -64,7 +70,7 @@ def command(
     of it is a stretch from its middle.
     """
     _check_targets(names, out, None if judge else picture, force=force)
-    names = names or ("seed_code", "seed_text")
+    names = names or ("report_filter_code", "report_filter_text")
     panels = judged_pictures(recording, names, picture, force=force) if judge else {}
     stream = open_stream(recording)
     sheet = described(stream)
@@ -156,7 +162,8 @@ def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | Non
         check_picture(picture, overwrite=force)
 
 
-def _chain(name: str, known: Mapping[str, Chain]) -> Chain:
+def _chain(written: str, known: Mapping[str, Chain]) -> Chain:
+    name = current_chain(written)
     if name not in known:
         raise InputError(f"--chain {name}: there is no such chain; {did_you_mean(name, known)}")
     return known[name]

@@ -31,15 +31,15 @@ def command(
 ) -> None:
     """Recompute the matrices of FILE, say how sure the winner is, and list what is wrong with them.
 
-    FILE holds published tables (scenarios/seed_tables.yaml), a matrix of one's own (scenarios/matrix_example.yaml), or
-    such a matrix as a filled-in Excel sheet (write one with --out drives.xlsx).
+    FILE holds published tables (scenarios/reference_tables.yaml), a matrix of one's own
+    (scenarios/matrix_example.yaml), or such a matrix as a filled-in Excel sheet (write one with --out drives.xlsx).
     """
     document = _read(file)
     if isinstance(document.data, dict) and "tables" in document.data:
         if outs or traced or before:
             raise InputError(f"{file}: holds published tables; --out, --trace and --before want a matrix of one's own")
         from torquerig.decide.matrix_io.matrix_report import tell_book
-        from torquerig.decide.matrix_io.seed_tables import tables_from
+        from torquerig.decide.matrix_io.published_tables import tables_from
 
         click.echo(tell_book(tables_from(document)), nl=False)
         return

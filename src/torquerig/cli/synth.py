@@ -72,7 +72,7 @@ def command() -> None:
 @_out
 @_force
 def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
-    """Make the seed's control signal: every frequency from 0 to half the sample rate at equal amplitude."""
+    """Make the reference report's control signal: every frequency from 0 to half the sample rate at equal amplitude."""
     _write_mixture({"control": {"type": "control"}}, "control", run, seed=seed, out=out, force=force)
 
 

@@ -1,6 +1,6 @@
 """What takes disturbance out of a recorded torque, one filter per file; each is a stage: Recording in, Recording out.
 
-ideal_bandstop       brick-wall notches at the lines' set-point frequencies (the seed's own filter)
+ideal_bandstop       brick-wall notches at the lines' set-point frequencies (the filter of the reference report)
 notch_bank           second-order notches at the lines, without delay or causal
 comb                 everything that repeats with a line's period, the mean kept, without delay or causal
 butterworth          low-pass, without delay or causal

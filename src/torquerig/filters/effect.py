@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine
     from torquerig.recordings.recording import Recording
 
-LINE_HALF_WIDTH = 0.5  # Hz, as wide as the seed's band-stops
+LINE_HALF_WIDTH = 0.5  # Hz, as wide as the reference report's band-stops
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,7 +114,7 @@ def chain_effect(
 
     Notes
     -----
-    A lower standard deviation is no proof of less noise: any notches lower it (seed audit A, "std as merit").
+    A lower standard deviation is no proof of less noise: any notches lower it (report audit A, "std as merit").
     """
     return chain_effects(before, (after,), ratio=ratio, lines=(lines,))[0]
 

@@ -1,4 +1,4 @@
-"""What is left when narrow bands around the lines are cut out of the spectrum: the seed's filter."""
+"""What is left when narrow bands around the lines are cut out of the spectrum: the reference report's filter."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ class IdealBandstop:
     lines : tuple of KinematicLine
         The lines to cut; their frequencies follow from the motor's set-point in the recording's run.
     half_width : float
-        Half of each band [Hz], > 0; the seed takes 0.5 Hz.
+        Half of each band [Hz], > 0; the reference report takes 0.5 Hz.
 
     Notes
     -----
-    Source: seed Appendix A (MATLAB's ``idealfilter(..., 'notch')`` on data without their mean, band by band; the bands
-    commute, so all are cut in one transform). Where it stops being true: the filter is not causal, rings for about
+    Source: reference report, Appendix A (MATLAB's ``idealfilter(..., 'notch')`` on data without their mean, band by
+    band; the bands commute, so all are cut in one transform). Limits: the filter is not causal, rings for about
     1 / (2 half_width) around a step, wraps around at the ends of the record, misses a line whose speed is off by more
-    than half_width / frequency (0.18 % at 280 Hz), and takes the load within the bands along (seed audit B5, B6).
+    than half_width / frequency (0.18 % at 280 Hz), and takes the load within the bands along (report audit B5, B6).
     """
 
     lines: tuple[KinematicLine, ...]

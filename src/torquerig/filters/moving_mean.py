@@ -23,14 +23,14 @@ class MovingMeanKept:
     Parameters
     ----------
     samples : int
-        Length of the mean [samples], >= 1; the seed takes 1000 (40 ms at 25 kHz).
+        Length of the mean [samples], >= 1; the reference report takes 1000 (40 ms at 25 kHz).
     around : tuple of Stage
         What works on the rest, in order.
 
     Notes
     -----
-    Source: the text of the seed on its filter (its code computes the mean and does not use it). A line at f is kept by
-    sin(pi f n / rate) / (n sin(pi f / rate)): 97 % of the shaft line at 3.33 Hz comes back (seed audit B3).
+    Source: the text of the reference report (its code computes the mean and does not use it). A line at f is kept by
+    sin(pi f n / rate) / (n sin(pi f / rate)): 97 % of the shaft line at 3.33 Hz comes back (report audit B3).
     """
 
     samples: int

@@ -17,11 +17,11 @@ Torque = Annotated[float, Parameter("N*m", "zero-to-peak torque of a line", low=
 class TorqueRipple(Part):
     """``T = sum_k A_k cos(k theta + phi_k)`` on the shaft of the part ``at``; phases not stated are drawn by the seed.
 
-    An effect with measured amplitudes: it states a line and does not explain it. Where occupancy damps the lines (the
-    seed's observation, section 4.1), the amplitudes are divided by ``1 + relief_per_percent * occupancy_percent``.
+    An effect with measured amplitudes: it states a line and does not explain it. Where occupancy damps the lines (as
+    observed in the reference report, section 4.1), they are divided by ``1 + relief_per_percent * occupancy_percent``.
     ``amplitude_rel_sd`` is the one-sigma relative spread that a calibration grants each amplitude.
 
-    Source: the seed report's families, eq. 3.1-3.4 and Table I. Not true at another speed or load than that of the
+    Source: the reference report's families, eq. 3.1-3.4 and Table I. Not true at another speed or load than that of the
     measurement, where the cause changes with it.
     """
 

@@ -15,7 +15,7 @@ from torquerig.units import written_quantity
 GROUPS = {
     "motor": "mechanical",
     "cogging": "cogging",
-    "cogging_as_published": "cogging",
+    "cogging_per_pole": "cogging",
     "cogging_tolerance_slots": "cogging",
     "cogging_tolerance_poles": "cogging",
     "electrical": "electrical",

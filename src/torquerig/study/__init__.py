@@ -5,12 +5,12 @@ preflight   every fault before the first run      points      occupancies and pa
 candidates  a motor on a gearbox, loop tuned      drive_run   one drive: simulate, filter, measure
 run_study   all drives on all cores               results     what was found
 criteria    demands and criteria of the study     scoring     figures -> three matrices
-seed        the seed report's tables and figures beside the simulated rig
+reference_report/    the reference report's results compared with the simulated rig
 verdict     which one, and how sure               what_if     what an edit changes
 rated_drives  drives by their best filter, judged for every answer that is given
 as_matrix   a study as a matrix of one's own, to be edited
 origins     the catalog values behind a figure    trace       the way of every cell
 asked       what is missing, in the words of a buyer
 sized_candidates  a drive sized over the duty cycle  ratio_sweep  its motor on every gearbox of the catalog
-redone/     a published decision made again, cell by cell beside the published tables
+reference_decision/  a published decision computed again, cell by cell
 """

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, TypeAdapter, model_validator
 
 from torquerig.document import Document, validated
 from torquerig.errors import InputError
+from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.parameter import Parameter
 from torquerig.scenario.percent import Percent
 
@@ -23,6 +24,7 @@ Metric = Literal[
     "sensor_range_use", "sensor_overload", "sensor_overload_unlimited", "load_fidelity", "loop_fidelity", "flat_to",
 ]  # fmt: skip
 SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance", "left_disturbance")
+ChainName = Annotated[str, AfterValidator(current_chain)]
 
 
 class _Section(BaseModel):
@@ -34,14 +36,14 @@ class Present(_Section):
 
     motor: str
     gearbox: str
-    filter: str = "none"
+    filter: ChainName = "none"
 
 
 class Filters(_Section):
     """Which chains of which file, relative to the scenario."""
 
     file: str
-    names: tuple[str, ...] = Field(min_length=1)
+    names: tuple[ChainName, ...] = Field(min_length=1)
 
 
 class SpeedLoopRule(_Section):

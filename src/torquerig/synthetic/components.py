@@ -147,7 +147,7 @@ class Sweep(Component):
 
 
 class Control(Component):
-    """All frequencies at equal amplitude: the seed's control signal."""
+    """All frequencies at equal amplitude: the reference report's control signal."""
 
     type: Literal["control"]
     amplitude: Torque

@@ -1,4 +1,4 @@
-"""The seed's control signal: all frequencies from 0 to half the sample rate at equal amplitude."""
+"""The reference report's control signal: all frequencies from 0 to half the sample rate at equal amplitude."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def control_signal(samples: int, *, amplitude: float, rng: np.random.Generator) 
 
     Notes
     -----
-    Source: seed section 4.3.1, Figures 4.4 and 4.5 (its own signal is not printed; equal amplitude is what the figures
-    show).
+    Source: reference report, section 4.3.1, Figures 4.4 and 4.5 (the signal is not printed; the figures show
+    equal amplitude).
     """
     if samples < 2:
         raise InputError(f"a control signal of {samples} samples has no spectrum; ask for a longer one")

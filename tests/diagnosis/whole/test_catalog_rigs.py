@@ -26,7 +26,7 @@ PARTS = (("bldc-12n14p, torque_limit: 2.0 N*m", "HDS6A-0104A"), ("reference-5-1"
 
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory: pytest.TempPathFactory) -> Callable[[int], Scenario]:
-    """The wear rig with the seed report's servo motor and a gearbox with a gap; a seed draws a copy of them."""
+    """The wear rig with the reference report's servo motor and a gearbox with a gap; a seed draws a copy of them."""
     text = (shipped_scenarios() / "wear_rig.yaml").read_text(encoding="utf-8").split("study:")[0]
     for old, new in PARTS:
         assert old in text

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from torquerig.filters.butterworth import ButterworthLowPass
-from torquerig.filters.chains.filter_chain import Chain, seed_code_chain, seed_text_chain
+from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain, report_filter_text_chain
 from torquerig.filters.evaluation.known_angle import FOUND_ANGLE, with_known_angle
 from torquerig.filters.evaluation.moved_chain import movable_lines, moved_chain
 from torquerig.filters.evaluation.placebo import empty_shifts, placebo
@@ -33,7 +33,7 @@ def noise(seconds=20, seed=1):
 
 
 def test_in_white_noise_the_chain_cuts_what_its_placebo_cuts():
-    chain = seed_code_chain(DRIVE)
+    chain = report_filter_code_chain(DRIVE)
     found = placebo(chain, recording(noise()), known=DRIVE.lines(20))
     # every band is 1 Hz wide; lines that coincide share theirs
     bands = sorted({round(line.frequency(SPEED), 6) for line in chain.lines})
@@ -45,14 +45,14 @@ def test_in_white_noise_the_chain_cuts_what_its_placebo_cuts():
 def test_what_stands_at_the_lines_is_told_from_what_does_not():
     time = np.arange(20 * int(RATE)) / RATE
     line = np.sqrt(2) * np.sin(2 * pi * 7 * SPEED / (2 * pi) * time)
-    found = placebo(seed_code_chain(DRIVE), recording(noise() + line), known=DRIVE.lines(20))
+    found = placebo(report_filter_code_chain(DRIVE), recording(noise() + line), known=DRIVE.lines(20))
     assert found.beyond == pytest.approx(0.5, abs=0.01)
     assert found.p_value == pytest.approx(1 / (1 + len(found.shifts)))
     assert max(found.std_cuts) < 0.02
 
 
 def test_the_moved_lines_keep_clear_of_every_known_one():
-    chain = seed_code_chain(DRIVE)
+    chain = report_filter_code_chain(DRIVE)
     known = DRIVE.lines(20)
     shifts = empty_shifts(chain, known=known, speed=SPEED)
     assert len(shifts) >= 20
@@ -65,7 +65,7 @@ def test_the_moved_lines_keep_clear_of_every_known_one():
 
 
 def test_a_moved_chain_moves_lines_and_nothing_else():
-    chain = seed_text_chain(DRIVE)
+    chain = report_filter_text_chain(DRIVE)
     moved = moved_chain(chain, 0.5)
     assert [line.output_order for line in movable_lines(moved)] == pytest.approx(
         [line.output_order + 0.5 for line in movable_lines(chain)]
@@ -80,7 +80,7 @@ def test_a_chain_without_lines_has_no_placebo():
 
 
 def test_a_constant_torque_has_no_placebo():
-    assert placebo(seed_code_chain(DRIVE), recording(np.ones(20000)), known=DRIVE.lines(20)) is None
+    assert placebo(report_filter_code_chain(DRIVE), recording(np.ones(20000)), known=DRIVE.lines(20)) is None
 
 
 def test_without_an_encoder_chain_and_placebo_share_the_angle_that_the_true_lines_give():

@@ -86,7 +86,7 @@ def test_on_a_ramp_the_lines_of_the_shaft_are_told_from_the_fixed_one():
     assert fixed[150.4].label == ""
     assert fixed[50.0].label == "1 x mains"
     assert "electrical x1" in shaft[35.0].label
-    assert shaft[84.0].label == "unknown as published x1"
+    assert shaft[84.0].label == "slots times pole pairs x1"
 
 
 def test_one_order_line_and_one_fixed_line_at_the_same_place_of_the_top_speed_are_told_apart():
@@ -155,7 +155,7 @@ def test_too_few_turns_are_refused():
 def test_labels_name_every_cause_of_an_order():
     lines = DRIVE.lines(4)
     assert label_of(causes_of(35.001, lines, width=0.05)) == "electrical x1"
-    assert "cogging as published x2" in label_of(causes_of(60.0, lines, width=0.05))
+    assert "cogging per pole x2" in label_of(causes_of(60.0, lines, width=0.05))
     assert label_of(causes_of(33.3, lines, width=0.05)) == ""
     assert mains_multiple(149.97, mains=50.0, width=0.01) == 3
     assert mains_multiple(151.0, mains=50.0, width=0.1) is None

@@ -4,7 +4,7 @@
 ``matrix_file``         one's own matrix from YAML; ``matrix_schema``: its keys; ``matrix_cells``: its cells
 ``matrix_sheet``        the same from an Excel sheet; ``sheet_layout``: where its cells are
 ``matrix_writing``      a matrix as YAML
-``seed_tables``         published tables from YAML; ``sheet``: one such table
+``published_tables``      published tables from YAML; ``sheet``: one such table
 ``recompute``           the three engines run over the cells of a published table
 ``computed_sheets``     computed tables in the form of published ones
 ``workbook_tables``     the tables of an Excel workbook with their formulas

@@ -17,7 +17,7 @@ from torquerig.decide.matrix_io.certainty_text import (
 )
 from torquerig.decide.matrix_io.matrix_file import matrix_from
 from torquerig.decide.matrix_io.printed_text import tell_sheet
-from torquerig.decide.matrix_io.seed_tables import tables_from
+from torquerig.decide.matrix_io.published_tables import tables_from
 from torquerig.decide.matrix_io.sheet import Book
 from torquerig.decide.matrix_io.text import (
     heading,

@@ -5,5 +5,6 @@
 ``chain_file``          the chains of a YAML file, made for one motor and gearbox
 ``chain_schema``        the YAML of each stage; ``chain_line_stages``: of those that remove lines
 ``chain_form``          how a stage and the lines it names are written
+``renamed_chains``      old names of chains and line families, still read
 ======================= ===========================================================================
 """

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError
 from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.chains.renamed_chains import current_chain
 
 if TYPE_CHECKING:
     from torquerig.filters.load_response import LoadResponse
@@ -49,7 +50,10 @@ def read_chains(
             raise InputError(f"{document.place(within[:depth])}: the key {key!r} is missing; add it with the chains")
         data = data[key]
     chains = {}
-    for name, texts in validated(document, CHAINS, within=within).items():
+    for written, texts in validated(document, CHAINS, within=within).items():
+        name = current_chain(written)
+        if name != written and name in data:
+            raise InputError(f"{document.place(within)}: {written} is the old name of {name}; keep one of them")
         made = [text.made_for(kinematics, response) for text in texts]
         left_out = dict.fromkeys(word for _, words in made for word in words)
         chains[name] = Chain(name=name, stages=tuple(stage for stage, _ in made), left_out=tuple(left_out))

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
 from torquerig.errors import did_you_mean
+from torquerig.filters.chains.renamed_chains import current_family
 from torquerig.filters.load_response import LoadResponse
 from torquerig.orders.kinematics.kinematic_lines import FAMILIES, Family, Kinematics
 from torquerig.recordings.stage import Stage
@@ -40,10 +41,13 @@ def _family_names(written: Any) -> Any:
         raise ValueError(
             f"lines are named by cause; write for example {{motor: 1..4}}; known are {', '.join(FAMILIES)}"
         )
-    for name in written:
+    current = {current_family(str(name)): harmonics for name, harmonics in written.items()}
+    for name in current:
         if name not in FAMILIES:
-            raise ValueError(f"no lines have the cause {name!r}; {did_you_mean(str(name), FAMILIES)}")
-    return written
+            raise ValueError(f"no lines have the cause {name!r}; {did_you_mean(name, FAMILIES)}")
+    if len(current) < len(written):
+        raise ValueError(f"a cause has its old and its present name; keep one of {', '.join(map(str, written))}")
+    return current
 
 
 Harmonics = Annotated[tuple[int, ...], BeforeValidator(_harmonics)]

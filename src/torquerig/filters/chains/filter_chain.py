@@ -1,4 +1,4 @@
-"""A filter chain: stages by one name, in order; and the seed's two chains."""
+"""A filter chain: stages in order under one name; and the two chains of the reference report."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
     from torquerig.recordings.stage import Stage
 
-# in the order of the seed's code; the mean is taken off and put back by the band-stop itself
-SEED_FAMILIES: tuple[Family, ...] = ("cogging_as_published", "unknown_as_published", "motor", "shaft", "electrical")
-SEED_HARMONICS = 4
-SEED_HALF_WIDTH = 0.5  # Hz
-SEED_MEAN_SAMPLES = 1000
+# in the order of the report's code; the band-stop itself subtracts the mean and adds it again
+REPORT_FAMILIES: tuple[Family, ...] = ("cogging_per_pole", "slots_times_pole_pairs", "motor", "shaft", "electrical")
+REPORT_HARMONICS = 4
+REPORT_HALF_WIDTH = 0.5  # Hz
+REPORT_MEAN_SAMPLES = 1000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,24 +51,25 @@ class Chain:
         return tuple(dict.fromkeys(_lines_of(self.stages)))
 
 
-def seed_code_chain(kinematics: Kinematics) -> Chain:
-    """Return the filter of the seed's Appendix A: five families, fundamental and three harmonics, +-0.5 Hz each.
+def report_filter_code_chain(kinematics: Kinematics) -> Chain:
+    """Return the band-stops of the report's Appendix A: five families with four harmonics, +-0.5 Hz each.
 
-    Source: seed Appendix A, code lines 14-74. Families that need unknown slots or poles are left out and named.
+    Source: reference report, Appendix A, code lines 14-74. Families that need unknown slots or poles are left out and
+    listed.
     """
-    lines, left_out = select_lines(kinematics, dict.fromkeys(SEED_FAMILIES, range(1, SEED_HARMONICS + 1)))
-    stage = IdealBandstop(lines=lines, half_width=SEED_HALF_WIDTH)
-    return Chain(name="seed_code", stages=(stage,), left_out=left_out)
+    lines, left_out = select_lines(kinematics, dict.fromkeys(REPORT_FAMILIES, range(1, REPORT_HARMONICS + 1)))
+    stage = IdealBandstop(lines=lines, half_width=REPORT_HALF_WIDTH)
+    return Chain(name="report_filter_code", stages=(stage,), left_out=left_out)
 
 
-def seed_text_chain(kinematics: Kinematics) -> Chain:
-    """Return the filter that the seed's text describes: as its code, but around a rolling mean of 1000 samples.
+def report_filter_text_chain(kinematics: Kinematics) -> Chain:
+    """Return the filter of the report's text: the band-stops of its code around a rolling mean of 1000 samples.
 
-    Source: seed Appendix A, code line 11 (computed there and never used) and its text; seed audit B3.
+    Source: reference report, Appendix A, code line 11 (computed there and never used) and its text; report audit B3.
     """
-    code = seed_code_chain(kinematics)
-    stage = MovingMeanKept(samples=SEED_MEAN_SAMPLES, around=code.stages)
-    return Chain(name="seed_text", stages=(stage,), left_out=code.left_out)
+    code = report_filter_code_chain(kinematics)
+    stage = MovingMeanKept(samples=REPORT_MEAN_SAMPLES, around=code.stages)
+    return Chain(name="report_filter_text", stages=(stage,), left_out=code.left_out)
 
 
 def select_lines(

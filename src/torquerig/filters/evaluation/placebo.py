@@ -84,7 +84,7 @@ def placebo(
     -----
     Moved chains overlap where shifts differ by less than a band, so that the shifts are no independent draws; and
     below ten orders the load's own spectrum may slope from the line to the place beside it. Source: handbook,
-    signatures 8.8 (a placebo notch at an empty neighbouring order) and seed audit A, "std as merit".
+    signatures 8.8 (a placebo notch at an empty neighbouring order) and report audit A, "std as merit".
     """
     if comb_teeth(chain):
         return _of_combs(chain, recording, known=known, most=most)

@@ -36,5 +36,5 @@ def mains_multiple(frequency: float, *, mains: float, width: float) -> int | Non
 
 
 def label_of(causes: Sequence[KinematicLine]) -> str:
-    """Return the names of causes for a table or a picture: ``gear mesh = unknown as published``; empty for none."""
+    """Return the names of causes for a table or a picture: ``gear mesh = slots times pole pairs``; empty for none."""
     return " = ".join(dict.fromkeys(f"{one.family.replace('_', ' ')} x{one.harmonic}" for one in causes))

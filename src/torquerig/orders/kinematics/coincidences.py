@@ -103,7 +103,7 @@ def better_speed(
     mains : float
         Mains frequency [Hz].
     clearance : float
-        Wanted distance [Hz]; twice the half-width of the seed's band-stops by default.
+        Wanted distance [Hz]; twice the half-width of the reference report's band-stops by default.
     within : float
         Share of the speed to search on either side [1].
     """

@@ -13,24 +13,24 @@ from torquerig.orders.kinematics.teeth import Planetary, Teeth
 Family = Literal[
     "shaft",
     "motor",
-    "cogging_as_published",
+    "cogging_per_pole",
     "cogging",
     "cogging_tolerance_slots",
     "cogging_tolerance_poles",
     "electrical",
     "six_pulse",
     "gear_mesh",
-    "unknown_as_published",
+    "slots_times_pole_pairs",
 ]
 FAMILIES: tuple[Family, ...] = get_args(Family)
 
-# why the line is there, and who says so; the seed's numbers are those of its equations and code lines
+# cause of the line and its source
 CAUSES: dict[Family, tuple[str, str]] = {
-    "shaft": ("imbalance, runout or one-sided wear of what turns after the gearbox", "seed eq. 3.2"),
-    "motor": ("imbalance, eccentricity or encoder error of the motor's rotor", "seed eq. 3.1"),
-    "cogging_as_published": (
-        "the seed's cogging: cogging positions per magnet, a count at which no torque of cogging stands",
-        "seed eq. 3.3",
+    "shaft": ("imbalance, runout or one-sided wear of what turns after the gearbox", "handbook 3.1, 3.3"),
+    "motor": ("imbalance, eccentricity or encoder error of the motor's rotor", "handbook 2.5, 3.1"),
+    "cogging_per_pole": (
+        "cogging periods per magnet, LCM(slots, magnets) / magnets: no cogging torque has this order",
+        "handbook 1.1",
     ),
     "cogging": ("native cogging: rotor positions of equal magnetic energy", "handbook 1.1, Zhu & Howe 2000"),
     "cogging_tolerance_slots": (
@@ -41,15 +41,15 @@ CAUSES: dict[Family, tuple[str, str]] = {
         "tolerance cogging: unequal teeth see equal poles; also current gain error",
         "handbook 1.2, 2.2",
     ),
-    "electrical": ("one electrical period: current offset or Hall sensor error", "seed eq. 3.4, handbook 2.1"),
+    "electrical": ("one electrical period: current offset or Hall sensor error", "handbook 2.1"),
     "six_pulse": (
         "six torque pulses per electrical period: commutation, back-EMF harmonics or dead time",
         "handbook 1.4, 1.5, 2.3",
     ),
     "gear_mesh": ("teeth of the gearbox in mesh", "handbook 4.1, 4.2"),
-    "unknown_as_published": (
-        "the seed's unknown line: its code derives it as slots x magnets / 2 per output turn",
-        "seed Appendix A, code line 36",
+    "slots_times_pole_pairs": (
+        "slots x pole pairs per output turn: no torque of the motor has this order, but a gear mesh may have it",
+        "handbook 4.2",
     ),
 }
 
@@ -101,7 +101,7 @@ class Kinematics:
             missing["cogging_tolerance_slots"] = "slots unknown"
         if self.pole_pairs is None or self.slots is None:
             reason = "slots unknown" if self.slots is None else "pole pairs unknown"
-            missing |= dict.fromkeys(("cogging_as_published", "cogging", "unknown_as_published"), reason)
+            missing |= dict.fromkeys(("cogging_per_pole", "cogging", "slots_times_pole_pairs"), reason)
         if not self.teeth:
             missing["gear_mesh"] = "tooth counts unknown"
         return {family: missing[family] for family in FAMILIES if family in missing}
@@ -153,7 +153,7 @@ def kinematic_lines(
     pole_pairs, slots, ratio, teeth
         As in :class:`Kinematics`; lines that need what is unknown are left out.
     harmonics : int
-        Members per family, 1 is the fundamental alone; the seed's tables and code use 4.
+        Members per family; 1 is the fundamental alone.
 
     Raises
     ------
@@ -162,8 +162,9 @@ def kinematic_lines(
 
     Notes
     -----
-    Source: seed eq. 3.1-3.4 and Table I; handbook 0, 1, 2 and 4. Slip of an induction machine, bearing and belt
-    lines are not among them, and orders say nothing of amplitudes.
+    Source: handbook 0, 1, 2 and 4; reference report, eq. 3.1-3.4 and Table I, for ``cogging_per_pole`` and
+    ``slots_times_pole_pairs``. Slip of an induction machine, bearing and belt lines are not included. Orders do not
+    determine amplitudes.
     """
     if harmonics < 1:
         raise InputError(f"{harmonics} harmonics cannot be; write 1 for the fundamental alone")
@@ -184,7 +185,7 @@ def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float
     yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], None
     motor_orders: dict[Family, int | None] = {
         "motor": 1,
-        "cogging_as_published": lcm(slots, 2 * p) // (2 * p) if p and slots else None,
+        "cogging_per_pole": lcm(slots, 2 * p) // (2 * p) if p and slots else None,
         "cogging": lcm(slots, 2 * p) if p and slots else None,
         "cogging_tolerance_slots": slots,
         "cogging_tolerance_poles": 2 * p if p else None,
@@ -200,4 +201,4 @@ def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float
         cause = f"{CAUSES['gear_mesh'][0]}: {stage.spoken}"
         yield "gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause, stage
     if p and slots:
-        yield "unknown_as_published", p * slots / ratio, float(p * slots), CAUSES["unknown_as_published"][0], None
+        yield "slots_times_pole_pairs", p * slots / ratio, float(p * slots), CAUSES["slots_times_pole_pairs"][0], None

@@ -46,16 +46,16 @@ def name_of(line: KinematicLine) -> str:
 
 
 def cogging_sentence(report: OrdersReport) -> tuple[str, ...]:
-    """Return the sentence on the two coggings; nothing where poles or slots are unknown."""
-    printed, textbook = report.fundamental("cogging_as_published"), report.fundamental("cogging")
-    if printed is None or textbook is None or report.kinematics.pole_pairs is None:
+    """Return the sentence on the order of cogging; nothing where poles or slots are unknown."""
+    per_pole, cogging = report.fundamental("cogging_per_pole"), report.fundamental("cogging")
+    if per_pole is None or cogging is None or report.kinematics.pole_pairs is None:
         return ()
     magnets = 2 * report.kinematics.pole_pairs
     sentence = (
-        f"Cogging stands at {textbook.frequency(report.motor_speed):.2f} Hz, the least common multiple "
-        f"{textbook.motor_order:g} of {report.kinematics.slots} slots and {magnets} magnets per motor turn; the seed's "
-        f"eq. 3.3 divides it by the magnets and prints {printed.frequency(report.motor_speed):.2f} Hz "
-        f"(motor order {printed.motor_order:g}), which counts the positions per magnet and is no cogging line."
+        f"Cogging is at {cogging.frequency(report.motor_speed):.2f} Hz: motor order {cogging.motor_order:g}, the least "
+        f"common multiple of {report.kinematics.slots} slots and {magnets} magnets. Motor order "
+        f"{per_pole.motor_order:g} ({per_pole.frequency(report.motor_speed):.2f} Hz) is the same count per magnet; no "
+        "cogging torque has this order."
     )
     return (sentence,)
 

@@ -32,7 +32,7 @@ def sheet_by_name(name: str, *, unit: str | None, where: str) -> ChannelSheet:
     RecordingError
         When the name does not tell quantity and unit, or the unit needs a scale.
 
-    Source: the scale of the bare volts is the seed report's, Appendix A, line 2. Another sensor needs a sidecar.
+    Source: the scale of the bare volts is the reference report's, Appendix A, line 2. Another sensor needs a sidecar.
     """
     quantity, found = _split(name, unit)
     if quantity is None or found is None:

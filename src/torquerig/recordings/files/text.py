@@ -1,4 +1,4 @@
-"""Bare text: two columns of numbers, time [s] and volts, as the seed report's Appendix A loads them."""
+"""Bare text: two columns of numbers, time [s] and volts, as the reference report's Appendix A loads them."""
 
 from __future__ import annotations
 
@@ -13,6 +13,6 @@ def read_text(path: Path) -> Table:
 
     Blanks, tabs, commas or semicolons separate the columns. A text file with a header is read like a CSV file.
 
-    Source: the seed report, Appendix A, lines 1-2 (``time``, ``volt``, 1 V = 1 N m).
+    Source: the reference report, Appendix A, lines 1-2 (``time``, ``volt``, 1 V = 1 N m).
     """
     return read_csv(path)

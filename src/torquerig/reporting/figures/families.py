@@ -7,39 +7,39 @@ from torquerig.orders.kinematics.kinematic_lines import Family
 COLOURS: dict[Family, str] = {
     "shaft": "#1b9e77",
     "motor": "#d95f02",
-    "cogging_as_published": "#7570b3",
+    "cogging_per_pole": "#7570b3",
     "cogging": "#e7298a",
     "cogging_tolerance_slots": "#66a61e",
     "cogging_tolerance_poles": "#b8860b",
     "electrical": "#1f78b4",
     "six_pulse": "#a6761d",
     "gear_mesh": "#444444",
-    "unknown_as_published": "#c51b1b",
+    "slots_times_pole_pairs": "#c51b1b",
 }
 
 SHORT: dict[Family, str] = {
     "shaft": "output shaft",
     "motor": "motor shaft",
-    "cogging_as_published": "cogging (seed)",
+    "cogging_per_pole": "cogging per pole",
     "cogging": "cogging",
     "cogging_tolerance_slots": "cogging, magnets",
     "cogging_tolerance_poles": "cogging, teeth",
     "electrical": "electrical",
     "six_pulse": "six-pulse",
     "gear_mesh": "gear mesh",
-    "unknown_as_published": "unknown (seed)",
+    "slots_times_pole_pairs": "slots x pole pairs",
 }
 """For labels inside a picture; ``NAMES`` stand beside it."""
 
 NAMES: dict[Family, str] = {
     "shaft": "output shaft",
     "motor": "motor shaft",
-    "cogging_as_published": "cogging as the seed prints it",
+    "cogging_per_pole": "cogging periods per pole",
     "cogging": "cogging",
     "cogging_tolerance_slots": "cogging, unequal magnets",
     "cogging_tolerance_poles": "cogging, unequal teeth",
     "electrical": "electrical period",
     "six_pulse": "six pulses per electrical period",
     "gear_mesh": "gear mesh",
-    "unknown_as_published": "the seed's unknown line",
+    "slots_times_pole_pairs": "slots x pole pairs per output turn",
 }

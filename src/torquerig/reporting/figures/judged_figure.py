@@ -1,4 +1,4 @@
-"""A chain's work in four panels, as the seed draws it: original, filtered, both, and their rolling means."""
+"""The effect of a filter chain in four panels: original, filtered, both, and their rolling means."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 
 ORIGINAL, FILTERED, LOAD = "#1c252e", "#2e9e5b", "#d1495b"
-ROLLING = 1000  # samples, the seed's (Appendix A, code line 10)
+ROLLING = 1000  # samples (reference report, Appendix A, code line 10)
 _GRID = "#e3e7eb"
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ def judged_figure(made: Judgement) -> Figure:
 def four_panels(before: Recording, after: Recording, *, title: str = "") -> Figure:
     """Return original, filtered, both laid over each other, and rolling means of 1000 samples.
 
-    Source: seed section 4.3.1 and Figures 4.8-4.10: the filtered part in green, the original in black.
+    Source: reference report, section 4.3.1 and Figures 4.8-4.10: the filtered part in green, the original in black.
     """
     figure = new_figure(10.5, 8.6)
     panels = figure.subplots(4, 1, sharex=True)

@@ -43,4 +43,4 @@ def redone_markdown(decision: RedoneDecision) -> str:
 def command_of(decision: RedoneDecision) -> str:
     """Return the command that makes the page again, without any folder of this machine."""
     path = Path(decision.plan.document.path)
-    return f"torquerig seed-decision {path.name if path.is_absolute() else path.as_posix()}"
+    return f"torquerig reference-decision {path.name if path.is_absolute() else path.as_posix()}"

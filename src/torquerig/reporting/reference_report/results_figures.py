@@ -1,4 +1,4 @@
-"""The pictures that stand for the seed report's Figures 4.1 to 4.12, drawn from simulated readings."""
+"""The pictures that stand for the reference report's Figures 4.1 to 4.12, drawn from simulated readings."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER, spectrum_figure
 from torquerig.study.reference_report.bulk import half_power_frequency
 from torquerig.study.reference_report.mechanical import HIGH, LOW
-from torquerig.study.reference_report.results import SeedResults
-from torquerig.study.reference_report.steps import seed_steps
+from torquerig.study.reference_report.results import ReportResults
+from torquerig.study.reference_report.steps import report_filter_steps
 from torquerig.synthetic.control_signal import control_signal
 
 _TOP = 620.0  # [Hz]
@@ -30,15 +30,15 @@ _NOTHING = 0.5  # percentage points
 _CONTROL = 0.01  # [N m] amplitude of every sine of the control signal
 
 
-def seed_pictures(results: SeedResults) -> tuple[Picture, ...]:
+def results_pictures(results: ReportResults) -> tuple[Picture, ...]:
     """Return all pictures, in the order of the report."""
     low, speed, ratio = results.low, results.rig.scenario.rig.run.speed or 0.0, results.rig.kinematics.ratio
     lines = results.chain.lines
     pair = partial(pair_figure, lines=lines, motor_speed=speed)
     first = spectrum_figure(low, low, lines=lines, motor_speed=speed, ratio=ratio, highest=1600.0)
     return (
-        picture(first, caption=f"Figure 4.1: spectrum of the unfiltered torque at {LOW:g} % occupancy, the seed's "
-                "lines named. It points them out where they stand by its own equations.",
+        picture(first, caption=f"Figure 4.1: spectrum of the unfiltered torque at {LOW:g} % occupancy, with the "
+                "report's lines, each at the frequency of the report's equations.",
                 told="amplitude spectrum of the torque with its lines"),
         picture(pair((f"{HIGH:g} % occupancy", results.high), (f"{LOW:g} % occupancy", low)),
                 caption="Figures 4.2 and 4.3: spectrum at high and low load. The report reads a drop of 59 % of the "
@@ -79,7 +79,7 @@ def pair_figure(
     return figure
 
 
-def _control(results: SeedResults, speed: float) -> Picture:
+def _control(results: ReportResults, speed: float) -> Picture:
     low = results.low
     values = control_signal(low.samples, amplitude=_CONTROL, rng=random_for(results.rig.seed, "control signal"))
     before = low.with_values(low.torque_name(), values / low.channels[low.torque_name()].si_per_unit)
@@ -90,7 +90,7 @@ def _control(results: SeedResults, speed: float) -> Picture:
                    "after the filter: nothing is left in the bands, and nothing is touched beside them.")  # fmt: skip
 
 
-def _sizes(results: SeedResults, speed: float) -> Picture:
+def _sizes(results: ReportResults, speed: float) -> Picture:
     chain, lines = results.chain, results.chain.lines
     names = [f"{1e3 * (one.run.particle_size or 0):g} mm" for one in (results.small, results.large)]
     bulk = [half_power_frequency(chain.apply(one)) for one in (results.small, results.large)]
@@ -102,10 +102,10 @@ def _sizes(results: SeedResults, speed: float) -> Picture:
                    f"{bulk[0]:.1f} Hz with {names[0]} and below {bulk[1]:.1f} Hz with {names[1]}.")  # fmt: skip
 
 
-def _steps(results: SeedResults) -> list[Picture]:
+def _steps(results: ReportResults) -> list[Picture]:
     made: list[Picture] = []
     before = 0.0
-    for number, chain in zip((8, 9, 10), seed_steps(results.rig.kinematics), strict=True):
+    for number, chain in zip((8, 9, 10), report_filter_steps(results.rig.kinematics), strict=True):
         after = chain.apply(results.low)
         cut = chain_effect(results.low, after, ratio=results.rig.kinematics.ratio).std_reduction_percent
         told = (
@@ -120,7 +120,7 @@ def _steps(results: SeedResults) -> list[Picture]:
     return made
 
 
-def _reading(results: SeedResults) -> tuple[Picture, ...]:
+def _reading(results: ReportResults) -> tuple[Picture, ...]:
     low, after, cell = results.low, results.chain.apply(results.low), results.cells[0]
     raw = f"Figure 4.11: the torque at {LOW:g} % occupancy without filter, and beside it the load itself."
     filtered = (

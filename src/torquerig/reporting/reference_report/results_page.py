@@ -1,14 +1,14 @@
-"""The seed report's results beside the simulated rig, as one HTML page that needs nothing beside it."""
+"""The reference report's results beside the simulated rig, as one HTML page that needs nothing beside it."""
 
 from __future__ import annotations
 
 from torquerig.reporting.html import html
 from torquerig.reporting.layout import Cell, Table, number, words
-from torquerig.reporting.reference_report.results_figures import seed_pictures
+from torquerig.reporting.reference_report.results_figures import results_pictures
 from torquerig.study.reference_report.cells import CellResult
 from torquerig.study.reference_report.published import MECHANICAL_DROP
 from torquerig.study.reference_report.reasons import cell_sentence, fit_sentences, mechanical_sentences, table_sentences
-from torquerig.study.reference_report.results import SeedResults
+from torquerig.study.reference_report.results import ReportResults
 
 HEAD = (
     "", "published %", "", "simulated %", "copies of the run %", "difference", "nothing fitted %", "empty orders %",
@@ -16,7 +16,7 @@ HEAD = (
 )  # fmt: skip
 
 
-def seed_page(results: SeedResults) -> str:
+def reference_results_page(results: ReportResults) -> str:
     """Return the HTML of the page: pictures inline, no script, no request to anywhere."""
     content = {
         "title": results.rig.scenario.title,
@@ -26,13 +26,13 @@ def seed_page(results: SeedResults) -> str:
         "whole": table_sentences(results),
         "mechanical": mechanical_sentences(results.drop),
         "drop": _drop(results),
-        "pictures": seed_pictures(results),
+        "pictures": results_pictures(results),
         "seed": results.rig.seed,
     }
-    return html("seed_results.html", content)
+    return html("reference_results.html", content)
 
 
-def _table(results: SeedResults, name: str) -> Table:
+def _table(results: ReportResults, name: str) -> Table:
     shown = [one for one in results.cells if one.cell.table == name]
     where = (
         f"at {1e3 * results.rig.size:g} mm (not stated; the scenario's)"
@@ -40,7 +40,7 @@ def _table(results: SeedResults, name: str) -> Table:
         else f"at {results.fit.occupancy:g} % occupancy (not stated; fitted)"
     )
     return Table(
-        caption=f"Table {name}: reduction of the standard deviation by the seed's filter, {where}",
+        caption=f"Table {name}: reduction of the standard deviation by the reference report's filter, {where}",
         head=HEAD,
         rows=tuple(_row(one) for one in shown),
         note="Range over copies of the run with other random numbers. Empty orders: what the same notches cut where no "
@@ -70,7 +70,7 @@ def _row(one: CellResult) -> tuple[Cell, ...]:
     )
 
 
-def _drop(results: SeedResults) -> Table:
+def _drop(results: ReportResults) -> Table:
     drop = results.drop
     row = (*words("output shaft, first line"), number(f"{MECHANICAL_DROP:g}"), *words("held out"),
            number(f"{drop.percent:.1f}"), number(f"{drop.by_model:.1f}"), number(f"{drop.low:.4f}"),

@@ -17,10 +17,7 @@ from torquerig.study.settings import SpeedLoopRule
 
 Facts = tuple[tuple[str, str], ...]
 
-MESH = (
-    "Gear mesh lines are absent unless the scenario states a mesh with its teeth; the seed's 280 Hz family is of this "
-    "kind."
-)
+MESH = "Gear mesh lines are absent unless the scenario states a mesh with its teeth."
 CLASS = (
     "The disturbance of a motor without a data sheet is drawn from the interval of its class, so differences between "
     "two such motors are differences between draws as much as between products."

@@ -83,7 +83,7 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
         readings += pictures.reading_pictures(shown, told=told) if shown else ()
     return {
         "readings": tuple(readings),
-        "seed_filter": pictures.seed_filter(present, runs),
+        "report_filter": pictures.report_filter(present, runs),
         "effects": tables.effects_table(present),
     }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from torquerig.filters.chains.filter_chain import Chain, seed_code_chain
+from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain
 from torquerig.filters.effect import FilterEffect, chain_effect
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -111,18 +111,21 @@ def reading_pictures(shown: Filtered, *, told: str) -> Iterator[Picture]:
     )  # fmt: skip
 
 
-def seed_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] | None:
-    """Return the spectrum before and after the seed's own filter with its lines marked, and their levels."""
-    if drive.recording is None:
+def report_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] | None:
+    """Return the spectrum before and after the report's filter with its lines marked, and their levels.
+
+    None where the study does not compare this filter or the drive was not simulated.
+    """
+    if drive.recording is None or "report_filter_code" not in runs.study.settings.filters.names:
         return None
     scenario = scenario_of(drive.candidate, runs.study, seed=runs.study.settings.seed)
     kinematics = kinematics_of(scenario.rig)
-    chain = seed_code_chain(kinematics)
+    chain = report_filter_code_chain(kinematics)
     shown = Filtered(drive, chain, kinematics, drive.recording, chain.apply(drive.recording))
     effect = chain_effect(shown.before, shown.after, ratio=kinematics.ratio, lines=chain.lines)
     made = picture(
         notch_figure(shown.before, shown.after, levels=effect.levels, motor_speed=shown.motor_speed),
-        caption=f"{drive.candidate.name}: the seed's filter (Appendix A), before and after; triangles mark its "
+        caption=f"{drive.candidate.name}: spectrum before and after the filter; triangles mark its "
         f"{len(effect.levels)} notched lines",
         told="Two spectra; at each marked line the lower one falls to nothing.",
     )

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, model_validator
 
 from torquerig.catalog.reading import Catalog
-from torquerig.decide.matrix_io.seed_tables import read_tables
+from torquerig.decide.matrix_io.published_tables import read_tables
 from torquerig.decide.matrix_io.sheet import Book, Method
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, UnknownNameError, did_you_mean

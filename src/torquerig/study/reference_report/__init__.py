@@ -1,4 +1,4 @@
-"""The seed report's results beside the simulated wear rig.
+"""The reference report's results beside the simulated wear rig.
 
 published   what the report prints: Tables VIII and IX, the drop of mechanical noise; which cells a fit may see
 conditions  the rig at one occupancy and particle size, its load scaled

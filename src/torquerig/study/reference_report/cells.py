@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.effect import chain_effect
 from torquerig.filters.evaluation.placebo import Placebo, placebo
-from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.conditions import ReportRig
 from torquerig.study.reference_report.fitting import Fit, Places, place_of
 from torquerig.study.reference_report.published import Cell
 
@@ -66,7 +66,7 @@ class CellResult:
 
 
 def cell_results(
-    rig: SeedRig, chain: Chain, fit: Fit, *, cells: Sequence[Cell], places: Places,
+    rig: ReportRig, chain: Chain, fit: Fit, *, cells: Sequence[Cell], places: Places,
     progress: Callable[[int, int, str], None],
 ) -> tuple[CellResult, ...]:  # fmt: skip
     """Return every cell, simulated as a whole at the fitted load (not superposed), ``COPIES`` times."""
@@ -77,7 +77,7 @@ def cell_results(
     return tuple(made)
 
 
-def _cell(rig: SeedRig, chain: Chain, fit: Fit, cell: Cell, places: Places) -> CellResult:
+def _cell(rig: ReportRig, chain: Chain, fit: Fit, cell: Cell, places: Places) -> CellResult:
     occupancy, size = place = place_of(cell, occupancy=fit.occupancy, size=rig.size)
     scale, parts, ratio = fit.scale_at(size), places[place], rig.kinematics.ratio
     readings = [rig.reading(occupancy, size, scale=scale, copy=copy) for copy in range(COPIES)]

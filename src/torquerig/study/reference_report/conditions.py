@@ -22,7 +22,7 @@ DURATION, SETTLING = 10.0, 0.8  # [s]
 
 
 @dataclass(frozen=True)
-class SeedRig:
+class ReportRig:
     """The scenario that is set beside the report.
 
     Parameters
@@ -48,13 +48,13 @@ class SeedRig:
         found = self.scenario.rig.parts_of(ParticleLoad)
         if len(found) != 1:
             raise InputError(
-                f"{self.document.path}: the seed's tables need a rig with one particle_load, and this has {len(found)}"
+                f"{self.document.path}: the report's tables need a rig with one particle_load, not {len(found)}"
             )
         return found[0]
 
     @property
     def kinematics(self) -> Kinematics:
-        """Poles, slots and ratio that the seed's notches follow from."""
+        """Poles, slots and ratio that the reference report's notches follow from."""
         return kinematics_of(self.scenario.rig)
 
     def at(self, occupancy: float, size: float, *, scale: float = 1.0) -> Rig:

@@ -11,7 +11,7 @@ from torquerig.orders.analysis.even_angle import output_turns
 from torquerig.orders.analysis.order_spectrum import line_amplitude
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.recordings.recording import Recording
-from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.conditions import ReportRig
 
 LOW, HIGH = 5.0, 21.0
 """[%] taken for the report's low and high load, which it does not state."""
@@ -45,7 +45,7 @@ class MechanicalDrop:
         return 100 * (1 - self.high / self.low)
 
 
-def mechanical_drop(rig: SeedRig, low: Recording, high: Recording, *, published: float) -> MechanicalDrop:
+def mechanical_drop(rig: ReportRig, low: Recording, high: Recording, *, published: float) -> MechanicalDrop:
     """Return the drop of the shaft's first line between two readings, at ``LOW`` and ``HIGH``."""
     relief = max((part.relief_per_percent for part in rig.scenario.rig.parts_of(TorqueRipple)), default=0.0)
     first, last = 1 + relief * LOW, 1 + relief * HIGH
@@ -61,7 +61,7 @@ def mechanical_drop(rig: SeedRig, low: Recording, high: Recording, *, published:
     )
 
 
-def _amplitude(rig: SeedRig, reading: Recording, order: float) -> float:
+def _amplitude(rig: ReportRig, reading: Recording, order: float) -> float:
     ratio = rig.kinematics.ratio
     angle = best_motor_angle(reading, rig.kinematics.lines(4), ratio=ratio)
     return line_amplitude(reading.torque(), output_turns(angle.values, ratio=ratio), order)

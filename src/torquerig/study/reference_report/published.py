@@ -1,4 +1,4 @@
-"""What the seed report prints of its filter, and which of these cells a fit may see."""
+"""What the reference report prints of its filter, and which of these cells a fit may see."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Table = Literal["VIII", "IX"]
 
 @dataclass(frozen=True)
 class Cell:
-    """A published reduction of the standard deviation by the seed's filter.
+    """A published reduction of the standard deviation by the reference report's filter.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class Cell:
         return f"{self.occupancy:g} %" if self.table == "VIII" else f"{1e3 * (self.size or 0):g} mm"
 
 
-# seed section 4.3.1; every other cell of each table is fitted, beginning with the first: chosen before any fit
+# report, section 4.3.1; every other cell of each table is fitted, beginning with the first: chosen before any fit
 CELLS: tuple[Cell, ...] = (
     Cell("VIII", 5.0, None, 68.0, True),
     Cell("VIII", 11.0, None, 20.0, False),

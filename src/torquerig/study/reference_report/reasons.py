@@ -10,18 +10,18 @@ import numpy as np
 from torquerig.study.reference_report.cells import CellResult
 from torquerig.study.reference_report.mechanical import HIGH, LOW, MechanicalDrop
 from torquerig.study.reference_report.published import MECHANICAL_DROP
-from torquerig.study.reference_report.results import SeedResults
+from torquerig.study.reference_report.results import ReportResults
 
 _ALIKE = 1.25  # [1] largest over smallest of shares that count as one
 _NEAR = 3.0  # percentage points that count as agreement where the copies of a run lie nearer
 
 
-def fit_sentences(results: SeedResults) -> tuple[str, ...]:
+def fit_sentences(results: ReportResults) -> tuple[str, ...]:
     """Return what was fitted, to what, and how well the fitted and the held-out cells come out."""
     return _free(results), _held_out(results)
 
 
-def _free(results: SeedResults) -> str:
+def _free(results: ReportResults) -> str:
     fit, load = results.fit, results.rig.load
     hits, slow = load.hit_rms * fit.scale, load.slow_rms * fit.scale
     others = "; ".join(f"{occupancy:g} %: {misfit:.1f}" for occupancy, (_, _, misfit) in fit.by_occupancy.items())
@@ -33,7 +33,7 @@ def _free(results: SeedResults) -> str:
     )
 
 
-def _held_out(results: SeedResults) -> str:
+def _held_out(results: ReportResults) -> str:
     seen, held = ([one for one in results.cells if one.cell.fitted is wanted] for wanted in (True, False))
     guess = float(np.mean([one.cell.cut for one in seen]))
     own, other = (_rms([one.difference for one in some]) for some in (seen, held))
@@ -65,7 +65,7 @@ def cell_sentence(one: CellResult) -> str:
     )
 
 
-def table_sentences(results: SeedResults) -> tuple[str, ...]:
+def table_sentences(results: ReportResults) -> tuple[str, ...]:
     """Return what the tables as a whole say against the model, and against each other."""
     eight = [one for one in results.cells if one.cell.table == "VIII"]
     nine = [one for one in results.cells if one.cell.table == "IX"]
@@ -114,7 +114,7 @@ def _shape(eight: Sequence[CellResult]) -> str:
     )
 
 
-def _same_run(eight: Sequence[CellResult], nine: Sequence[CellResult], results: SeedResults) -> tuple[str, ...]:
+def _same_run(eight: Sequence[CellResult], nine: Sequence[CellResult], results: ReportResults) -> tuple[str, ...]:
     pairs = [
         (first, last) for first in eight for last in nine
         if first.occupancy == last.occupancy and abs(first.size - last.size) < 1e-9

@@ -1,4 +1,4 @@
-"""The seed's results beside the simulated rig: fit, cells, mechanical noise, and the readings behind the figures."""
+"""The reference report's results and the simulated rig: fit, cells, mechanical noise, readings of the figures."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.errors import InputError
-from torquerig.filters.chains.filter_chain import Chain, seed_code_chain
+from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain
 from torquerig.recordings.recording import Recording
 from torquerig.study.reference_report.cells import CellResult, cell_results
-from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.conditions import ReportRig
 from torquerig.study.reference_report.fitting import Fit, fitted
 from torquerig.study.reference_report.mechanical import HIGH, LOW, MechanicalDrop, mechanical_drop
 from torquerig.study.reference_report.published import CELLS, MECHANICAL_DROP, OCCUPANCIES
@@ -21,14 +21,14 @@ Progress = Callable[[int, int, str], None]
 
 
 @dataclass(frozen=True, kw_only=True)
-class SeedResults:
+class ReportResults:
     """What the page shows.
 
     Parameters
     ----------
-    rig : SeedRig
+    rig : ReportRig
     chain : Chain
-        The seed's filter as its code runs.
+        The reference report's filter as its code runs.
     fit : Fit
     cells : tuple of CellResult
         In the order of the report.
@@ -39,7 +39,7 @@ class SeedResults:
         Readings at the smallest and the largest size, at the occupancy fitted for Table IX.
     """
 
-    rig: SeedRig
+    rig: ReportRig
     chain: Chain
     fit: Fit
     cells: tuple[CellResult, ...]
@@ -50,17 +50,17 @@ class SeedResults:
     large: Recording
 
 
-def seed_results(document: Document, catalog: Catalog, *, seed: int, progress: Progress) -> SeedResults:
-    """Return the seed's results beside the rig of a scenario; the same seed gives the same figures.
+def reference_results(document: Document, catalog: Catalog, *, seed: int, progress: Progress) -> ReportResults:
+    """Return the reference report's results beside the rig of a scenario; the same seed gives the same figures.
 
     Raises
     ------
     InputError
         For a rig without one particle load, a run that is not steady, or a motor whose poles or slots are unknown.
     """
-    rig = SeedRig(document, catalog, seed)
+    rig = ReportRig(document, catalog, seed)
     _check(rig)
-    chain = seed_code_chain(rig.kinematics)
+    chain = report_filter_code_chain(rig.kinematics)
     sizes = sorted({cell.size for cell in CELLS if cell.size is not None} | {rig.size})
     wanted = tuple((occupancy, size) for occupancy in OCCUPANCIES for size in sizes)
     places = everywhere(rig, chain, wanted, progress=progress)
@@ -69,7 +69,7 @@ def seed_results(document: Document, catalog: Catalog, *, seed: int, progress: P
     scale = fit.scale_at(rig.size)
     low, high = (rig.reading(one, rig.size, scale=scale) for one in (LOW, HIGH))
     ends = (rig.reading(fit.occupancy, size, scale=fit.scale_at(size)) for size in (sizes[0], sizes[-1]))
-    return SeedResults(
+    return ReportResults(
         rig=rig,
         chain=chain,
         fit=fit,
@@ -82,10 +82,10 @@ def seed_results(document: Document, catalog: Catalog, *, seed: int, progress: P
     )
 
 
-def _check(rig: SeedRig) -> None:
+def _check(rig: ReportRig) -> None:
     path, run = rig.document.path, rig.scenario.rig.run
     if run.profile != "steady" or not run.speed:
-        raise InputError(f"{path}: the seed's results are of steady runs; write profile: steady and a speed")
+        raise InputError(f"{path}: the report's results are of steady runs; write profile: steady and a speed")
     _ = rig.load
     if rig.kinematics.pole_pairs is None or rig.kinematics.slots is None:
-        raise InputError(f"{path}: poles or slots of the motor are unknown, and the seed's notches follow from them")
+        raise InputError(f"{path}: the report's notches need the motor's poles and slots, and they are unknown")

@@ -1,4 +1,4 @@
-"""A reading as lines plus a load that can be scaled: what the seed's filter cuts of it, in closed form."""
+"""A reading as lines plus a load that can be scaled: what the reference report's filter cuts of it, in closed form."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.filters.chains.filter_chain import Chain
-from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.conditions import ReportRig
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -66,7 +66,7 @@ class Superposed:
         return float(self.cut(scale))
 
 
-def superposed(rig: SeedRig, chain: Chain, occupancy: float, *, size: float) -> Superposed:
+def superposed(rig: ReportRig, chain: Chain, occupancy: float, *, size: float) -> Superposed:
     """Return the covariances at an occupancy [%] and a size [m], from one run with and one without fluctuation.
 
     Both runs have the same random numbers, so that their difference is the load's share of the reading. This adds up
@@ -83,7 +83,7 @@ def superposed(rig: SeedRig, chain: Chain, occupancy: float, *, size: float) -> 
 
 
 def everywhere(
-    rig: SeedRig, chain: Chain, places: tuple[tuple[float, float], ...], *, progress: Callable[[int, int, str], None]
+    rig: ReportRig, chain: Chain, places: tuple[tuple[float, float], ...], *, progress: Callable[[int, int, str], None]
 ) -> dict[tuple[float, float], Superposed]:
     """Return the covariances at each (occupancy [%], size [m])."""
     found = {}

@@ -1,4 +1,4 @@
-"""``torquerig seed-results`` on short runs of three cells: what it prints, the page it writes, what it refuses."""
+"""``torquerig reference-results`` on short runs of three cells: what it prints, the page it writes, what it refuses."""
 
 from pathlib import Path
 
@@ -23,13 +23,13 @@ def short(monkeypatch, tmp_path):
 
 
 def test_it_prints_every_cell_and_writes_the_same_page_twice(tmp_path, capsys):
-    main(("seed-results", str(SCENARIOS / "wear_rig.yaml"), "--out", "first.html"))
+    main(("reference-results", str(SCENARIOS / "wear_rig.yaml"), "--out", "first.html"))
     told = capsys.readouterr().out
     assert "held out" in told
     assert "Free are three" in told
     assert "empty orders" in told
     assert "59 %" in told
-    main(("seed-results", str(SCENARIOS / "wear_rig.yaml"), "--out", "second.html"))
+    main(("reference-results", str(SCENARIOS / "wear_rig.yaml"), "--out", "second.html"))
     first, second = ((tmp_path / name).read_bytes() for name in ("first.html", "second.html"))
     assert first == second
     page = first.decode()
@@ -51,7 +51,7 @@ def test_it_prints_every_cell_and_writes_the_same_page_twice(tmp_path, capsys):
 def test_what_cannot_be_done_is_refused(tmp_path, capsys, arguments, said):
     (tmp_path / "there.html").write_text("mine")
     with pytest.raises(SystemExit) as left:
-        main(("seed-results", *arguments))
+        main(("reference-results", *arguments))
     assert left.value.code == 2
     assert said in capsys.readouterr().err
     assert (tmp_path / "there.html").read_text() == "mine"

@@ -1,4 +1,4 @@
-"""The seed's tables beside the rig: what is published, what is fitted, and the closed forms behind it."""
+"""The reference report's tables beside the rig: what is published, what is fitted, and the closed forms behind it."""
 
 import re
 from math import pi
@@ -9,15 +9,15 @@ import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.document import read_document
-from torquerig.filters.chains.filter_chain import seed_code_chain
+from torquerig.filters.chains.filter_chain import report_filter_code_chain
 from torquerig.filters.effect import chain_effect
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.study.reference_report.bulk import half_power_frequency
-from torquerig.study.reference_report.conditions import SeedRig
+from torquerig.study.reference_report.conditions import ReportRig
 from torquerig.study.reference_report.fitting import fitted, place_of
 from torquerig.study.reference_report.published import CELLS, MECHANICAL_DROP, OCCUPANCIES, Cell
-from torquerig.study.reference_report.steps import seed_steps
+from torquerig.study.reference_report.steps import report_filter_steps
 from torquerig.study.reference_report.superposed import Superposed, superposed
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -27,7 +27,7 @@ REPORT = ROOT.parent / "shared" / "seed"
 @pytest.fixture(scope="module")
 def rig():
     document = read_document(ROOT / "scenarios" / "wear_rig.yaml")
-    return SeedRig(document, load_catalog(ROOT / "catalogs"), 1)
+    return ReportRig(document, load_catalog(ROOT / "catalogs"), 1)
 
 
 def made(lines, load, *, left=0.0, taken=0.0):
@@ -40,7 +40,7 @@ def test_half_of_the_cells_are_fitted_and_the_others_are_not():
     assert len(CELLS) == 9  # with the drop of mechanical noise, held out, ten figures: five and five
 
 
-@pytest.mark.skipif(not REPORT.is_dir(), reason="the seed report is not beside this checkout")
+@pytest.mark.skipif(not REPORT.is_dir(), reason="the reference report is not beside this checkout")
 def test_the_cells_are_those_that_the_report_prints():
     text = "\n".join(path.read_text(encoding="utf-8") for path in REPORT.glob("*.txt"))
     for cell in CELLS:
@@ -92,7 +92,7 @@ def test_the_held_out_cells_do_not_move_the_fit():
 
 
 def test_what_is_superposed_is_what_is_simulated(rig):
-    chain = seed_code_chain(rig.kinematics)
+    chain = report_filter_code_chain(rig.kinematics)
     parts = superposed(rig, chain, 11.0, size=0.5e-3)
     reading = rig.reading(11.0, 0.5e-3, scale=0.3)
     effect = chain_effect(reading, chain.apply(reading), ratio=rig.kinematics.ratio)
@@ -102,9 +102,9 @@ def test_what_is_superposed_is_what_is_simulated(rig):
 
 def test_the_last_step_is_the_whole_filter():
     drive = Kinematics(pole_pairs=7, slots=12, ratio=5.0)
-    steps = seed_steps(drive)
+    steps = report_filter_steps(drive)
     assert [len(chain.lines) for chain in steps] == [8, 16, 20]
-    assert set(steps[-1].lines) == set(seed_code_chain(drive).lines)
+    assert set(steps[-1].lines) == set(report_filter_code_chain(drive).lines)
 
 
 def test_half_of_the_power_lies_below_the_stronger_line():

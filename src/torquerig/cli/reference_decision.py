@@ -1,4 +1,4 @@
-"""``torquerig seed-decision``: a published decision made again, cell by cell beside the published tables."""
+"""``torquerig reference-decision``: a published decision made again, cell by cell beside the published tables."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 ENDINGS = (".html", ".md")
 
 
-@click.command("seed-decision")
+@click.command("reference-decision")
 @click.argument("plan", type=click.Path(path_type=Path), required=False)
 @click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
               help="Write the page as .html or .md, by the ending; may be given several times.")  # fmt: skip
@@ -35,7 +35,7 @@ def command(
 ) -> None:  # fmt: skip
     """Compute the published tables of PLAN from catalog and simulation, and say which motor to buy or keep.
 
-    PLAN says how each published criterion is computed; default: the shipped scenarios/seed_decision.yaml.
+    PLAN says how each published criterion is computed; default: the shipped scenarios/reference_decision.yaml.
     """
     from torquerig.catalog.shipped import shipped_scenarios
     from torquerig.cli.progress import drive_progress
@@ -44,7 +44,7 @@ def command(
 
     for path in outs:
         _check_target(path, force=force)
-    path = plan or shipped_scenarios() / "seed_decision.yaml"
+    path = plan or shipped_scenarios() / "reference_decision.yaml"
     made = read_plan(read_document(path), catalog_for(path, catalogs), draws=draws)
     with drive_progress("study") as progress:
         decision = redone(made, progress=progress, workers=workers)

@@ -1,4 +1,4 @@
-"""``torquerig seed-results``: the seed report's tables and figures beside the simulated rig."""
+"""``torquerig reference-results``: the reference report's tables and figures beside the simulated rig."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.whole_file import whole_file
 
 
-@click.command("seed-results")
+@click.command("reference-results")
 @click.argument("scenario", type=click.Path(path_type=Path), required=False)
-@click.option("--out", type=click.Path(path_type=Path), default=Path("seed_results.html"), show_default=True,
+@click.option("--out", type=click.Path(path_type=Path), default=Path("reference_results.html"), show_default=True,
               help="Page to write.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes every random number.")
 @click.option("--force", is_flag=True, help="Overwrite an earlier page of that name.")
@@ -26,7 +26,7 @@ from torquerig.whole_file import whole_file
 def command(
     *, scenario: Path | None, out: Path, seed: int, force: bool, settings: tuple[str, ...], catalogs: tuple[Path, ...]
 ) -> None:
-    """Set SCENARIO (default: the shipped wear rig) beside the seed report's Tables VIII and IX and its figures.
+    """Set SCENARIO (default: the shipped wear rig) beside the reference report's Tables VIII and IX and its figures.
 
     Three free parameters of the load are fitted to half of the published cells; the other half is printed whatever
     comes out, and where the simulated figure differs, what would be needed for the published one.
@@ -36,12 +36,12 @@ def command(
     if not out.resolve().parent.is_dir():
         raise InputError(f"{out}: there is no folder {out.parent}; make it first")
     path = scenario or shipped_scenarios() / "wear_rig.yaml"
-    from torquerig.reporting.reference_report.results_page import seed_page
+    from torquerig.reporting.reference_report.results_page import reference_results_page
     from torquerig.study.reference_report.reasons import fit_sentences, mechanical_sentences, table_sentences
-    from torquerig.study.reference_report.results import SeedResults, seed_results
+    from torquerig.study.reference_report.results import ReportResults, reference_results
 
-    with drive_progress("seed results") as progress:
-        results: SeedResults = seed_results(
+    with drive_progress("reference results") as progress:
+        results: ReportResults = reference_results(
             edited(path, settings), catalog_for(path, catalogs), seed=seed, progress=progress
         )
     head = ["table", "row", "published %", "", "simulated %", "copies %", "difference", "nothing fitted %"]
@@ -54,5 +54,5 @@ def command(
     for sentence in (*fit_sentences(results), *table_sentences(results), *mechanical_sentences(results.drop)):
         click.echo(wrapped(sentence))
     with whole_file(out) as partial:
-        partial.write_text(seed_page(results), encoding="utf-8", newline="\n")
+        partial.write_text(reference_results_page(results), encoding="utf-8", newline="\n")
     click.echo(f"wrote {out}")

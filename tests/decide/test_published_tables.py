@@ -7,6 +7,7 @@ import pytest
 from torquerig.decide.eliminate import Decision
 from torquerig.decide.fillings import fillings
 from torquerig.decide.kesselring import TEACHING, Profile
+from torquerig.decide.matrix_io.published_tables import read_tables, tables_from
 from torquerig.decide.matrix_io.recompute import (
     recomputed_chart,
     recomputed_kesselring,
@@ -14,13 +15,12 @@ from torquerig.decide.matrix_io.recompute import (
     technical_shares,
     undeciding_rows,
 )
-from torquerig.decide.matrix_io.seed_tables import read_tables, tables_from
 from torquerig.decide.ranks import competition_ranks, dense_ranks
 from torquerig.document import parse_document
 from torquerig.errors import InputError
 
-FILE = Path(__file__).resolve().parents[2] / "scenarios" / "seed_tables.yaml"
-SEED = Path(__file__).resolve().parents[3] / "shared" / "seed"
+FILE = Path(__file__).resolve().parents[2] / "scenarios" / "reference_tables.yaml"
+REPORT = Path(__file__).resolve().parents[3] / "shared" / "seed"
 CUT = "Table VI, cut at the right"
 
 
@@ -113,7 +113,7 @@ def test_a_sum_out_of_reach_has_no_filling():
 
 
 def test_the_cells_are_those_of_the_published_text(book):
-    texts = sorted(SEED.glob("*.txt")) if SEED.is_dir() else []
+    texts = sorted(REPORT.glob("*.txt")) if REPORT.is_dir() else []
     if not texts:
         pytest.skip("the published text is not beside this checkout")
     lines = [line.split("\t") for line in texts[0].read_text(encoding="utf-8").splitlines()]
