@@ -22,8 +22,9 @@ from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
+from torquerig.scenario.model import Scenario
 from torquerig.scenario.overrides import overridden
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 OCCUPANCIES = (5, 11, 15, 21)

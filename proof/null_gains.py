@@ -12,7 +12,7 @@ from torquerig.diagnosis.choosing.search import trials
 from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.engine import diagnose
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @dataclass(frozen=True, kw_only=True)

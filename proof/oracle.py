@@ -16,7 +16,7 @@ from torquerig.diagnosis.judging.untold_runs import of_untold_loads
 from torquerig.diagnosis.outcome import Diagnosis, Finding
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def oracle(scenario: Scenario, recordings: Sequence[Recording], *, true: Collection[str], seed: int = 0) -> Diagnosis:

@@ -12,7 +12,8 @@ from torquerig.catalog.reading import Catalog
 from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
 from torquerig.document import parse_document
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 
 Floats = NDArray[np.float64]
 Extra = Callable[[Floats, Floats, Floats], Floats]

@@ -18,7 +18,8 @@ from torquerig.diagnosis.outcome import as_json
 from torquerig.document import read_document
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.whole_file import whole_file
 
 SCENARIO = "wear_rig.yaml"

@@ -17,7 +17,8 @@ from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.moved import Moved, low_passed
 from torquerig.diagnosis.motion.tried import Tried
 from torquerig.document import read_document
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 
 RIGS = ("emps", "laas", "brfd")
 

@@ -18,7 +18,8 @@ from torquerig.document import read_document
 from torquerig.mechanisms import Quantization
 from torquerig.recordings.files import write_recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 WEAR_RIG = str(shipped_scenarios() / "wear_rig.yaml")

@@ -20,7 +20,8 @@ from torquerig.mechanisms import TorqueRipple
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 RATE = 5000.0  # [Hz] a fifth of the real rig's, so that a run costs a fifth

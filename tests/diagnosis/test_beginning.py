@@ -14,7 +14,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]
 

@@ -15,7 +15,7 @@ from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.diagnosis.seams import seams
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 10_000.0  # [Hz]
 STARTS = (21_000, 47_000)  # first samples of buffers that are written again

@@ -15,7 +15,7 @@ from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 ANGLE = 40.0 * np.arange(20000) / 5000.0
 NOISE = 1e-3 * np.random.default_rng(1).standard_normal(ANGLE.size)

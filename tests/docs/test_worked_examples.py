@@ -14,7 +14,8 @@ from torquerig.catalog.reading import load_catalog, read_entry
 from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion, under_measured_motion
 from torquerig.document import read_document
 from torquerig.recordings.files import read_recording
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import lower
 from torquerig.simulation.simulator import simulate

@@ -26,7 +26,8 @@ from torquerig.reporting.diagnosis.page import diagnosis_page
 from torquerig.reporting.diagnosis.parameter_tables import fitted_parameters_table, unit_of
 from torquerig.reporting.diagnosis.pictures import mismatch_picture
 from torquerig.reporting.diagnosis.residual_figure import has_residuals
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 RATE = 5000.0

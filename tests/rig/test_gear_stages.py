@@ -20,7 +20,8 @@ from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Body, Gear, Motor, SpeedController
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 CATALOG = load_catalog(shipped_folder())

@@ -17,8 +17,9 @@ from torquerig.rig.parts import Motor
 from torquerig.rig.steady import steady_torque
 from torquerig.scenario.demand_check import check_demand, demand_faults
 from torquerig.scenario.drive_demand import drive_demand
+from torquerig.scenario.model import Scenario
 from torquerig.scenario.overrides import overridden
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.reading import read_scenario
 
 # ruff: noqa: E501 (a table: one case in a row)
 RPM = pi / 30

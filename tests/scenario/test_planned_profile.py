@@ -12,8 +12,9 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import parse_document, read_document
 from torquerig.errors import InputError
+from torquerig.scenario.model import Scenario
 from torquerig.scenario.overrides import overridden
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 # ruff: noqa: E501 (a table: one case in a row)

@@ -13,7 +13,8 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 
 REFERENCE = Path(__file__).resolve().parents[2] / ".." / "shared" / "reference-rig.yaml"
 pytestmark = pytest.mark.skipif(not REFERENCE.exists(), reason="shared/reference-rig.yaml is not beside this checkout")

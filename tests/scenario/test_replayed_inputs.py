@@ -14,7 +14,8 @@ from torquerig.errors import InputError
 from torquerig.recordings.files import write_recording
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import lower
 from torquerig.simulation.simulator import simulate

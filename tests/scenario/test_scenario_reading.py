@@ -11,7 +11,8 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import parse_document, read_document
 from torquerig.errors import InputError, TorquerigError
 from torquerig.rig.parts import Gear
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 
 TEXT = """\
 scenario: bench

@@ -26,7 +26,8 @@ from torquerig.mechanisms import (
 )
 from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
 
 RIGS = [

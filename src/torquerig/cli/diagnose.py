@@ -18,7 +18,6 @@ from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import sidecar_path
 from torquerig.scenario.reading import read_scenario
-from torquerig.scenario.readings import other_readings
 from torquerig.scenario.writing import scenario_text, write_scenario
 from torquerig.whole_file import whole_file
 
@@ -65,8 +64,8 @@ def command(
     Exit code 0 means that a diagnosis was reached, whatever the verdict. Exit code 2 means a usage or input error.
     """
     from torquerig.cli.progress import stages
-    from torquerig.diagnosis.engine import diagnose
-    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
+    from torquerig.diagnosis.any_rig import diagnosed
+    from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
     from torquerig.diagnosis.outcome import SCHEMA, as_json
     from torquerig.diagnosis.side_by_side import side_by_side
 
@@ -78,16 +77,10 @@ def command(
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
     written = [(target, _MARK), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
     check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
-    document, catalog = edited(scenario, settings), catalog_for(scenario, catalogs)
-    made = read_scenario(document, catalog, seed=seed)
+    made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
-    outcome: Outcome | MotionOutcome
     with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):
-        if under_measured_motion(made.rig):
-            outcome = diagnose_motion(made, read, seed=seed, progress=progress)
-        else:
-            others = other_readings(document, catalog, seed=seed)
-            outcome = diagnose(made, read, others=others, seed=seed, progress=progress)
+        outcome = diagnosed(made, read, seed=seed, progress=progress)
     data = outcome.as_json() if isinstance(outcome, MotionOutcome) else as_json(outcome.diagnosis)
     if outcome.completes:
         text = scenario_text(

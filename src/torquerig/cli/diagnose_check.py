@@ -14,7 +14,7 @@ from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 _HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]
 

@@ -28,7 +28,7 @@ from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
 if TYPE_CHECKING:
-    from torquerig.reporting.figures.order_figure import OrderPicture
+    pass
 
 _ENDS = (1, 99)  # per cent of the samples between whose speeds the range is told
 
@@ -72,10 +72,10 @@ def command(
     for sentence in _sentences(found, kinematics):
         click.echo(wrapped(sentence))
     if picture is not None:
-        from torquerig.reporting.figures.order_figure import order_figure
+        from torquerig.reporting.figures.order_figure import order_figure, order_picture
         from torquerig.reporting.figures.picture import write_picture
 
-        shown = _shown(read, turns, lines=lines, found=found, ratio=kinematics.ratio, modes=modes)
+        shown = order_picture(read, turns, lines=lines, found=found, ratio=kinematics.ratio, modes=modes)
         write_picture(order_figure(shown, title=f"{read.name}: orders of the torque"), picture, overwrite=force)
         click.echo(f"wrote {picture}")
 
@@ -157,29 +157,6 @@ def _sentences(found: Sequence[FoundLine], kinematics: Kinematics) -> list[str]:
         told.insert(0, f"{len(undecided)} lines gather alike on both axes (within {DECIDED:g} dB): the speed changes "
                        "too little to tell the shaft from a fixed frequency; record a ramp.")  # fmt: skip
     return told
-
-
-def _shown(
-    read: Recording, turns: np.ndarray, *, lines: Sequence[KinematicLine], found: Sequence[FoundLine], ratio: float,
-    modes: dict[str, float],
-) -> OrderPicture:  # fmt: skip
-    from torquerig.orders.analysis.maps import order_map, speed_map
-    from torquerig.reporting.figures.order_figure import OrderPicture
-
-    even, rate = over_angle(read, turns), read.sample_rate
-    fastest = float(np.percentile(np.diff(turns), 99.9)) * rate
-    orders = [one.place if one.seen_over == "order" else one.place / fastest for one in found]
-    wanted = 1.3 * max([*orders, *(line.output_order for line in lines if line.harmonic == 1)])
-    highest = min(wanted, 0.4 * rate / fastest)
-    return OrderPicture(
-        spectrum=order_spectrum(even, highest=highest),
-        order_map=order_map(even, turns, rate, highest=highest),
-        speed_map=speed_map(read.torque(), turns, rate, highest=0.4 * rate),
-        found=tuple(found),
-        ratio=ratio,
-        fastest=fastest,
-        modes=modes,
-    )
 
 
 def _hertz(text: str) -> float:

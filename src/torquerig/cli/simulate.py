@@ -13,7 +13,7 @@ from torquerig.errors import UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, write_recording
 from torquerig.scenario.demand_check import check_demand
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
 from torquerig.study.one_drive import scenario_or_candidate

@@ -30,7 +30,7 @@ from torquerig.diagnosis.sheet_ratio import at_ratio_of, off_ratios
 from torquerig.diagnosis.side_by_side import of_each
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Progress = Callable[[str], None]
 

@@ -18,7 +18,7 @@ from torquerig.diagnosis.outcome import Diagnosis, Finding, Mismatch, UsedRecord
 from torquerig.diagnosis.sample_findings import SampleFindings
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Progress = Callable[[str], None]
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import fields, replace
 
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 _KEPT = ("kind", "group")
 

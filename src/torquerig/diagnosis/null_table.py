@@ -13,7 +13,7 @@ import numpy as np
 
 from torquerig.document import read_document
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 SHIPPED = Path(__file__).with_name("null_tables.yaml")
 

@@ -28,7 +28,7 @@ from torquerig.diagnosis.side_by_side import of_each
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 _STEADY = 2  # runs by which a line of an order is told from one of a fixed frequency
 

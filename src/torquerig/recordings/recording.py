@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -15,6 +16,7 @@ from torquerig.recordings.run import Run
 
 if TYPE_CHECKING:
     import pandas as pd
+    from matplotlib.figure import Figure
 
 QUANTITIES = (
     "torque",
@@ -150,6 +152,43 @@ class Recording:
 
         columns = {name: channel.values for name, channel in self.channels.items()}
         return pd.DataFrame(columns, index=pd.Index(self.time(), name="time_s"))
+
+    def summary(self) -> str:
+        """Return length, rate and channels in one sentence."""
+        names = ", ".join(f"{name} [{channel.unit}]" for name, channel in self.channels.items())
+        return f"{self.name}: {self.duration:g} s at {self.sample_rate:g} Hz, {len(self.channels)} channels: {names}"
+
+    def levels(self) -> pd.DataFrame:
+        """Return one row per channel: quantity, unit, mean, standard deviation, minimum and maximum in its unit."""
+        import pandas as pd
+
+        rows = {
+            name: {
+                "quantity": channel.quantity, "unit": channel.unit, "mean": channel.values.mean(),
+                "std": channel.values.std(), "min": channel.values.min(), "max": channel.values.max(),
+                "truth": channel.truth,
+            }
+            for name, channel in self.channels.items()
+        }  # fmt: skip
+        return pd.DataFrame.from_dict(rows, orient="index").rename_axis("channel")
+
+    def to_json(self) -> str:
+        """Return rate, length and the levels of the channels as JSON; ``torquerig.write`` writes the samples."""
+        levels = {name: dict(row) for name, row in self.levels().iterrows()}
+        data = {"recording": self.name, "sample_rate_Hz": self.sample_rate, "samples": self.samples, "channels": levels}
+        return json.dumps(data, indent=2, ensure_ascii=False, default=float) + "\n"
+
+    def plot(self) -> Figure:
+        """Return the channels over time, with the spectrum and the levels of the torque."""
+        from torquerig.reporting.figures.recording_figure import recording_figure
+
+        return recording_figure(self)
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        from torquerig.reporting.notebook import notebook_html
+
+        return notebook_html(self.summary(), self.levels())
 
     def random(self, purpose: str) -> np.random.Generator:
         """Return the random generator of one purpose: fixed by the recording's seed and the name of the purpose."""

@@ -13,7 +13,7 @@ from torquerig.recordings.profiles.gaps import refuse_short
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
 from torquerig.scenario.drive_demand import DriveDemand, drive_demand
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RPM = 30 / pi
 

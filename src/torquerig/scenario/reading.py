@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import replace
 from math import isfinite
 from typing import Any, get_args, get_type_hints
 
@@ -20,6 +20,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
+from torquerig.scenario.model import Scenario
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
 from torquerig.scenario.phase_level import asks_for_phase_level, with_phase_level
@@ -33,36 +34,6 @@ KINDS: dict[str, type[Part]] = {
 SECTIONS = ("scenario", "operating_point", "measured", "rig", "study")
 
 
-@dataclass(frozen=True)
-class Scenario:
-    """A scenario file that has been read.
-
-    Parameters
-    ----------
-    rig : Rig
-        At the operating point, with nominal values, and drawn ones where the catalog has only an interval.
-    uncertainties : mapping of str to Estimate
-        By ``part.field``: what a calibration may move.
-    assumed : mapping of str to str
-        By ``part.field``: what was drawn, and from which interval.
-    taken : mapping of str to FromCatalog
-        By ``part.field``: what the catalog gave.
-    """
-
-    document: Document
-    title: str
-    operating_point: OperatingPoint
-    rig: Rig
-    uncertainties: Mapping[str, Estimate] = field(default_factory=dict)
-    assumed: Mapping[str, str] = field(default_factory=dict)
-    taken: Mapping[str, FromCatalog] = field(default_factory=dict)
-
-    def choices(self) -> dict[str, float]:
-        """Return the counts that were drawn of a few which the catalog names, such as pole pairs, by ``part.field``."""
-        several = {name: one for name, one in self.taken.items() if len(one.known.choices) > 1}
-        return {name: one.used for name, one in several.items() if all(of == int(of) for of in one.known.choices)}
-
-
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
     """Return the scenario of a document; ``seed`` fixes what is drawn where the catalog has only an interval.
 
@@ -72,7 +43,7 @@ def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenari
         With file, line, key and remedy, for everything that cannot be used.
     """
     try:
-        return _read(document, catalog, seed)
+        return replace(_read(document, catalog, seed), catalog=catalog, seed=seed)
     except TorquerigError as error:
         raise naming_edits(document, error) from None
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 
 _DRAWS = 24  # of four equally likely rigs, all but one in a thousand are met
 _MOST = 8  # readings: each costs a calibration

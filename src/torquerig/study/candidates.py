@@ -14,7 +14,8 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import torque_gain
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.study.definition import Study
 from torquerig.study.settings import SpeedLoopRule
 

@@ -13,7 +13,7 @@ from torquerig.filters.chains.chain_file import needs_response, read_chains
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.study.settings import Settings, read_settings
 
 

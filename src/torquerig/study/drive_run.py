@@ -18,7 +18,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.terms import Friction, Load
 from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of, torque_gain
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import SETTLING, simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import Study

@@ -10,7 +10,8 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.parts import SpeedController
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import open_study
 

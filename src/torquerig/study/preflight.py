@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from torquerig.errors import InputError
 from torquerig.scenario.demand_check import demand_faults
 from torquerig.scenario.drive_demand import drive_demand
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.study.candidates import Candidate
 from torquerig.study.criteria import criteria_of, demands_of
 from torquerig.study.definition import Study

@@ -10,7 +10,7 @@ import numpy as np
 
 from torquerig.diagnosis.advising.candidate_runs import candidate_runs
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 500.0
 

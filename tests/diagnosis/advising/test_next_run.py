@@ -20,7 +20,7 @@ from torquerig.diagnosis.outcome import Finding
 from torquerig.mechanisms import Cogging, CommutationRipple, PwmAliasing
 from torquerig.recordings.recording import Recording
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]
 ASKED = pytest.mark.skipif(

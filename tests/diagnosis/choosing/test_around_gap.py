@@ -21,7 +21,7 @@ from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.errors import SimulationError
 from torquerig.mechanisms import Backlash, QuadraticDrag
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 NARROW, WIDE = (
     Candidate(mechanism="backlash", parts=(Backlash(name="backlash", gear="gearbox", gap=gap),), knobs=())

@@ -18,7 +18,7 @@ from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.places import order
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def model(rig: Rig, *lines: float) -> Calibrated:

@@ -16,7 +16,7 @@ from torquerig.diagnosis.fitting.misfit import Misfit
 from torquerig.diagnosis.looking.features import Features
 from torquerig.mechanisms import BearingDefect
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 BANDS = np.array([50.0, 100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0])
 STRUCK = BearingDefect(

@@ -26,7 +26,7 @@ from torquerig.diagnosis.null_table import NullTable
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.mechanisms import CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def model(rig: Rig, *levels: float) -> Calibrated:

@@ -11,7 +11,7 @@ from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.misfit import Misfit
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 NONE = np.zeros(0)
 

@@ -21,7 +21,7 @@ from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.mechanisms import Backlash, Quantization
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]
 GAP = 12 / 60 * pi / 180  # [rad]

@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.choosing import gap_width
 from torquerig.diagnosis.fitting.calibration import Calibrated
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.mark.parametrize("flying", [False, True])

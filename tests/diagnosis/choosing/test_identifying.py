@@ -15,7 +15,7 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.outcome import Stated
 from torquerig.mechanisms import QuadraticDrag, StribeckFriction
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def told(scenario: Scenario, part: Part, fields: dict[str, float]) -> dict[str, Stated]:

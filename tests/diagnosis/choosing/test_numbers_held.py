@@ -17,7 +17,7 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob, turned
 from torquerig.mechanisms import QuadraticDrag
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 INERTIA, VISCOUS = Knob("wear_part", "inertia", 0.1), Knob("wear_part", "viscous", 0.2)
 DRAG = QuadraticDrag(name="quadratic_drag", coefficient=1e-3)

@@ -12,7 +12,7 @@ from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def line(at: float, axis: str = "motor_shaft") -> Mismatch:

@@ -11,7 +11,7 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.mechanisms import BearingDefect, CommutationRipple, StribeckFriction, TorsionalMode
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def fitted(wear_rig: Scenario, part: Part, knob: Knob, *, spread: float) -> Calibrated:

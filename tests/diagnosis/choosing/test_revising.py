@@ -20,7 +20,7 @@ from torquerig.diagnosis.looking.places import order
 from torquerig.mechanisms import Backlash, MainsInterference, PwmAliasing, QuadraticDrag
 from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 PARTS: dict[str, tuple[Part, str]] = {
     "quadratic_drag": (QuadraticDrag(name="quadratic_drag", coefficient=1e-3), "coefficient"),

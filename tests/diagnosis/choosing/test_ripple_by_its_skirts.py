@@ -15,7 +15,7 @@ from torquerig.diagnosis.looking.places import Place, order
 from torquerig.mechanisms import Cogging, CommutationRipple
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from torquerig.diagnosis.choosing import told_by_lines as telling
 from torquerig.diagnosis.choosing.trial import Trial
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.misfit import Misfit
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def model(scenario: Scenario, *, bands: float, lines: float) -> Calibrated:

@@ -21,7 +21,7 @@ from torquerig.mechanisms import GearMesh, TorsionalMode
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]
 

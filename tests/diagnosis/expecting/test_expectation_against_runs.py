@@ -33,7 +33,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 
 SPEED = 1000 * pi / 30

@@ -14,7 +14,7 @@ from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import order
 from torquerig.mechanisms import BearingDefect
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, RATIO, SPEED = 10_000.0, 12.0, 5.0, 100.0
 IMPACTS, RING, DAMPING, SIZE = 7.3, 900.0, 0.05, 0.3

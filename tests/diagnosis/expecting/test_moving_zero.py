@@ -14,7 +14,7 @@ from torquerig.diagnosis.expecting.simulated import expected_by_simulation, simu
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.mechanisms import SensorDrift
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, SPAN, TAU = 5000.0, 0.5, 1.3
 DRIFT = SensorDrift(name="drift", span=SPAN, time_constant=TAU)

@@ -14,7 +14,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.mechanisms import Backlash, TorqueRipple
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Gear
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 5000.0
 AT = 1.1  # [rad] of order 1 of the output shaft

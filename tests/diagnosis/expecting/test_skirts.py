@@ -11,7 +11,7 @@ from scipy.signal import welch
 from torquerig.diagnosis.expecting.skirts import _straying
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.mechanisms import TorqueRipple
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 
 RATE = 1000.0

@@ -19,7 +19,7 @@ from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
 from torquerig.mechanisms import TorqueRipple
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 
 SLOW, FAST, SPEED = 6.0, 36.0, 500 * pi / 30

@@ -9,7 +9,7 @@ import pytest
 from torquerig.diagnosis.fitting.knobs import HARDLY_ANY, nuisance_knobs, with_free_load
 from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 HITS = ("hit_rms", "hit_decay")
 SLOW = ("slow_rms", "slow_cutoff")

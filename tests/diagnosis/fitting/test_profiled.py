@@ -8,7 +8,7 @@ import pytest
 from torquerig.diagnosis.fitting import profiled
 from torquerig.diagnosis.fitting.calibration import LIMIT, Calibrated
 from torquerig.diagnosis.fitting.misfit import Misfit
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RNG = np.random.default_rng(5)
 SLOPES = RNG.standard_normal((30, 3))

@@ -13,7 +13,7 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import blade_pass, cogging, commutation_ripple, gear_mesh
 from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import order
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from torquerig.diagnosis.hypotheses import torsional_mode
 from torquerig.mechanisms import TorsionalMode
 from torquerig.recordings.recording import Recording
 from torquerig.rig.parts import Body
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.mark.parametrize(("share", "frequency"), [(0.04, 97.8), (0.04, 140.0), (0.5, 140.0)])

@@ -12,7 +12,7 @@ from torquerig.diagnosis.hypotheses import torsional_mode
 from torquerig.mechanisms import TorsionalMode
 from torquerig.recordings.recording import Recording
 from torquerig.rig.parts import Body
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def test_it_is_found_in_the_notch_and_pays_for_no_other_place(

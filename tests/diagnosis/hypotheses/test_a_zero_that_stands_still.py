@@ -7,7 +7,7 @@ import pytest
 from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.hypotheses import is_possible
 from torquerig.mechanisms import SensorDrift
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.mark.parametrize(("constant", "possible"), [(0.01, False), (0.5, True), (None, True)])

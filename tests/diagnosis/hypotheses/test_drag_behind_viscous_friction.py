@@ -13,7 +13,7 @@ from torquerig.diagnosis.hypotheses import quadratic_drag
 from torquerig.mechanisms import QuadraticDrag
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Body
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 DRAG = 1e-3  # [N m s^2/rad^2]
 SPEED = 25.0  # [rad/s] of the wear part

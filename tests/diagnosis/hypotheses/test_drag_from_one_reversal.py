@@ -10,7 +10,7 @@ import pytest
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.hypotheses import quadratic_drag
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.mark.parametrize(("course", "proposed"), [(None, 0), ((-60.0, -5.0, 30.0, 60.0), 1), ((-60.0, 60.0), 0)])

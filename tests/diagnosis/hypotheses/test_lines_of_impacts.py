@@ -15,7 +15,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.mechanisms import BearingDefect
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES, TURNS = 2000.0, 24_000, 41.9  # of the motor [1/s]
 

@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.hypotheses import gear_mesh, is_possible
 from torquerig.mechanisms import GearMesh
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from torquerig.diagnosis.looking.observed import observed
 from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.fixture(scope="module")

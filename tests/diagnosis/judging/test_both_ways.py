@@ -8,7 +8,7 @@ from torquerig.diagnosis.judging.both_ways import rings_both_ways
 from torquerig.diagnosis.judging.withdrawn import why_withdrawn
 from torquerig.diagnosis.outcome import HeldOut, Mismatch
 from torquerig.mechanisms import TorsionalMode
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 MODE = TorsionalMode(name="mode", after="wear_part", frequency=190.0, inertia=1e-4, damping_ratio=0.01)
 

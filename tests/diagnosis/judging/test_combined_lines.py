@@ -14,7 +14,7 @@ from torquerig.diagnosis.judging.combined_lines import may_be_combined
 from torquerig.diagnosis.looking.places import Place, order
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 BENT = [
     Mismatch(

@@ -17,7 +17,7 @@ from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import Place, frequency, order
 from torquerig.mechanisms import BearingDefect
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES = 2000.0, 24_000
 ANGLE = 2 * np.pi * 16.7 * np.arange(SAMPLES) / RATE

@@ -19,7 +19,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.looking.steady_tone import steady_frequency
 from torquerig.mechanisms import PwmAliasing
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, TONE = 5000.0, 12.0, 837.24
 TIME = np.arange(int(RATE * LENGTH)) / RATE

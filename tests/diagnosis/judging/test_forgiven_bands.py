@@ -20,7 +20,7 @@ from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.mechanisms import BearingDefect
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RING = 800.0
 BEARING = BearingDefect(name="bearing_defect", order_output=4.6, ring_frequency=RING, damping=0.02, amplitude=0.8)

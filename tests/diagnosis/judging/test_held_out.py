@@ -16,7 +16,7 @@ from torquerig.diagnosis.looking.features import Features
 from torquerig.errors import SimulationError
 from torquerig.mechanisms import ParticleLoad
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def loaded(rig: Rig, *, by: float = 1.0, chance: float = 1.0) -> Rig:

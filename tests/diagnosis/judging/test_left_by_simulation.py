@@ -29,7 +29,7 @@ from torquerig.mechanisms import Backlash, BearingDefect, Cogging, QuadraticDrag
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 # its own ripple turns the motor by 56 * 0.6 N m / (J omega^2) of a radian, enough for a line at twice the order
 STRONG = Cogging(name="cogging", slots=12, pole_pairs=7, further={56: 0.6})

@@ -20,7 +20,7 @@ from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import order
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, ORDER = 5000.0, 12.0, 60.4
 TIME = np.arange(int(RATE * LENGTH)) / RATE

@@ -14,7 +14,7 @@ from torquerig.diagnosis.fitting.calibration import LIMIT
 from torquerig.diagnosis.fitting.knobs import HARDLY_ANY, Knob, turned
 from torquerig.diagnosis.judging.numbers_far_off import number_far_off
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 INERTIA = Knob("wear_part", "inertia", 0.1)
 LEVEL = Knob("load", "mean_by_occupancy_percent", 0.05, key=21.0)

@@ -14,7 +14,7 @@ from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, SPEED = 2000.0, 12.0, 2 * np.pi * 25.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

@@ -17,7 +17,7 @@ from torquerig.diagnosis.looking.observed import Stretch
 from torquerig.diagnosis.opening import followed, opened
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 COUNT = 15
 

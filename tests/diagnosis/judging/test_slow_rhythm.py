@@ -16,7 +16,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, SPEED = 2000.0, 12.0, 105.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

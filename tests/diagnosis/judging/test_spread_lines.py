@@ -15,7 +15,7 @@ from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, ORDER = 5000.0, 12.0, 7.25
 TIME = np.arange(int(RATE * LENGTH)) / RATE

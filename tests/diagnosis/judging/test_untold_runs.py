@@ -17,7 +17,7 @@ from torquerig.errors import SimulationError
 from torquerig.mechanisms import Clipping, ParticleLoad
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from torquerig.diagnosis.judging import whole_fit
 from torquerig.diagnosis.judging.whole_fit import misfit_as_a_whole
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 5000.0
 

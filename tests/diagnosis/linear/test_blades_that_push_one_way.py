@@ -12,7 +12,7 @@ from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.linear.winding import wound_torque
 from torquerig.mechanisms import BladePass, TorqueRipple
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.linear_path import simulate_linear
 from torquerig.simulation.simulator import simulate
 

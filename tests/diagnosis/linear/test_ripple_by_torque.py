@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.mechanisms import BladePass, CommutationRipple, TorqueRipple
 from torquerig.recordings.run import Run
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 
 SPEED = 500 * pi / 30

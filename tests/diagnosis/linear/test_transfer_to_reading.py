@@ -13,7 +13,7 @@ from torquerig.mechanisms import ToothMesh, TorsionalMode
 from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Body, Gear
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.twin.linear_twin import twin_of
 
 PROBED = np.geomspace(0.5, 2000.0, 60)

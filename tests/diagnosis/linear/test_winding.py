@@ -13,7 +13,7 @@ from torquerig.diagnosis.linear.winding import compliance, wound_torque
 from torquerig.mechanisms import StribeckFriction, TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.rig.parts import Coupling, Gear, TorqueSensor
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 
 

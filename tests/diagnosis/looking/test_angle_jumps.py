@@ -12,7 +12,7 @@ import pytest
 from torquerig.diagnosis.looking.angle_jumps import angle_jumps
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 COUNTER = "encoder_count"
 LOST = 100  # samples: 20 ms

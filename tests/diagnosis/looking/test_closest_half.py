@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.looking.gain_moments import gain_moments
 from torquerig.diagnosis.looking.short_spectra import by_median, closest_half
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 
 def test_a_normal_variate_has_its_mean_and_spread() -> None:

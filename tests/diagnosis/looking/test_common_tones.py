@@ -15,7 +15,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.opening import followed
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, OFF, SPEED = 5000.0, 1.004, 1000 * pi / 30  # `record` turns faster than its sheet says by OFF
 HARMONICS = (1, 2, 3, 4)

@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.looking.copied import Copied, copied
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 CODE = 20.0 / 2**16  # [V] of the converter
 

@@ -9,7 +9,7 @@ import pytest
 
 from torquerig.diagnosis.looking.flat_tops import flat_tops
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 FULL = 10.0  # [V] the converter's range
 CODES = 40  # over the reading of a heavy load

@@ -17,7 +17,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
 from torquerig.mechanisms import Backlash
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 25_000.0
 ARCMIN = pi / 180 / 60

@@ -17,7 +17,7 @@ from torquerig.diagnosis.looking.from_zero import from_zero, undrifted, without_
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.mechanisms import Backlash, SensorDrift
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, SPEED = 25_000.0, 80.0
 DRIFT = SensorDrift(name="sensor_drift", span=1.5, time_constant=0.8)

@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.looking.gain_moments import GainMoment, gain_moments, with_one_gain
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 START, STOP = 21_000, 26_000  # samples at 10 kHz
 

@@ -16,7 +16,7 @@ from torquerig.diagnosis.looking.mean_steps import edges, mean_steps, without_st
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, START, STOP = 10_000.0, 31_000, 49_000  # [Hz], samples
 

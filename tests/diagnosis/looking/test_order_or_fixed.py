@@ -12,7 +12,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.order_or_fixed import DECIDED, evidence, may_be_fixed, rather_fixed
 from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import order
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES, SPEED = 2000.0, 16_000, 1000 / 60 * 2 * pi
 TIME = np.arange(SAMPLES) / RATE

@@ -14,7 +14,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.orders_standing_out import chances_of_orders, taken_together, turns_of
 from torquerig.diagnosis.opening import followed
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 ORDERS = [0.23, 0.41, 0.67]
 

@@ -11,7 +11,7 @@ import pytest
 from torquerig.diagnosis.looking.own_factor import own_factor
 from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 OFF = 1.004  # of every run that is made here
 RATE = 2000.0

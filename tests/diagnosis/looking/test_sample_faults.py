@@ -20,7 +20,7 @@ from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.mechanisms import Clipping, Quantization, SignalDropout
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 FULL = 10.0  # [V] the converter's range
 CODE = 2 * FULL / 2**16  # [V] and its step

@@ -11,7 +11,7 @@ from scipy.signal import lfilter
 from torquerig.diagnosis.looking.sample_jumps import sample_jumps
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 25000.0
 TIME = np.arange(int(2 * RATE)) / RATE

@@ -12,7 +12,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.looking.side_lines import without_side_lines
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, SAMPLES = 4000.0, 48_000
 EVEN = 2 * np.pi * 16.7 * np.arange(SAMPLES) / RATE

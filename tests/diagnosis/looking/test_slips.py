@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.looking.slips import slips
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, HELD, RINGS = 5000.0, 12.0, 0.02, 0.03
 TIME = np.arange(round(RATE * LENGTH)) / RATE

@@ -12,7 +12,7 @@ from torquerig.diagnosis.looking.sample_faults import gaps
 from torquerig.diagnosis.looking.strong_alias import power_of
 from torquerig.diagnosis.looking.strong_hum import grid_line, without_hum
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 GRID = 49.961  # [Hz]
 LENGTH = 460  # samples, near a period of the hum

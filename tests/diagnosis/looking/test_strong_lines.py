@@ -15,7 +15,7 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.mechanisms import BladePass, MainsInterference
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH, TONE, ORDER = 5000.0, 12.0, 49.98, 13.4
 TIME = np.arange(int(RATE * LENGTH)) / RATE

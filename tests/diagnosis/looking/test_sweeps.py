@@ -14,7 +14,7 @@ from torquerig.diagnosis.looking.sweep_course import Sweep, without_sweep
 from torquerig.diagnosis.looking.sweeps import CLEAR, sweep_along, sweeps_in
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH = 5000.0, 8.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

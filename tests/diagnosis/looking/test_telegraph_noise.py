@@ -10,7 +10,7 @@ import pytest
 from torquerig.diagnosis.looking.telegraph_noise import Telegraph, telegraph_noise, without_telegraph
 from torquerig.diagnosis.sample_findings import sample_findings
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE = 10_000.0  # [Hz]
 FLIPS = [(9_000, 17_000, 17_400, 30_000), (6_000, 31_000, 44_000, 61_000, 61_300), (40_000, 52_000)]

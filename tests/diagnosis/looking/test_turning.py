@@ -17,7 +17,7 @@ from torquerig.diagnosis.looking.places import frequency, order
 from torquerig.diagnosis.looking.shaft_angle import ShaftAngle
 from torquerig.diagnosis.looking.turning import Turning, turning, turns_back
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 RATE, LENGTH = 5000.0, 6.0
 TIME = np.arange(int(RATE * LENGTH)) / RATE

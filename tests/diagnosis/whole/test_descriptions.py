@@ -13,7 +13,7 @@ from torquerig.errors import InputError
 from torquerig.mechanisms import NoiseHump
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 from torquerig.sensor_stages.band_noise import BandNoise
 
 RATE = 5000.0

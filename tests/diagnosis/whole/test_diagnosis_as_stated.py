@@ -20,7 +20,8 @@ from torquerig.diagnosis.outcome import as_json
 from torquerig.document import read_document
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text
 
 ThreeRuns = Callable[..., list[Recording]]

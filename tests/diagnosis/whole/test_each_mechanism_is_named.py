@@ -36,7 +36,7 @@ from torquerig.mechanisms import (
 )
 from torquerig.recordings.recording import Recording
 from torquerig.rig.part import Part
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Draw = Callable[[float, float], float]
 Plan = tuple[tuple[float, float, str], ...]  # motor rpm, occupancy in per cent, profile

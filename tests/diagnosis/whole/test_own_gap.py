@@ -11,7 +11,7 @@ from torquerig.diagnosis.own_gap import closed
 from torquerig.mechanisms import Backlash
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Gear
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 STATED, FOUND = (arcmin * pi / 180 / 60 for arcmin in (4.0, 6.5))
 

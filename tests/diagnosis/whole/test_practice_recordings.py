@@ -12,7 +12,7 @@ import pytest
 
 from torquerig.diagnosis.engine import diagnose
 from torquerig.recordings.files import read_recording
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 PRACTICE = Path(__file__).resolve().parents[3] / ".." / "shared" / "practice"
 pytestmark = [

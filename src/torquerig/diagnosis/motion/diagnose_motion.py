@@ -29,7 +29,7 @@ from torquerig.diagnosis.motion.tried import Refused, Step
 from torquerig.diagnosis.outcome import Diagnosis, HeldOut, Mismatch, UsedRecording, Verdict, as_json
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 Floats = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ from torquerig.rig.drive_train import driven_motor
 from torquerig.rig.parts import Gear, Motor
 from torquerig.scenario.drive_demand import DriveDemand, drive_demand
 from torquerig.scenario.kinematics import gears_to_sensor, torque_gain
-from torquerig.scenario.reading import Scenario
+from torquerig.scenario.model import Scenario
 
 MOTOR_FIELDS = {"inertia": "rotor_inertia", "coulomb": "coulomb_friction", "viscous": "viscous_friction"}
 GEAR_FIELDS = {"efficiency": "efficiency", "input_inertia": "input_inertia"}

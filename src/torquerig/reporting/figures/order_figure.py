@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,10 +11,14 @@ from matplotlib.axis import Axis
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from numpy.typing import NDArray
 
+from torquerig.orders.analysis.even_angle import over_angle
 from torquerig.orders.analysis.found_lines import FoundLine
-from torquerig.orders.analysis.maps import LineMap
-from torquerig.orders.analysis.order_spectrum import LineSpectrum
+from torquerig.orders.analysis.maps import LineMap, order_map, speed_map
+from torquerig.orders.analysis.order_spectrum import LineSpectrum, order_spectrum
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.families import COLOURS, SHORT
 from torquerig.reporting.figures.picture import new_figure
@@ -53,6 +58,27 @@ class OrderPicture:
     ratio: float
     fastest: float
     modes: dict[str, float] = field(default_factory=dict)
+
+
+def order_picture(
+    recording: Recording, turns: NDArray[np.float64], *, lines: Sequence[KinematicLine], found: Sequence[FoundLine],
+    ratio: float, modes: Mapping[str, float] | None = None,
+) -> OrderPicture:  # fmt: skip
+    """Return what is drawn of a recording whose output shaft turned by ``turns``: spectrum, maps and lines."""
+    even, rate = over_angle(recording, turns), recording.sample_rate
+    fastest = float(np.percentile(np.diff(turns), 99.9)) * rate
+    orders = [one.place if one.seen_over == "order" else one.place / fastest for one in found]
+    wanted = 1.3 * max([*orders, *(line.output_order for line in lines if line.harmonic == 1)])
+    highest = min(wanted, 0.4 * rate / fastest)
+    return OrderPicture(
+        spectrum=order_spectrum(even, highest=highest),
+        order_map=order_map(even, turns, rate, highest=highest),
+        speed_map=speed_map(recording.torque(), turns, rate, highest=0.4 * rate),
+        found=tuple(found),
+        ratio=ratio,
+        fastest=fastest,
+        modes=dict(modes or {}),
+    )
 
 
 def order_figure(shown: OrderPicture, *, title: str = "") -> Figure:

@@ -33,10 +33,18 @@ class Picture:
     told: str
 
 
+class NotebookFigure(Figure):
+    """A figure that a notebook shows although no window system knows of it."""
+
+    def _repr_png_(self) -> bytes:
+        """Return the picture as PNG."""
+        return png(self)
+
+
 def new_figure(width: float, height: float) -> Figure:
     """Return an empty figure of ``width`` x ``height`` [in] that needs no screen and is kept in no global list."""
     with rc_context(STYLE):
-        made = Figure(figsize=(width, height), layout="constrained")
+        made = NotebookFigure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(made)
     return made
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Sequence
 from io import StringIO
+from typing import TYPE_CHECKING
 
 from torquerig.filters.effect import FilterEffect
 from torquerig.metrics.figure import Figure
@@ -12,6 +13,9 @@ from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.study.tables import decision_words
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import Decided
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Fields = list[tuple[str, str]]
 
@@ -28,6 +32,13 @@ def combinations_csv(runs: StudyRuns, decided: Decided) -> str:
 def shares_csv(runs: StudyRuns) -> str:
     """Return one row per motor x gearbox: mean, rms of each share, and percent of the fluctuation's power."""
     return _csv([_shares(drive) for drive in runs.drives])
+
+
+def table_of(text: str) -> pd.DataFrame:
+    """Return one of these CSV texts as a table; what is unknown (``?``) is missing."""
+    import pandas as pd
+
+    return pd.read_csv(StringIO(text), na_values="?", keep_default_na=True)
 
 
 def _name(drive: DriveResult, chain: str) -> str:

@@ -14,8 +14,9 @@ from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.model import Scenario
 from torquerig.scenario.overrides import overridden
-from torquerig.scenario.reading import Scenario, read_scenario
+from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 
 DURATION, SETTLING = 10.0, 0.8  # [s]

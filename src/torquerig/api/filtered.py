@@ -1,0 +1,65 @@
+"""``filter``: a recording through a filter chain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from torquerig.api.inputs import recording_from
+from torquerig.api.values import folders
+from torquerig.catalog.search import catalog_for
+from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.errors import InputError, did_you_mean
+from torquerig.filters.chains.chain_file import read_chains
+from torquerig.recordings.recording import Recording
+from torquerig.scenario.recording_lines import kinematics_of_recording
+
+
+def filter(  # noqa: A001 (the public name; this module does not use the built-in)
+    recording: Recording | str | Path, chain: str = "order_lines", *, filters: str | Path | None = None,
+    motor: str | None = None, ratio: float | None = None, catalogs: Sequence[str | Path] = (),
+) -> Recording:  # fmt: skip
+    """Return a recording after a filter chain.
+
+    Parameters
+    ----------
+    recording : Recording, or path of its file
+    chain : str
+        Name of the filter chain in ``filters``.
+    filters : str or Path, optional
+        A YAML file of filter chains; the shipped ``filters.yaml`` without it.
+    motor : str, optional
+        Motor of the catalog whose order lines are removed, where the run does not name it.
+    ratio : float, optional
+        Motor turns per output turn [1], where the run does not state it.
+    catalogs : sequence of path
+        Further catalog folders.
+
+    Returns
+    -------
+    Recording
+        With the torque channel filtered; the other channels are unchanged.
+
+    Raises
+    ------
+    InputError
+        For an unknown chain, or where motor or ratio are not known.
+    RecordingError
+        Where the recording does not tell the speed or angle that the chain needs.
+
+    Examples
+    --------
+    >>> import torquerig as tr
+    >>> rec = tr.simulate("wear_rig.yaml", duration=2.0)
+    >>> clean = tr.filter(rec, "order_lines")
+    >>> bool(clean.torque().std() < rec.torque().std())
+    True
+    """
+    read = recording_from(recording)
+    kinematics, _ = kinematics_of_recording(
+        read, catalog_for(None, folders(catalogs)), motor=motor, ratio=ratio, remedies=("motor=NAME", "ratio=N")
+    )
+    known = read_chains(Path(filters) if filters else shipped_scenarios() / "filters.yaml", kinematics=kinematics)
+    if chain not in known:
+        raise InputError(f"there is no filter chain {chain!r}; {did_you_mean(chain, known)}")
+    return known[chain].apply(read)

@@ -1,0 +1,178 @@
+"""``diagnose``: which physics the scenario of a rig leaves out, by recordings of the rig."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from torquerig.api.inputs import recording_from, scenario_from
+from torquerig.api.result import Result
+from torquerig.diagnosis.any_rig import AnyOutcome, diagnosed
+from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
+from torquerig.diagnosis.outcome import Finding, HeldOut, Mismatch, as_json
+from torquerig.errors import InputError
+from torquerig.recordings.recording import Recording
+from torquerig.scenario.model import Scenario
+from torquerig.whole_file import whole_file
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from matplotlib.figure import Figure
+
+MOST_WORKERS = 4  # without being told: each holds some 200 MB
+
+
+@dataclass(frozen=True, kw_only=True)
+class Answer(Result):
+    """What recordings have that the scenario of their rig lacks.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The nominal rig.
+    outcome : Outcome or MotionOutcome
+        Models before and after, and all that was tested.
+    seed : int
+        Fixed every random number.
+    """
+
+    scenario: Scenario
+    outcome: AnyOutcome
+    seed: int
+
+    @property
+    def verdict(self) -> str:
+        """``adequate``, ``missing_physics`` or ``unexplained``."""
+        return self.outcome.diagnosis.verdict
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The effects that the scenario leaves out, each with its parameters and confidence."""
+        return self.outcome.diagnosis.findings
+
+    @property
+    def mismatch(self) -> tuple[Mismatch, ...]:
+        """Where recordings and model differ."""
+        return self.outcome.diagnosis.mismatch
+
+    @property
+    def fit(self) -> HeldOut:
+        """Residuals of held-out data: nominal, calibrated and completed model."""
+        return self.outcome.diagnosis.fit
+
+    @property
+    def model(self) -> Scenario | None:
+        """The completed scenario, which simulates; None where nothing was added."""
+        if not self.outcome.completes:
+            return None
+        known = {part.name for part in self.scenario.rig.parts}
+        added = tuple(part for part in self.outcome.completed.parts if part.name not in known)
+        return replace(
+            self.scenario, rig=self.outcome.completed, added=(*self.scenario.added, *added), uncertainties={},
+        )  # fmt: skip
+
+    def summary(self) -> str:
+        """Return the verdict in a sentence."""
+        from torquerig.reporting.diagnosis.sentences import EFFORT, FEATURES, verdict_sentence
+
+        measure = EFFORT if isinstance(self.outcome, MotionOutcome) else FEATURES
+        return verdict_sentence(self.outcome.diagnosis, self.outcome.left, yardstick=measure)
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return one row per parameter of each finding, with its 95 % interval."""
+        import pandas as pd
+
+        rows = [
+            {
+                "mechanism": finding.mechanism, "confidence": finding.confidence, "parameter": name,
+                "value": stated.value, "low": stated.low, "high": stated.high, "unit": stated.unit,
+            }
+            for finding in self.findings
+            for name, stated in finding.parameters.items()
+        ]  # fmt: skip
+        columns = ["mechanism", "confidence", "parameter", "value", "low", "high", "unit"]
+        return pd.DataFrame(rows, columns=columns)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the diagnosis in the form of its JSON schema."""
+        if isinstance(self.outcome, MotionOutcome):
+            return self.outcome.as_json()
+        return as_json(self.outcome.diagnosis)
+
+    def plot(self) -> Figure:
+        """Return the share of the residual by place: where recordings and model differ."""
+        from torquerig.reporting.diagnosis.places_figure import diagnosis_places_figure
+
+        if not self.mismatch:
+            raise InputError("recordings and model differ nowhere, so that there is no place to draw")
+        return diagnosis_places_figure(self.mismatch)
+
+    def report(self, path: str | Path) -> Path:
+        """Write the page of the diagnosis, one HTML file, and return its path."""
+        from torquerig.reporting.diagnosis.motion_page import motion_page
+        from torquerig.reporting.diagnosis.page import diagnosis_page
+
+        again = f"torquerig.diagnose({self.scenario.document.path.name!r}, [...], seed={self.seed})"
+        title = self.scenario.title
+        if isinstance(self.outcome, MotionOutcome):
+            page = motion_page(self.outcome, title=title, command=again, model=None, seed=self.seed)
+        else:
+            page = diagnosis_page(self.outcome, title=title, command=again, model=None, seed=self.seed)
+        with whole_file(Path(path)) as partial:
+            partial.write_text(page, encoding="utf-8", newline="\n")
+        return Path(path)
+
+
+def diagnose(
+    scenario: Scenario | str | Path, recordings: Sequence[Recording | str | Path], *, seed: int = 0,
+    workers: int | None = None, progress: Callable[[str], None] = lambda _: None,
+) -> Answer:  # fmt: skip
+    """Return which physics a scenario leaves out, by recordings of its rig, and how much better the model gets.
+
+    Parameters
+    ----------
+    scenario : Scenario, or path of its file
+        The nominal rig.
+    recordings : sequence of Recording or path
+        Runs of one rig; several speeds and loads separate most effects.
+    seed : int
+        Fixes every random number.
+    workers : int, optional
+        Fits at a time; without it one per core, four at most.
+    progress : callable, optional
+        Called with the name of each stage.
+
+    Returns
+    -------
+    Answer
+        ``.verdict``, ``.findings``, ``.model`` (the completed scenario), ``.report(path)``.
+
+    Raises
+    ------
+    InputError
+        Where recordings and scenario do not fit each other.
+
+    Examples
+    --------
+    >>> import torquerig as tr
+    >>> rig = tr.read_scenario("wear_rig.yaml", changes={"load.occupancy": 0})
+    >>> wrong = rig + tr.mechanisms.MainsInterference(name="hum", amplitudes=(0.5,), phases=(0.0,))
+    >>> run = tr.simulate(wrong, duration=4.0, truth=False)
+    >>> answer = tr.diagnose(rig, [run], workers=1)
+    >>> [finding.mechanism for finding in answer.findings]
+    ['mains_interference']
+    """
+    from torquerig.diagnosis.side_by_side import side_by_side
+
+    made = scenario_from(scenario)
+    read = [recording_from(one) for one in recordings]
+    if not read:
+        raise InputError("a diagnosis needs at least one recording")
+    if len({one.name for one in read}) < len(read):
+        read = [replace(one, name=f"{place}: {one.name}") for place, one in enumerate(read, start=1)]
+    with side_by_side(workers or min(os.cpu_count() or 1, MOST_WORKERS)):
+        outcome = diagnosed(made, read, seed=seed, progress=progress)
+    return Answer(scenario=made, outcome=outcome, seed=seed)

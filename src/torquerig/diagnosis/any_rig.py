@@ -1,0 +1,43 @@
+"""The diagnosis of any rig: by features of its runs, or sample by sample where the motion was measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from torquerig.diagnosis.engine import Outcome, diagnose
+from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
+from torquerig.recordings.recording import Recording
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.readings import other_readings
+
+AnyOutcome = Outcome | MotionOutcome
+
+
+def diagnosed(
+    scenario: Scenario, recordings: Sequence[Recording], *, seed: int, progress: Callable[[str], None] = lambda _: None
+) -> AnyOutcome:
+    """Return the diagnosis of recordings of one rig.
+
+    Where the catalog leaves whole numbers open, such as pole pairs, the scenario's other readings are tried too, with
+    what was added to it.
+
+    Raises
+    ------
+    InputError
+        Where recordings and scenario do not fit each other.
+    """
+    if under_measured_motion(scenario.rig):
+        return diagnose_motion(scenario, recordings, seed=seed, progress=progress)
+    others: tuple[Scenario, ...] = ()
+    if scenario.catalog is not None:
+        others = other_readings(scenario.document, scenario.catalog, seed=scenario.seed)
+        others = tuple(_with(one, scenario) for one in others)
+    return diagnose(scenario, recordings, others=others, seed=seed, progress=progress)
+
+
+def _with(other: Scenario, scenario: Scenario) -> Scenario:
+    rig = other.rig
+    for part in scenario.added:
+        rig = rig + part
+    return replace(other, rig=rig, added=scenario.added)
