@@ -22,10 +22,12 @@
 ================== ================================================================================
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from __future__ import annotations
 
-__version__ = "0.1.0"
+from importlib import import_module
+
+from torquerig.version import __version__ as __version__
+
 __all__ = [
     "compare", "diagnose", "duty", "filter", "matrix", "mechanisms", "modes", "order_lines", "read", "read_scenario",
     "simulate", "size", "write",
@@ -46,7 +48,10 @@ _MODULES = {
     "write": "recording_files",
 }
 
+TYPE_CHECKING = False  # as in typing, whose import would take most of the time of this one
 if TYPE_CHECKING:
+    from typing import Any
+
     from torquerig import mechanisms as mechanisms
     from torquerig.api.comparison import compare as compare
     from torquerig.api.decision_matrix import matrix as matrix

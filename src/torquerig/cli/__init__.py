@@ -12,8 +12,8 @@ from importlib import import_module
 
 import click
 
-from torquerig import __version__
 from torquerig.errors import TorquerigError
+from torquerig.version import __version__
 
 COMMANDS = {
     "init": "copy the shipped catalogs and scenarios into a folder of your own",

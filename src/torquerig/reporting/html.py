@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from torquerig import __version__
+from torquerig.version import __version__
 
 
 def html(template: str, content: Mapping[str, Any], *, folder: Path | None = None) -> str:

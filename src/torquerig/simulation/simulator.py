@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig import __version__
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.simulation import kernel
@@ -17,6 +16,7 @@ from torquerig.simulation.lower import lower
 from torquerig.simulation.outputs import Output, as_arrays, channels_of
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.step_choice import StepChoice, step_choice
+from torquerig.version import __version__
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
 SETTLING = 1.5  # [s] the rig turns this long before the recording starts

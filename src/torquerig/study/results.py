@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from torquerig import __version__
 from torquerig.filters.effect import FilterEffect
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.shares import Shares
@@ -13,6 +12,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.scenario.filled import FromCatalog
 from torquerig.study.candidates import Candidate
 from torquerig.study.definition import Study
+from torquerig.version import __version__
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
-from torquerig import __version__
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.recordings.recording import Channel, Recording
@@ -18,6 +17,7 @@ from torquerig.recordings.run import Run
 from torquerig.synthetic.components import AnyComponent
 from torquerig.synthetic.grid import on_grid
 from torquerig.synthetic.timeline import Timeline, turning
+from torquerig.version import __version__
 
 TRUE_LOAD, TRUE_NOISE = "true_load_Nm", "true_noise_Nm"
 
