@@ -111,9 +111,9 @@ def size(
     Examples
     --------
     >>> import torquerig as tr
-    >>> sized = tr.size("wear_rig.yaml", motor="HDS6A-0104A", gearbox="generic-planetary-5")
-    >>> float(sized.to_frame().loc["rms_torque", "value"]) > 0
-    True
+    >>> sized = tr.size("wear_rig.yaml", motor="HDS6A-0104A", gearbox="reference-5-1")
+    >>> sized.to_frame().loc["rms_torque", "unit"]
+    'N*m'
     """
     file = scenario_file(scenario)
     document = with_cycle(overridden(read_document(file), settings_of(changes)))

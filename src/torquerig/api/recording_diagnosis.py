@@ -76,10 +76,10 @@ class Answer(Result):
 
     def summary(self) -> str:
         """Return the verdict in a sentence."""
-        from torquerig.reporting.diagnosis.sentences import EFFORT, FEATURES, verdict_sentence
+        from torquerig.reporting.diagnosis.sentences import FEATURE_RESIDUAL, MOTION_RESIDUAL, verdict_sentence
 
-        measure = EFFORT if isinstance(self.outcome, MotionOutcome) else FEATURES
-        return verdict_sentence(self.outcome.diagnosis, self.outcome.left, yardstick=measure)
+        measure = MOTION_RESIDUAL if isinstance(self.outcome, MotionOutcome) else FEATURE_RESIDUAL
+        return verdict_sentence(self.outcome.diagnosis, self.outcome.left, measure=measure)
 
     def to_frame(self) -> pd.DataFrame:
         """Return one row per parameter of each finding, with its 95 % interval."""
@@ -104,11 +104,11 @@ class Answer(Result):
 
     def plot(self) -> Figure:
         """Return the share of the residual by place: where recordings and model differ."""
-        from torquerig.reporting.diagnosis.places_figure import diagnosis_places_figure
+        from torquerig.reporting.diagnosis.mismatch_figure import mismatch_figure
 
         if not self.mismatch:
             raise InputError("recordings and model differ nowhere, so that there is no place to draw")
-        return diagnosis_places_figure(self.mismatch)
+        return mismatch_figure(self.mismatch)
 
     def report(self, path: str | Path) -> Path:
         """Write the page of the diagnosis, one HTML file, and return its path."""
