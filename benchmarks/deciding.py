@@ -12,8 +12,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from torquerig.decide.draws import Doubt
 from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, ValueFunction
+from torquerig.decide.monte_carlo import Uncertainty
 from torquerig.decide.robustness import rank_acceptability
 
 FEW, MANY, TURNS = 10_000, 1_000_000, 15
@@ -97,14 +97,19 @@ def seconds(call: Callable[[], object], turns: int) -> tuple[float, float]:
 for rows, columns in ((15, 6), (6, 15)):
     points, weights, made = matrix(rows, columns)
     print(f"{rows} alternatives x {columns} criteria, best and median of {TURNS}")
-    doubts = {"intervals and weights": Doubt(scores=0.0, weights=SPREAD), "and points too": Doubt(weights=SPREAD)}
+    doubts = {
+        "intervals and weights": Uncertainty(scores=0.0, weights=SPREAD),
+        "and points too": Uncertainty(weights=SPREAD),
+    }
     rank_acceptability(made, draws=100)
     for words, doubt in doubts.items():
         for draws, limit in ((FEW, 5e-3), (MANY, 0.5)):
-            best, median = seconds(lambda m=made, d=draws, u=doubt: rank_acceptability(m, draws=d, doubt=u), TURNS)
+            best, median = seconds(
+                lambda m=made, d=draws, u=doubt: rank_acceptability(m, draws=d, uncertainty=u), TURNS
+            )
             print(f"  torquerig, {words}, {draws} draws: {1e3 * best:.2f} ms, {1e3 * median:.2f} ms "
                   f"(limit {1e3 * limit:.0f} ms)")  # fmt: skip
-    ours = rank_acceptability(made, draws=MANY, doubt=doubts["intervals and weights"]).shares
+    ours = rank_acceptability(made, draws=MANY, uncertainty=doubts["intervals and weights"]).shares
     peers = {
         "numpy, plain": (plain_numpy, FEW, 5), "pySensMCDA": (by_pysensmcda, FEW, 3), "pymcdm": (by_pymcdm, FEW, 3),
         "scikit-criteria": (by_scikit_criteria, 200, 1),

@@ -6,8 +6,9 @@ YAML here is YAML 1.2: ``no`` is text, ``0123`` is text, ``1e5`` is a number, an
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 Model = TypeVar("Model")
+Renamed = Mapping[tuple[str, ...], str]
 
 
 class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
@@ -90,6 +92,74 @@ def parse_document(text: str, path: Path) -> Document:
             f"{path}{line}: not YAML: {problem}; check the indentation and the colons of this line and the one above"
         ) from None
     return Document(path, data, node)
+
+
+def with_new_keys(document: Document, renamed: Renamed) -> Document:
+    """Return the document with old names of keys replaced by the new ones; one notice on standard error lists them.
+
+    Parameters
+    ----------
+    document : Document
+    renamed : mapping of tuple of str to str
+        The path of each old key, ``*`` for any key or list item on the way, and its new name.
+
+    Raises
+    ------
+    InputError
+        Where a mapping has a key under its old and its new name.
+    """
+    used: dict[str, str] = {}
+    data = _new_data(document, document.data, keys=(), renamed=renamed, used=used)
+    if not used:
+        return document
+    give_notice(str(document.path), used)
+    return replace(document, data=data, node=_new_node(document.node, renamed))
+
+
+def give_notice(where: str, used: Mapping[str, str]) -> None:
+    """Write one line on standard error that lists old names with their new ones; nothing where none was used."""
+    if used:
+        listed = ", ".join(f"{old!r} is now {new!r}" for old, new in used.items())
+        sys.stderr.write(f"{where}: old names, still read: {listed}\n")
+
+
+def _inside(renamed: Renamed, key: str) -> dict[tuple[str, ...], str]:
+    return {path[1:]: new for path, new in renamed.items() if len(path) > 1 and path[0] in ("*", key)}
+
+
+def _new_data(
+    document: Document, data: Any, *, keys: tuple[str | int, ...], renamed: Renamed, used: dict[str, str]
+) -> Any:
+    def below(value: Any, key: str | int) -> Any:
+        return _new_data(document, value, keys=(*keys, key), renamed=_inside(renamed, str(key)), used=used)
+
+    if isinstance(data, list):
+        return [below(value, place) for place, value in enumerate(data)] if renamed else data
+    if not isinstance(data, dict) or not renamed:
+        return data
+    held = {}
+    for key, value in data.items():
+        new = renamed.get((str(key),), key)
+        if new != key:
+            if new in data:
+                raise InputError(f"{document.place((*keys, key))}: is the old name of {new!r}; keep one of them")
+            used[str(key)] = str(new)
+        held[new] = below(value, key)
+    return held
+
+
+def _new_node(node: yaml.Node, renamed: Renamed) -> yaml.Node:
+    marks = (node.start_mark, node.end_mark)
+    if isinstance(node, yaml.SequenceNode):
+        return yaml.SequenceNode(node.tag, [_new_node(item, _inside(renamed, "*")) for item in node.value], *marks)
+    if not isinstance(node, yaml.MappingNode):
+        return node
+    pairs = []
+    for name, value in node.value:
+        new = renamed.get((str(name.value),), name.value)
+        key = name if new == name.value else yaml.ScalarNode(name.tag, new, name.start_mark, name.end_mark)
+        pairs.append((key, _new_node(value, _inside(renamed, str(name.value)))))
+    return yaml.MappingNode(node.tag, pairs, *marks)
 
 
 def validated(

@@ -60,7 +60,7 @@ def test_motors_of_the_catalog_fill_a_criterion(tmp_path, capsys):
     )
     assert run("matrix", str(path), "--trace", "new", "rotor inertia") == 0
     told = " ".join(capsys.readouterr().out.split())
-    for word in ("catalog rotor inertia of HDS6A-0104A", "catalog value as it stands", "value function", "verdict"):
+    for word in ("catalog rotor inertia of HDS6A-0104A", "catalog value, unchanged", "value function", "verdict"):
         assert word in told
 
 
@@ -78,7 +78,7 @@ BAD = {
     "unknown criterion": (("    price: 400", "    prise: 400"), "motor B.prise: unknown criterion; did you mean"),
     "unknown motor": (("seed: 1 ", "motors: {servo A: HDS6A-0104B} "), "servo A: there is no motor 'HDS6A-0104B'"),
     "duplicate name": (("  servo A:", "  present drive:"), "the key 'present drive' stands already in line"),
-    "datum not there": (("datum: present drive", "datum: servo B"), "bad.yaml:18: datum: the datum 'servo B' is not"),
+    "no such baseline": (("baseline: present drive", "baseline: servo B"), "yaml:18: baseline: the baseline 'servo B'"),
     "not monotone": (("[0.02, 4]", "[0.02, 0.5]"), "the value function is not monotone: from 0.02 to 0.1"),
     "override without reason": (("    price: 400", "    price: {value: 4, by_hand: {points: 3}}"), "needs its reason"),
 }  # fmt: skip
@@ -146,6 +146,7 @@ def test_a_matrix_is_worked_out_without_plotting_and_read_without_a_compiler():
         "import sys; from pathlib import Path; from torquerig.decide.matrix_io.matrix_file import read_matrix; "
         f"case = read_matrix(Path({str(EXAMPLE)!r})); heavy = {{'numba', 'matplotlib', 'pandas', 'openpyxl'}}; "
         "assert not heavy & set(sys.modules), heavy & set(sys.modules); "
-        "from torquerig.decide.working import work_out; work_out(case); assert 'matplotlib' not in sys.modules"
+        "from torquerig.decide.matrix_analysis import analyse_matrix; analyse_matrix(case); "
+        "assert 'matplotlib' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -11,12 +11,12 @@ import warnings
 import numpy as np
 import pytest
 
-from torquerig.decide.draws import Doubt
 from torquerig.decide.kesselring import kesselring
 from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, ValueFunction
-from torquerig.decide.missing import missing_facts
-from torquerig.decide.pugh import sweep_datums
+from torquerig.decide.monte_carlo import Uncertainty
+from torquerig.decide.pugh import sweep_baselines
 from torquerig.decide.robustness import rank_acceptability
+from torquerig.decide.value_of_information import missing_facts
 
 IDENTITY = ValueFunction(((1.0, 1.0), (5.0, 5.0)))
 POINTS = np.random.default_rng(7).uniform(1.5, 4.5, (15, 6))
@@ -87,7 +87,7 @@ def pysensmcda_acceptability(points, *, half_width, spread):
 def test_pysensmcda_gives_the_same_rank_acceptability():
     theirs = pysensmcda_acceptability(POINTS, half_width=0.4, spread=0.25)
     ours = rank_acceptability(
-        matrix_of(POINTS, half_width=0.4), doubt=Doubt(scores=0.0, weights=0.25), draws=200_000, seed=1
+        matrix_of(POINTS, half_width=0.4), uncertainty=Uncertainty(scores=0.0, weights=0.25), draws=200_000, seed=1
     ).shares
     error = np.sqrt(ours * (1 - ours) * (1 / DRAWS + 1 / 200_000))
     assert np.abs(theirs - ours).max() < 0.05
@@ -102,7 +102,7 @@ def test_plain_draws_in_numpy_give_the_same_rank_acceptability():
     ranks = (-totals.sum(axis=2)).argsort(axis=1).argsort(axis=1)
     plain = np.array([np.bincount(column, minlength=15) for column in ranks.T]) / draws
     ours = rank_acceptability(
-        matrix_of(POINTS, half_width=0.4), doubt=Doubt(scores=0.0, weights=0.25), draws=draws, seed=2
+        matrix_of(POINTS, half_width=0.4), uncertainty=Uncertainty(scores=0.0, weights=0.25), draws=draws, seed=2
     ).shares
     error = np.sqrt(2 * ours * (1 - ours) / draws)
     assert (np.abs(plain - ours) <= 5 * error + 2 / draws).all()
@@ -117,7 +117,7 @@ def test_one_missing_cell_opens_one_row_and_changes_no_other():
     found = rank_acceptability(matrix_of(POINTS, missing=[(3, 0)]), draws=2000)
     assert found.shares.sum() == pytest.approx(15)
     assert found.mean_share.min() > 0
-    assert sweep_datums(matrix_of(POINTS, missing=[(3, 0)])).beats.any()
+    assert sweep_baselines(matrix_of(POINTS, missing=[(3, 0)])).beats.any()
     assert [fact.fact for fact in missing_facts(matrix_of(POINTS, missing=[(3, 0)]))] == ["c0 of m3"]
 
 

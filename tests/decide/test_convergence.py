@@ -1,4 +1,4 @@
-"""The datum changes until it stands: a run by hand, circles, and what unknowns do to it."""
+"""The baseline changes until it stands: a run by hand, circles, and what unknowns do to it."""
 
 import pytest
 from hypothesis import given
@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from torquerig.decide.convergence import converge, cycles
 from torquerig.decide.matrix import Better, Cell, Criterion, DecisionMatrix, Indifference
-from torquerig.decide.pugh import pugh, sweep_datums
+from torquerig.decide.pugh import pugh, sweep_baselines
 from torquerig.errors import UnknownNameError
 
 CRITERIA = tuple(Criterion(name=name) for name in ("speed", "torque", "cheapness"))
@@ -25,10 +25,10 @@ values = st.one_of(st.none(), st.integers(0, 4))
 tables = st.dictionaries(st.sampled_from("abcdef"), st.tuples(values, values, values), min_size=2)
 
 
-def test_the_strongest_becomes_the_datum_until_it_stands():
+def test_the_strongest_becomes_the_baseline_until_it_stands():
     found = converge(matrix_of({"old": (1, 1, 3), "mid": (2, 2, 2), "new": (3, 3, 1)}), "old")
-    assert [(step.datum, step.strongest) for step in found.steps] == [("old", "mid"), ("mid", "new"), ("new", "new")]
-    assert (found.stands, found.circle, found.sure) == ("new", (), True)
+    assert [(step.baseline, step.strongest) for step in found.steps] == [("old", "mid"), ("mid", "new"), ("new", "new")]
+    assert (found.stable, found.cycle, found.sure) == ("new", (), True)
     assert found.steps[0].negatives == ("cheapness",)
     assert found.steps[0].undiscriminating == CRITERIA_NAMES
 
@@ -37,22 +37,22 @@ CRITERIA_NAMES = tuple(one.name for one in CRITERIA)
 
 
 @given(tables, st.data())
-def test_it_ends_with_a_datum_that_stands_or_in_a_circle(table, data):
+def test_it_ends_with_a_baseline_that_stands_or_in_a_circle(table, data):
     matrix = matrix_of(table)
     found = converge(matrix, data.draw(st.sampled_from(sorted(table))))
     assert len(found.steps) <= len(table)
-    assert bool(found.stands) != bool(found.circle)
-    if found.stands:
-        assert (pugh(matrix, found.stands).net_certain <= 0).all()
+    assert bool(found.stable) != bool(found.cycle)
+    if found.stable:
+        assert (pugh(matrix, found.stable).net_certain <= 0).all()
     if found.sure:
-        assert (pugh(matrix, found.stands).net_high <= 0).all()
-    for name in found.circle:
+        assert (pugh(matrix, found.stable).net_high <= 0).all()
+    for name in found.cycle:
         assert pugh(matrix, name).net_certain.max() > 0
 
 
 @given(tables)
 def test_each_circle_is_a_chain_of_sure_wins(table):
-    sweep = sweep_datums(matrix_of(table))
+    sweep = sweep_baselines(matrix_of(table))
     places = {name: place for place, name in enumerate(sweep.alternatives)}
     for circle in cycles(sweep):
         assert len(circle) >= 3
@@ -62,19 +62,19 @@ def test_each_circle_is_a_chain_of_sure_wins(table):
         assert sweep.condorcet_winner not in {name for circle in cycles(sweep) for name in circle}
 
 
-def test_condorcets_circle_is_found_and_no_datum_stands():
+def test_condorcets_circle_is_found_and_no_baseline_stands():
     matrix = matrix_of({"a": (3, 2, 1), "b": (2, 1, 3), "c": (1, 3, 2), "last": (0, 0, 0)})
-    assert cycles(sweep_datums(matrix)) == (("a", "b", "c"),)
+    assert cycles(sweep_baselines(matrix)) == (("a", "b", "c"),)
     found = converge(matrix, "last")
-    assert not found.stands
-    assert set(found.circle) == {"a", "b", "c"}
+    assert not found.stable
+    assert set(found.cycle) == {"a", "b", "c"}
 
 
-def test_a_datum_that_stands_only_by_what_is_known_is_not_sure():
+def test_a_baseline_that_stands_only_by_what_is_known_is_not_sure():
     found = converge(matrix_of({"a": (2, 2, 1), "b": (1, 1, None)}), "a")
-    assert (found.stands, found.sure) == ("a", True)
+    assert (found.stable, found.sure) == ("a", True)
     found = converge(matrix_of({"a": (2, 1, 1), "b": (1, None, None)}), "a")
-    assert (found.stands, found.sure) == ("a", False)
+    assert (found.stable, found.sure) == ("a", False)
 
 
 def test_weak_ones_and_flat_criteria_are_named():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, ValueFunction
+from torquerig.decide.criterion import Better, Criterion, Indifference, Requirement, ValueFunction
 from torquerig.errors import InputError
 
 
@@ -43,8 +43,8 @@ def test_the_merit_of_a_band_is_minus_the_distance_from_it():
         (lambda: Criterion(name="x", weight=-0.1), "at least 0"),
         (lambda: Criterion(name="x", better=Better.BAND), "belong together"),
         (lambda: Criterion(name="x", better=Better.BAND, band=(2.0, 1.0)), "swap"),
-        (Demand, "needs a limit"),
-        (lambda: Demand(low=2.0, high=1.0), "swap"),
+        (Requirement, "needs a limit"),
+        (lambda: Requirement(low=2.0, high=1.0), "swap"),
         (lambda: Indifference(relative=1.0), "below 1"),
         (lambda: Indifference(absolute=-1.0), "at least 0"),
         (lambda: ValueFunction(((0.0, 1.0),)), "at least two"),

@@ -3,10 +3,10 @@
 import pytest
 
 from torquerig.decide.eliminate import Decision, Mark, chart_from_marks, eliminate
-from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, Demand
+from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, Requirement
 
-TORQUE = Criterion(name="torque", unit="N*m", demand=Demand(low=0.5, high=6.0))
-PRICE = Criterion(name="price", unit="EUR", demand=Demand(high=800.0))
+TORQUE = Criterion(name="torque", unit="N*m", requirement=Requirement(low=0.5, high=6.0))
+PRICE = Criterion(name="price", unit="EUR", requirement=Requirement(high=800.0))
 COLOUR = Criterion(name="colour")
 
 
@@ -57,8 +57,8 @@ def test_a_wish_never_eliminates():
     assert row.decision is Decision.PURSUE
 
 
-def test_a_demand_in_question_asks_for_revision():
-    asked = Criterion(name="torque", demand=Demand(high=6.0, in_question="at the motor or at the sensor"))
+def test_a_requirement_in_question_asks_for_revision():
+    asked = Criterion(name="torque", requirement=Requirement(high=6.0, in_question="at the motor or at the sensor"))
     row = chart(Cell(value=7.0), criteria=(asked, PRICE))
     assert row.marks["torque"] is Mark.CHECK
     assert row.decision is Decision.REVISE

@@ -72,7 +72,7 @@ def test_when_everything_may_be_off_at_once_the_bound_is_sharp(points, given_wei
     assert worst(0.999 * step) > 0
     assert found.scores is None or worst(step) == pytest.approx(0, abs=1e-6)
     if found.weights is not None:
-        rival = result.alternatives.index(found.weight_rival)
+        rival = result.alternatives.index(found.first_by_weights)
         signs = np.sign(result.middle[best] - result.middle[rival])
         assert leader_keeps(result, weights=result.weights * (1 - found.weights * signs)) <= 1e-9
 

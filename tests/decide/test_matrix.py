@@ -42,8 +42,8 @@ def test_shown_keeps_the_unknown_unknown():
         (lambda: Cell(low=1.0), "both low and high"),
         (lambda: Cell(low=2.0, high=1.0), "upwards"),
         (lambda: Cell(value=3.0, low=1.0, high=2.0), "contain"),
-        (lambda: DecisionMatrix(alternatives=("a", "a"), criteria=CRITERIA), "stands twice"),
-        (lambda: DecisionMatrix(alternatives=("a",), criteria=CRITERIA * 2), "stands twice"),
+        (lambda: DecisionMatrix(alternatives=("a", "a"), criteria=CRITERIA), "occurs twice"),
+        (lambda: DecisionMatrix(alternatives=("a",), criteria=CRITERIA * 2), "occurs twice"),
         (lambda: DecisionMatrix(alternatives=(), criteria=CRITERIA), "at least one"),
     ],
 )

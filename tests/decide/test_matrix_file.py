@@ -28,7 +28,7 @@ def test_the_shipped_example_reads_every_form_of_a_cell():
     assert cell("servo A", "rotor inertia").value == pytest.approx(0.28)  # 2.8e-5 kg*m^2 in kg*cm^2
     assert cell("induction motor B", "ripple at the sensor").value == pytest.approx(0.025)
     assert cell("present drive", "ripple at the sensor").source == "measured, run 12"
-    assert (case.datum, case.profile.p_max, case.seed) == ("present drive", 5, 1)
+    assert (case.baseline, case.profile.p_max, case.seed) == ("present drive", 5, 1)
 
 
 @pytest.mark.parametrize(
@@ -42,7 +42,7 @@ def test_the_shipped_example_reads_every_form_of_a_cell():
         ("[[0, 5]", "[[0, 7]", "criteria.ripple at the sensor.points: 7 points are outside the scale 1..5; rescale"),
         ("[0.02, 4]", "[0.02, 0.5]", "criteria.ripple at the sensor.points: the value function is not monotone"),
         ("points: [[300, 5], [1500, 1]]", "points: [[1500, 1], [300, 5]]", "criteria.price.points: .*must ascend"),
-        ("datum: present drive", "datum: servo B", "datum: .* is not in the matrix; did you mean 'servo A'"),
+        ("baseline: present drive", "baseline: servo B", "baseline: .* is not in the matrix; did you mean 'servo A'"),
         ("    price: 400", "    prise: 400", "induction motor B.prise: unknown criterion; did you mean 'price'"),
         ("    price: 400", "    price: 400 N*m", "induction motor B.price: .*is a torque; a price is wanted"),
         ("    price: 400", "    price: cheap", r"price: .*or write a bare number \[EUR\], \[low, high\] or \?"),
@@ -55,19 +55,23 @@ def test_the_shipped_example_reads_every_form_of_a_cell():
         ("weight: 0.5", "weight: heavy", "criteria.ripple at the sensor.weight: 'heavy' is no number; write one"),
         ("  servo A:\n", '  "":\n', "alternatives.: a name is empty"),
         ("    band: [0.2, 1.0]\n", "", "criteria.rotor inertia: band limits and better: band belong together"),
-        ("demand: {max: 10}", "demand: {}", "criteria.peak torque at the sensor: a demand needs a limit"),
+        (
+            "requirement: {max: 10}",
+            "requirement: {}",
+            "criteria.peak torque at the sensor: a requirement needs a limit",
+        ),
         ("scale: {min: 1, max: 5}", "scale: {min: 5, max: 1}", r"scale: .*must run upwards"),
         ("points: [[1, 1], [1.5, 4], [2, 5]]", "purpose: none", "criteria.speed reserve: it has a weight but no value"),
-        ("seed: 1 ", "draws: 0 ", "draws: 0 draws tell nothing"),
+        ("seed: 1 ", "draws: 0 ", "draws: 0 Monte Carlo samples are too few"),
         (
-            "doubt: {scores: 0.5, weights: 0.25}",
-            "doubt: {weights: 2} ",
-            "doubt: the doubt about weights, 2, must lie between 0 and 1",
+            "uncertainty: {scores: 0.5, weights: 0.25}",
+            "uncertainty: {weights: 2} ",
+            "uncertainty: the uncertainty of weights, 2, must lie between 0 and 1",
         ),
         (
-            "doubt: {scores: 0.5, weights: 0.25}",
-            "doubt: {scores: -1} ",
-            "doubt: the doubt about scores, -1 points, must be",
+            "uncertainty: {scores: 0.5, weights: 0.25}",
+            "uncertainty: {scores: -1} ",
+            "uncertainty: the uncertainty of scores, -1 points, must be",
         ),
         ("seed: 1 ", "cost: {criterion: prise, permissible: 9} ", "unknown criterion 'prise'; did you mean 'price'"),
         ("seed: 1 ", "cost: {criterion: price, permissible: 0} ", "cost.permissible: the permissible cost 0 must be"),
@@ -144,3 +148,24 @@ def test_what_was_set_by_hand_counts_and_keeps_what_it_replaced():
     cell = case.matrix.cell("induction motor B", "price")
     assert (cell.bounds, cell.value, cell.shown()) == ((350, 350), 400, "350 (by hand)")
     assert cell.by_hand.reason == "quoted by phone"
+
+
+def test_keys_of_earlier_versions_are_read_with_one_notice(capsys):
+    text = FILE.read_text(encoding="utf-8")
+    old = text.replace("\nbaseline:", "\ndatum:").replace("\nuncertainty:", "\ndoubt:")
+    old = old.replace("    requirement: {", "    demand: {")
+    assert old.count("demand: {") > 1
+    assert matrix_from(parse_document(old, FILE)) == matrix_from(parse_document(text, FILE))
+    notice = capsys.readouterr().err
+    assert notice.count("\n") == 1
+    assert "'datum' is now 'baseline', 'doubt' is now 'uncertainty', 'demand' is now 'requirement'" in notice
+
+
+def test_a_key_under_its_old_and_its_new_name_is_refused():
+    with pytest.raises(InputError, match=r"\.yaml:18: datum: is the old name of 'baseline'; keep one of them"):
+        edited("baseline: present drive", "datum: servo A\nbaseline: present drive")
+
+
+def test_an_error_below_an_old_key_names_its_line():
+    with pytest.raises(InputError, match=r"\.yaml:25: criteria.servo drive.requirement.minimum: unknown key"):
+        edited("requirement: {min: 1}", "demand: {minimum: 1}")

@@ -8,17 +8,17 @@ from hypothesis import strategies as st
 
 from torquerig.decide.case import Cost, MatrixCase
 from torquerig.decide.cell import Cell, Origin, Override
-from torquerig.decide.criterion import YES_NO, Better, Criterion, Demand, Indifference, Kind, ValueFunction
-from torquerig.decide.draws import Doubt
+from torquerig.decide.criterion import YES_NO, Better, Criterion, Indifference, Kind, Requirement, ValueFunction
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.matrix_io.matrix_file import matrix_from, read_matrix
+from torquerig.decide.matrix_io.matrix_table import Alias
 from torquerig.decide.matrix_io.matrix_writing import matrix_yaml
-from torquerig.decide.matrix_io.sheet import Alias
+from torquerig.decide.monte_carlo import Uncertainty
 from torquerig.document import parse_document
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "matrix_example.yaml"
 CRITERIA = (
-    Criterion(name="servo", unit=YES_NO, demand=Demand(low=1.0, in_question="who says so")),
+    Criterion(name="servo", unit=YES_NO, requirement=Requirement(low=1.0, in_question="who says so")),
     Criterion(
         name="band", unit="kg*cm^2", better=Better.BAND, band=(1.0, 2.0), indifference=Indifference(relative=0.1)
     ),
@@ -55,8 +55,9 @@ def test_any_cell_survives(servo, band, price):
         cells={("1e3", "servo"): servo, ("1e3", "band"): band, ("no", "price: net"): price},
     )
     case = MatrixCase(
-        matrix=matrix, datum="no", goal="ripple", goal_words=("rip",), doubt=Doubt(scores=1.0, weights=0.0), seed=3,
-        draws=7, cost=Cost(criterion="price: net", permissible=2.0), history=("first", "then"),
+        matrix=matrix, baseline="no", goal="ripple", goal_words=("rip",),
+        uncertainty=Uncertainty(scores=1.0, weights=0.0),
+        seed=3, draws=7, cost=Cost(criterion="price: net", permissible=2.0), history=("first", "then"),
         aliases=(Alias(names=("no", "yes"), reason="by suffix"),),
     )  # fmt: skip
     again = read_again(case)
@@ -65,11 +66,11 @@ def test_any_cell_survives(servo, band, price):
             mine, other = matrix.cell(alternative, one.name), again.matrix.cell(alternative, one.name)
             assert mine == other
     assert again.matrix.criteria == matrix.criteria
-    assert (again.datum, again.goal, again.goal_words, again.doubt) == (
-        case.datum,
+    assert (again.baseline, again.goal, again.goal_words, again.uncertainty) == (
+        case.baseline,
         case.goal,
         case.goal_words,
-        case.doubt,
+        case.uncertainty,
     )
     assert (again.seed, again.draws, again.cost, again.history) == (3, 7, case.cost, case.history)
     assert again.aliases[0].names == ("no", "yes")

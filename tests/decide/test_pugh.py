@@ -1,4 +1,4 @@
-"""Signs against a datum: what must hold for any matrix."""
+"""Signs against a baseline: what must hold for any matrix."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from torquerig.decide.matrix import Better, Cell, Criterion, DecisionMatrix, Indifference
-from torquerig.decide.pugh import Sign, pugh, pugh_from_signs, sweep_datums
+from torquerig.decide.pugh import Sign, pugh, pugh_from_signs, sweep_baselines
 from torquerig.errors import InputError, UnknownNameError
 
 CRITERIA = (
@@ -29,14 +29,14 @@ def matrices(draw):
     return DecisionMatrix(alternatives=names, criteria=CRITERIA, cells={pair: draw(cells) for pair in pairs})
 
 
-def signs_of(criterion, ours, datum):
-    pair = {("a", criterion.name): ours, ("d", criterion.name): datum}
+def signs_of(criterion, ours, baseline):
+    pair = {("a", criterion.name): ours, ("d", criterion.name): baseline}
     matrix = DecisionMatrix(alternatives=("a", "d"), criteria=(criterion,), cells=pair)
     return pugh(matrix, "d").signs("a")[0]
 
 
 @pytest.mark.parametrize(
-    ("column", "ours", "datum", "sign"),
+    ("column", "ours", "baseline", "sign"),
     [
         (0, Cell(value=2.0), Cell(value=1.0), Sign.BETTER),
         (1, Cell(value=2.0), Cell(value=1.0), Sign.WORSE),
@@ -50,21 +50,21 @@ def signs_of(criterion, ours, datum):
         (0, Cell(), Cell(value=2.0), Sign.UNKNOWN),
     ],
 )
-def test_a_sign_is_given_only_where_it_is_certain(column, ours, datum, sign):
-    assert signs_of(CRITERIA[column], ours, datum) is sign
+def test_a_sign_is_given_only_where_it_is_certain(column, ours, baseline, sign):
+    assert signs_of(CRITERIA[column], ours, baseline) is sign
 
 
 @given(matrices())
-def test_the_datum_column_is_all_same_even_where_its_cells_are_unknown(matrix):
-    for datum in matrix.alternatives:
-        result = pugh(matrix, datum)
-        assert set(result.signs(datum)) == {Sign.SAME}
-        assert result.counts(datum)[Sign.SAME] == len(CRITERIA)
+def test_the_baseline_column_is_all_same_even_where_its_cells_are_unknown(matrix):
+    for baseline in matrix.alternatives:
+        result = pugh(matrix, baseline)
+        assert set(result.signs(baseline)) == {Sign.SAME}
+        assert result.counts(baseline)[Sign.SAME] == len(CRITERIA)
 
 
 @given(matrices())
 def test_to_beat_is_to_make_the_other_lose(matrix):
-    sweep = sweep_datums(matrix)
+    sweep = sweep_baselines(matrix)
     assert (sweep.low == -sweep.high.transpose(1, 0, 2)).all()
     assert not (sweep.beats & sweep.beats.T).any()
 
@@ -89,9 +89,9 @@ def test_no_draw_from_the_cells_leaves_the_net_interval(matrix, seed):
 
 @given(matrices())
 def test_the_sweep_holds_every_single_run(matrix):
-    sweep = sweep_datums(matrix)
-    for datum in matrix.alternatives:
-        single, swept = pugh(matrix, datum), sweep.against(datum)
+    sweep = sweep_baselines(matrix)
+    for baseline in matrix.alternatives:
+        single, swept = pugh(matrix, baseline), sweep.against(baseline)
         assert (single.low == swept.low).all()
         assert (single.high == swept.high).all()
 
@@ -102,9 +102,9 @@ def test_a_big_sweep_counts_what_a_loop_counts():
     criteria = tuple(Criterion(name=str(column)) for column in range(8))
     names = tuple(f"m{row}" for row in range(150))
     filled = {(names[row], str(column)): Cell(value=values[row, column]) for row in range(150) for column in range(8)}
-    sweep = sweep_datums(DecisionMatrix(alternatives=names, criteria=criteria, cells=filled))
-    for ours, datum in rng.integers(0, 150, (50, 2)).tolist():
-        assert sweep.wins[ours, datum] == sum(values[ours] > values[datum])
+    sweep = sweep_baselines(DecisionMatrix(alternatives=names, criteria=criteria, cells=filled))
+    for ours, baseline in rng.integers(0, 150, (50, 2)).tolist():
+        assert sweep.wins[ours, baseline] == sum(values[ours] > values[baseline])
 
 
 def test_the_condorcet_winner_beats_all_and_a_cycle_has_none():
@@ -117,23 +117,25 @@ def test_the_condorcet_winner_beats_all_and_a_cycle_has_none():
             for name, given in table.items()
             for criterion, value in zip(criteria, given, strict=True)
         }
-        return sweep_datums(DecisionMatrix(alternatives=tuple(table), criteria=criteria, cells=filled)).condorcet_winner
+        return sweep_baselines(
+            DecisionMatrix(alternatives=tuple(table), criteria=criteria, cells=filled)
+        ).condorcet_winner
 
     assert winner(rows) is None
     assert winner({**rows, "d": (4, 4, 4)}) == "d"
 
 
 def test_given_signs_are_added_up_with_the_unknown_as_an_interval():
-    result = pugh_from_signs({"a": [Sign.BETTER, Sign.UNKNOWN, Sign.SAME]}, datum="ref", criteria=["x", "y", "z"])
+    result = pugh_from_signs({"a": [Sign.BETTER, Sign.UNKNOWN, Sign.SAME]}, baseline="ref", criteria=["x", "y", "z"])
     assert result.alternatives == ("ref", "a")
     assert (result.net_low[1], result.net_certain[1], result.net_high[1]) == (0, 1, 2)
 
 
-def test_a_datum_that_is_not_there_and_a_short_row_are_refused():
+def test_a_baseline_that_is_not_there_and_a_short_row_are_refused():
     matrix = DecisionMatrix(alternatives=("motor",), criteria=CRITERIA)
     with pytest.raises(UnknownNameError, match="did you mean 'motor'"):
         pugh(matrix, "motr")
     with pytest.raises(InputError, match="2 signs for 1"):
-        pugh_from_signs({"a": [Sign.SAME, Sign.SAME]}, datum="ref", criteria=["x"])
+        pugh_from_signs({"a": [Sign.SAME, Sign.SAME]}, baseline="ref", criteria=["x"])
     with pytest.raises(InputError, match="S against itself"):
-        pugh_from_signs({"ref": [Sign.BETTER]}, datum="ref", criteria=["x"])
+        pugh_from_signs({"ref": [Sign.BETTER]}, baseline="ref", criteria=["x"])

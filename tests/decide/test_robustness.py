@@ -5,10 +5,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from torquerig.decide.draws import VALUES_ONLY
 from torquerig.decide.flips import flip_weights
 from torquerig.decide.kesselring import kesselring_from_points
 from torquerig.decide.matrix import Cell, Criterion, DecisionMatrix, ValueFunction
+from torquerig.decide.monte_carlo import VALUES_ONLY
 from torquerig.decide.robustness import rank_acceptability
 from torquerig.errors import InputError, UnknownNameError
 
@@ -26,7 +26,7 @@ def test_at_the_flip_weight_winner_and_rival_tie_and_beyond_it_they_swap(ours, o
         def lead(weight, flip=flip):
             again = kesselring_from_points({"a": ours, "b": other}, weights={**names, flip.criterion: weight})
             totals = dict(zip(again.alternatives, again.total.tolist(), strict=True))
-            return totals[flip.winner] - totals[flip.rival]
+            return totals[flip.winner] - totals[flip.other]
 
         if flip.flip is None:
             assert all(lead(weight) > 0 for weight in np.linspace(0, 200, 401))
@@ -48,7 +48,7 @@ def test_table_vi_flip_weights_of_the_fourth_motor_are_those_of_the_audit(fillin
     # Table VI, section 4.2.7, with the fourth motor filled in either way; figures worked out beforehand by hand
     weights = {"rpm": 0.30, "price": 0.10, "inertia": 0.15, "mods": 0.30}
     result = kesselring_from_points({"A": (3.5, 3, 2, 4), "M4": filling}, weights=weights)
-    found = {one.criterion: one.flip for one in flip_weights(result, rival="M4")}
+    found = {one.criterion: one.flip for one in flip_weights(result, other="M4")}
     assert found[criterion] == pytest.approx(flip, abs=5e-4)  # printed to three decimals
 
 
@@ -60,7 +60,7 @@ def matrix_of(table):
 
 
 def shares_of(matrix, **drawn):
-    return rank_acceptability(matrix, doubt=VALUES_ONLY, **drawn)
+    return rank_acceptability(matrix, uncertainty=VALUES_ONLY, **drawn)
 
 
 def test_overlapping_uniform_intervals_give_the_closed_form_share():
@@ -87,7 +87,7 @@ def test_the_same_seed_gives_the_same_shares_and_a_hopeless_addition_changes_not
 
 
 def test_a_flip_needs_two_and_knows_its_rivals():
-    with pytest.raises(InputError, match="no rival"):
+    with pytest.raises(InputError, match="only one alternative"):
         flip_weights(kesselring_from_points({"a": [3.0]}, weights={"x": 1.0}))
     with pytest.raises(UnknownNameError, match="known are a, b"):
-        flip_weights(kesselring_from_points({"a": [3.0], "b": [2.0]}, weights={"x": 1.0}), rival="zzz")
+        flip_weights(kesselring_from_points({"a": [3.0], "b": [2.0]}, weights={"x": 1.0}), other="zzz")

@@ -8,11 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from torquerig.decide.cell import Cell, Origin, Override
-from torquerig.decide.comparing import reordering
-from torquerig.decide.matrix_io.certainty_text import tell_reordering, tell_trace
+from torquerig.decide.matrix_analysis import analyse_matrix
+from torquerig.decide.matrix_io.certainty_text import ranking_changes_text, trace_text
 from torquerig.decide.matrix_io.matrix_file import read_matrix
 from torquerig.decide.trace import all_traces, trace
-from torquerig.decide.working import work_out
+from torquerig.decide.version_comparison import ranking_changes
 from torquerig.errors import UnknownNameError
 
 CASE = replace(read_matrix(Path(__file__).resolve().parents[2] / "scenarios" / "matrix_example.yaml"), draws=500)
@@ -20,7 +20,7 @@ PAIR = ("servo A", "speed reserve")
 
 
 def with_cell(cell, pair=PAIR):
-    return work_out(replace(CASE, matrix=replace(CASE.matrix, cells={**CASE.matrix.cells, pair: cell})))
+    return analyse_matrix(replace(CASE, matrix=replace(CASE.matrix, cells={**CASE.matrix.cells, pair: cell})))
 
 
 def test_the_way_runs_from_the_catalog_to_the_verdict():
@@ -30,8 +30,8 @@ def test_the_way_runs_from_the_catalog_to_the_verdict():
     )
     found = trace(with_cell(cell), *PAIR)
     labels = [label for label, _ in found.steps]
-    assert labels == ["catalog", "metric", "value", "missing", "demand", "Pugh", "value function", "points", "weight",
-                      "total", "decision"]  # fmt: skip
+    assert labels == ["catalog", "metric", "value", "missing", "requirement", "Pugh", "value function", "points",
+                      "weight", "total", "decision"]  # fmt: skip
     steps = dict(found.steps)
     assert steps["catalog"] == "maximum speed of HDS6A-0104A: 5000 rpm [DOC], from data sheet p. 2"
     assert steps["value"] == "1.2..1.4 [CALC], from run 7"
@@ -52,42 +52,42 @@ def test_an_override_is_shown_as_one_and_beside_what_it_replaced():
 
 
 def test_every_cell_has_its_way_and_an_eliminated_one_says_why_it_ends():
-    worked = work_out(CASE)
+    worked = analyse_matrix(CASE)
     found = all_traces(worked)
     assert len(found) == len(CASE.matrix.alternatives) * len(CASE.matrix.criteria)
     assert all(len(one.steps) >= 3 for one in found)
     out = dict(trace(worked, "induction motor B", "price").steps)
-    assert out["points"] == "none: a demand eliminates it"
+    assert out["points"] == "none: a requirement eliminates it"
     assert out["decision"] == "eliminate"
     skipped = dict(trace(worked, "induction motor B", "speed reserve").steps)
-    assert skipped["demand"].endswith("not asked, an earlier demand eliminates it")
-    assert tell_trace(found[0]).splitlines()[0] == "present drive / servo drive"
+    assert skipped["requirement"].endswith("not tested, an earlier requirement eliminates it")
+    assert trace_text(found[0]).splitlines()[0] == "present drive / servo drive"
 
 
 def test_a_name_that_is_not_there_gets_its_close_matches():
-    worked = work_out(CASE)
+    worked = analyse_matrix(CASE)
     with pytest.raises(UnknownNameError, match="did you mean 'servo A'"):
         trace(worked, "servo B", "price")
     with pytest.raises(UnknownNameError, match="did you mean 'price'"):
         trace(worked, "servo A", "prise")
 
 
-def test_an_edited_weight_and_datum_are_told_with_what_they_did():
+def test_an_edited_weight_and_baseline_are_told_with_what_they_did():
     changed = tuple(replace(one, weight=4.0) if one.name == "price" else one for one in CASE.matrix.criteria)
-    after = replace(CASE, datum="servo A", matrix=replace(CASE.matrix, criteria=changed))
-    found = reordering(work_out(CASE), work_out(after))
+    after = replace(CASE, baseline="servo A", matrix=replace(CASE.matrix, criteria=changed))
+    found = ranking_changes(analyse_matrix(CASE), analyse_matrix(after))
     assert {(one.key, one.before, one.after) for one in found.edits} == {
-        ("datum", "present drive", "servo A"), ("criteria.price.weight", 0.2, 4.0),
+        ("baseline", "present drive", "servo A"), ("criteria.price.weight", 0.2, 4.0),
     }  # fmt: skip
     assert (found.winners_before, found.winners_after) == (("servo A",), ("present drive",))
     assert found.reversed_pairs == (("servo A", "present drive"),)
-    assert "present drive has overtaken servo A" in tell_reordering(found)
-    assert "nothing was changed" in tell_reordering(reordering(work_out(CASE), work_out(CASE)))
+    assert "present drive now ranks above servo A" in ranking_changes_text(found)
+    assert "nothing was changed" in ranking_changes_text(ranking_changes(analyse_matrix(CASE), analyse_matrix(CASE)))
 
 
 @settings(max_examples=15, deadline=None)
 @given(st.sampled_from(CASE.matrix.alternatives))
 def test_removing_an_alternative_overtakes_nobody(gone):
     left = [name for name in CASE.matrix.alternatives if name != gone]
-    fewer = replace(CASE, matrix=CASE.matrix.only(alternatives=left), datum=left[0])
-    assert reordering(work_out(CASE), work_out(fewer)).reversed_pairs == ()
+    fewer = replace(CASE, matrix=CASE.matrix.only(alternatives=left), baseline=left[0])
+    assert ranking_changes(analyse_matrix(CASE), analyse_matrix(fewer)).reversed_pairs == ()

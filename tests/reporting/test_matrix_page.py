@@ -10,9 +10,9 @@ import pytest
 
 from torquerig.decide.cell import Cell, Override
 from torquerig.decide.kesselring import VDI_2225, kesselring_from_points
+from torquerig.decide.matrix_analysis import analyse_matrix
 from torquerig.decide.matrix_io.matrix_file import read_matrix
 from torquerig.decide.strength import Rating, Strength
-from torquerig.decide.working import work_out
 from torquerig.reporting.figures.strength_figure import strength_figure
 from torquerig.reporting.figures.value_profile import WEAK, value_profile
 from torquerig.reporting.matrix.files import write_matrix
@@ -26,7 +26,7 @@ CASE = replace(EXAMPLE, draws=300, matrix=replace(EXAMPLE.matrix, cells={**EXAMP
 
 @pytest.fixture(scope="module")
 def worked():
-    return work_out(CASE)
+    return analyse_matrix(CASE)
 
 
 @pytest.fixture(scope="module")
@@ -64,15 +64,15 @@ def test_the_page_needs_nothing_beside_it_and_every_link_has_its_place(page, wor
 
 
 def test_the_page_says_verdict_override_and_what_to_ask(page, worked):
-    assert worked.verdict.word in page
+    assert worked.verdict.certainty in page
     assert "set by hand: &lt;hot&gt; &amp; | dusty" in page
     assert "ask the maker for the gearbox efficiency at peak torque of servo A" in page
     assert "takes" not in page[: page.index("<h2")]
 
 
 def test_the_same_case_gives_the_same_page_and_markdown(page, worked):
-    assert matrix_page(work_out(CASE)) == page
-    assert matrix_markdown(work_out(CASE)) == matrix_markdown(worked)
+    assert matrix_page(analyse_matrix(CASE)) == page
+    assert matrix_markdown(analyse_matrix(CASE)) == matrix_markdown(worked)
 
 
 def test_every_row_of_a_markdown_table_has_as_many_cells_as_its_head(worked):

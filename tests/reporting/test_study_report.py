@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from torquerig.decide.verdict import Word
+from torquerig.decide.verdict import Certainty
 from torquerig.errors import InputError
 from torquerig.reporting.study import report as study_report
 from torquerig.reporting.study.answers import limits
@@ -118,7 +118,7 @@ def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
 
 
 def test_a_study_that_nothing_survives_has_a_page_too(runs, decided, answer):
-    page = study_page(runs, decided, replace(answer, winner="", word=Word.NOBODY, facts=()))
+    page = study_page(runs, decided, replace(answer, winner="", word=Certainty.NOBODY, facts=()))
     assert "<dd>nobody meets the demands</dd>" in page
     assert "Nothing is open." in page
 

@@ -11,10 +11,10 @@ import pytest
 
 from torquerig.decide.cell import Cell, Origin, Override
 from torquerig.decide.kesselring import kesselring
+from torquerig.decide.matrix_analysis import analyse_matrix
+from torquerig.decide.matrix_io.excel_layout import CRITERIA, FACTS, SETTINGS, SOURCES
+from torquerig.decide.matrix_io.excel_matrix import read_excel_matrix
 from torquerig.decide.matrix_io.matrix_file import matrix_from, read_matrix
-from torquerig.decide.matrix_io.matrix_sheet import read_matrix_sheet
-from torquerig.decide.matrix_io.sheet_layout import CRITERIA, FACTS, SETTINGS, SOURCES
-from torquerig.decide.working import work_out
 from torquerig.errors import InputError
 from torquerig.reporting.workbook.kesselring_sheet import FIRST, IDEAL
 from torquerig.reporting.workbook.matrix_workbook import write_matrix_workbook
@@ -36,23 +36,23 @@ CASE = replace(EXAMPLE, draws=200, matrix=replace(EXAMPLE.matrix, cells={**EXAMP
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
     made = tmp_path_factory.mktemp("matrix") / "drives.xlsx"
-    write_matrix_workbook(made, work_out(CASE))
+    write_matrix_workbook(made, analyse_matrix(CASE))
     return made
 
 
 def test_the_workbook_read_back_is_the_same_case(path):
-    again = matrix_from(read_matrix_sheet(path))
+    again = matrix_from(read_excel_matrix(path))
     assert again.matrix.criteria == CASE.matrix.criteria
     for name in CASE.matrix.alternatives:
         for one in CASE.matrix.criteria:
             assert again.matrix.cell(name, one.name) == CASE.matrix.cell(name, one.name), (name, one.name)
-    for key in ("datum", "profile", "goal", "goal_words", "draws", "seed", "doubt", "cost"):
+    for key in ("baseline", "profile", "goal", "goal_words", "draws", "seed", "uncertainty", "cost"):
         assert getattr(again, key) == getattr(CASE, key)
 
 
 def test_the_stored_values_are_those_of_the_engine(path):
     sheet = openpyxl.load_workbook(path, data_only=True)["Kesselring"]
-    result, count = work_out(CASE).overall, len(work_out(CASE).overall.criteria)
+    result, count = analyse_matrix(CASE).overall, len(analyse_matrix(CASE).overall.criteria)
     for row in range(len(result.alternatives)):
         cells = [cell.value for cell in sheet[FIRST + row + 1]]
         assert cells[1 : count + 1] == pytest.approx(result.middle[row].tolist())
@@ -99,7 +99,7 @@ def test_a_changed_entry_gives_what_the_engine_gives(path, changes, edit):
     if "ripple of servo A" in edit:
         cells["servo A", ripple.name] = Cell(low=0.01, high=edit["ripple of servo A"])
     changed = replace(CASE.matrix, criteria=tuple(criteria), cells=cells)
-    result = kesselring(changed.only(alternatives=work_out(CASE).overall.alternatives))
+    result = kesselring(changed.only(alternatives=analyse_matrix(CASE).overall.alternatives))
     best, worst = result.rank_range
     for row in range(len(result.alternatives)):
         line = FIRST + row + 1
@@ -129,16 +129,16 @@ CASES = {
     "misspelt column": (set_cell(CRITERIA, "D1", "wieght"), "the column 'weight' is missing; did you mean 'wieght'"),
     "missing sheet": (lambda book: book.remove(book[FACTS]), "the sheet 'Facts' is missing"),
     "unknown column": (set_cell(CRITERIA, "M1", "purpos"), "sheet 'Criteria', cell M1: unknown column 'purpos'; did you mean 'purpose'"),
-    "double column": (set_cell(CRITERIA, "C1", "unit"), "cell C1: the column 'unit' stands twice"),
+    "double column": (set_cell(CRITERIA, "C1", "unit"), "cell C1: the column 'unit' occurs twice"),
     "negative weight": (set_cell(CRITERIA, "D4", -0.5), "sheet 'Criteria', cell D4: the weight -0.5 must be at least 0"),
     "all weights zero": (lambda book: [book[CRITERIA].cell(row, 4, 0) for row in range(2, 8)], "all weights are 0"),
     "points outside": (set_cell(CRITERIA, "O4", 7), "cell N4: 7 points are outside the scale 1..5"),
     "not monotone": (set_cell(CRITERIA, "O4", 2), "cell N4: the value function is not monotone"),
-    "double criterion": (set_cell(CRITERIA, "A5", "servo drive"), "sheet 'Criteria', cell A5: the criterion 'servo drive' stands twice"),
-    "double alternative": (set_cell(FACTS, "A3", "present drive"), "sheet 'Facts', cell A3: the alternative 'present drive' stands twice"),
+    "double criterion": (set_cell(CRITERIA, "A5", "servo drive"), "sheet 'Criteria', cell A5: the criterion 'servo drive' occurs twice"),
+    "double alternative": (set_cell(FACTS, "A3", "present drive"), "sheet 'Facts', cell A3: the alternative 'present drive' occurs twice"),
     "nameless": (set_cell(FACTS, "A3", None), "sheet 'Facts', cell A3: the alternative has no name"),
-    "datum not there": (set_cell(SETTINGS, "B3", "servo B"), "sheet 'Settings', cell B3: the datum 'servo B' is not in the matrix; did you mean 'servo A'"),
-    "unknown setting": (set_cell(SETTINGS, "A3", "dautm"), "sheet 'Settings', cell A3: unknown setting; did you mean 'datum'"),
+    "baseline not there": (set_cell(SETTINGS, "B3", "servo B"), "sheet 'Settings', cell B3: the baseline 'servo B' is not in the matrix; did you mean 'servo A'"),
+    "unknown setting": (set_cell(SETTINGS, "A3", "baselnie"), "sheet 'Settings', cell A3: unknown setting; did you mean 'baseline'"),
     "unknown source": (set_cell(SOURCES, "A2", "servo B"), "sheet 'Sources', cell A2: unknown alternative 'servo B'; did you mean 'servo A'"),
     "no reason": (lambda book: [book[SOURCES].cell(row, 12, None) for row in range(2, 12)] and book[SOURCES].delete_cols(12), "a cell set by hand needs its reason"),
     "text for a number": (set_cell(FACTS, "F3", "little"), "sheet 'Facts', cell F3: .*or write a bare number"),
@@ -151,23 +151,36 @@ CASES = {
 def test_a_broken_sheet_is_one_sentence_with_its_cell(path, tmp_path, change, said):
     target = broken(path, tmp_path, change)
     with pytest.raises(InputError, match=said) as raised:
-        matrix_from(read_matrix_sheet(target))
+        matrix_from(read_excel_matrix(target))
     assert str(raised.value).startswith(f"{target}: ")
     assert "\n" not in str(raised.value)
+
+
+def test_names_of_earlier_versions_are_read_with_a_notice(path, tmp_path, capsys):
+    def change(book):
+        for sheet, old in ((CRITERIA, {"requirement min": "demand min"}), (SETTINGS, {"baseline": "datum"})):
+            for row in book[sheet].iter_rows():
+                for cell in row:
+                    cell.value = old.get(cell.value, cell.value)
+
+    assert matrix_from(read_excel_matrix(broken(path, tmp_path, change))) == matrix_from(read_excel_matrix(path))
+    notices = capsys.readouterr().err
+    assert "'demand min' is now 'requirement min'" in notices
+    assert "'datum' is now 'baseline'" in notices
 
 
 def test_text_forms_of_a_cell_are_read(path, tmp_path):
     target = broken(
         path, tmp_path, lambda book: (set_cell(FACTS, "B4", "no")(book), set_cell(FACTS, "F4", "2..5")(book))
     )
-    case = matrix_from(read_matrix_sheet(target))
+    case = matrix_from(read_excel_matrix(target))
     assert case.matrix.cell("induction motor B", "servo drive").bounds == (0, 0)
     assert case.matrix.cell("induction motor B", "ripple at the sensor").bounds == (2, 5)
 
 
 def test_what_is_no_workbook_is_one_sentence(tmp_path):
     with pytest.raises(InputError, match="there is no such file"):
-        read_matrix_sheet(tmp_path / "none.xlsx")
+        read_excel_matrix(tmp_path / "none.xlsx")
     (tmp_path / "text.xlsx").write_text("no workbook", encoding="utf-8")
     with pytest.raises(InputError, match="is no Excel workbook"):
-        read_matrix_sheet(tmp_path / "text.xlsx")
+        read_excel_matrix(tmp_path / "text.xlsx")

@@ -11,10 +11,10 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
 from torquerig.decide.case import MatrixCase
+from torquerig.decide.matrix_analysis import analyse_matrix
+from torquerig.decide.matrix_io.excel_matrix import read_excel_matrix
 from torquerig.decide.matrix_io.matrix_file import matrix_from
-from torquerig.decide.matrix_io.matrix_sheet import read_matrix_sheet
 from torquerig.decide.trace import trace
-from torquerig.decide.working import work_out
 from torquerig.document import read_document
 from torquerig.reporting.matrix.files import write_matrix
 from torquerig.scenario.overrides import overridden
@@ -53,8 +53,8 @@ def test_each_drive_that_is_left_stands_in_it_with_its_best_filter_and_the_prese
 
 
 def test_it_says_what_the_study_says() -> None:
-    worked, answer = work_out(case()), verdict(small())
-    assert worked.verdict.word is answer.word
+    worked, answer = analyse_matrix(case()), verdict(small())
+    assert worked.verdict.certainty is answer.word
     assert worked.verdict.winners == (answer.winner,)
     assert worked.missing[0].fact == answer.facts[0].fact == "whether bldc-12n14p is a servo motor"
 
@@ -62,14 +62,14 @@ def test_it_says_what_the_study_says() -> None:
 @pytest.mark.parametrize("ending", [".yaml", ".xlsx"])
 def test_what_is_written_is_the_same_case_with_the_same_way_of_each_cell(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"drives{ending}"
-    worked = work_out(case())
+    worked = analyse_matrix(case())
     write_matrix(worked, path)
-    again = work_out(matrix_from(read_matrix_sheet(path) if ending == ".xlsx" else read_document(path)))
+    again = analyse_matrix(matrix_from(read_excel_matrix(path) if ending == ".xlsx" else read_document(path)))
     assert again.overall.total == pytest.approx(worked.overall.total, rel=1e-12)
     for criterion in ("reading error", "price", "servo motor"):
         told = trace(again, BEST, criterion)
         assert told == trace(worked, BEST, criterion)
-    assert len(trace(again, BEST, "reading error").told("catalog")) > 20
+    assert len(trace(again, BEST, "reading error").texts("catalog")) > 20
 
 
 @pytest.mark.parametrize(

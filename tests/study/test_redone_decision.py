@@ -10,9 +10,9 @@ import pytest
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
-from torquerig.decide.criterion import Better, Criterion, Demand
-from torquerig.decide.matrix_io.sheet import Method
-from torquerig.decide.verdict import Word
+from torquerig.decide.criterion import Better, Criterion, Requirement
+from torquerig.decide.matrix_io.matrix_table import Method
+from torquerig.decide.verdict import Certainty
 from torquerig.document import parse_document, read_document
 from torquerig.errors import TorquerigError
 from torquerig.metrics.figure import Figure
@@ -121,16 +121,16 @@ def test_table_two_from_the_catalog(shipped):
 
 
 def test_published_marks_are_read_and_not_known(shipped):
-    sheet = shipped.book.sheet("Table II")
+    sheet = shipped.book.table("Table II")
     turned = tuple(replace(row, entries=tuple("-" for _ in row.entries)) for row in sheet.rows)
-    others = (replace(one, rows=turned) if one is sheet else one for one in shipped.book.sheets)
+    others = (replace(one, rows=turned) if one is sheet else one for one in shipped.book.tables)
     table = elimination(shipped, replace(shipped.book, sheets=tuple(others)))
     assert {cell.published for cell in table.cells} == {"-"}
     assert {cell.computed for cell in table.cells} == {cell.computed for cell in elimination(shipped).cells}
     assert not [cell for cell in table.differing if cell.computed == "-"]
 
 
-MORE = Criterion(name="x", unit="N*m", better=Better.MORE, purpose="as read", demand=Demand(low=6.0))
+MORE = Criterion(name="x", unit="N*m", better=Better.MORE, purpose="as read", requirement=Requirement(low=6.0))
 
 
 @pytest.mark.parametrize(
@@ -187,7 +187,7 @@ def test_a_small_decision_and_its_answer(small):
     assert answer.published == "HDS6A-0104A"
     assert answer.published_text == "Points, 1.6 of 4 in print"
     assert answer.keeps
-    assert str(answer.overall.word) in answer.sentences()[1]
+    assert str(answer.overall.certainty) in answer.sentences()[1]
     assert 0 <= answer.keeps_chance <= 1
     assert set(answer.table) == {
         "Points computed with its printed weights", "Points computed with the lost 0.2 on ripple",
@@ -197,8 +197,8 @@ def test_a_small_decision_and_its_answer(small):
 def test_the_answer_uses_the_words_of_the_study_and_keeps_its_demands_open(small):
     """``compare`` on the same drives: one engine, so one word, one chance and one open demand."""
     answer, of_study = small.answer, verdict(small.decided)
-    assert answer.overall.word is of_study.word is Word.UNDECIDABLE
-    assert answer.overall.chances == of_study.chances
+    assert answer.overall.certainty is of_study.word is Certainty.OPEN
+    assert answer.overall.best_shares == of_study.chances
     assert answer.conditions == ("whether bldc-12n14p is a servo motor",)
     assert of_study.facts[0].sentence().startswith("ask the maker whether bldc-12n14p is a servo motor: if not, ")
 

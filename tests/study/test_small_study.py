@@ -12,7 +12,7 @@ import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.decide.verdict import Word
+from torquerig.decide.verdict import Certainty
 from torquerig.document import read_document
 from torquerig.errors import InputError, TorquerigError
 from torquerig.metrics.figure import Figure
@@ -248,14 +248,14 @@ def test_where_no_drive_meets_the_demands_nothing_survives() -> None:
     harder = overridden(small().study.document, [*SMALL, "continuous torque.min=1000"])
     runs = replace(small(), study=open_study(harder, small().study.catalog))
     answer = verdict(decide(runs))
-    assert (answer.word, answer.winner) == (Word.NOBODY, "")
+    assert (answer.word, answer.winner) == (Certainty.NOBODY, "")
 
 
 def test_two_names_of_one_motor_tie() -> None:
     """REF is an alias of the rig's motor: equal drives, equal totals; no draw can part them."""
     edits = ("study.motors=[bldc-12n14p, REF]", "study.gearboxes=[reference-5-1]", "study.draws=0")
     runs = run_study(study_with((*TINY, *edits)))
-    assert verdict(decide(answered(runs))).word is Word.TIE
+    assert verdict(decide(answered(runs))).word is Certainty.TIE
 
 
 def answered(runs: StudyRuns) -> StudyRuns:
@@ -269,12 +269,12 @@ def answered(runs: StudyRuns) -> StudyRuns:
 
 def test_an_open_demand_on_the_winner_is_undecidable_until_it_is_answered() -> None:
     before = verdict(decide(small()))
-    assert before.word is Word.UNDECIDABLE
+    assert before.word is Certainty.OPEN
     asked = [fact for fact in before.facts if fact.fact == "whether bldc-12n14p is a servo motor"]
     assert asked[0].decisive
     assert any("ask the maker whether bldc-12n14p is a servo motor: " in told for told in before.open_facts)
     after = verdict(decide(answered(small())))
-    assert after.word is not Word.UNDECIDABLE
+    assert after.word is not Certainty.OPEN
     assert after.chances == pytest.approx(before.chances)
 
 

@@ -50,15 +50,15 @@ def test_every_cell_has_its_way_and_every_rating_comes_from_the_catalog_or_says_
     assert len(traced) == 4 * 2 + 2  # GP-71M is no servo motor, and out of reach at 20:1
     assert len(cells) == 8 * 6 + 10 * 4
     for cell in cells:
-        assert cell.told("metric"), cell
-        assert cell.told("decision"), cell
-        assert cell.told("catalog") or cell.criterion in ("new parts", "price"), cell
-    assert of("bldc-12n14p 5:1", "servo motor").told("catalog") == ("whether bldc-12n14p is a servo motor: ?",)
+        assert cell.texts("metric"), cell
+        assert cell.texts("decision"), cell
+        assert cell.texts("catalog") or cell.criterion in ("new parts", "price"), cell
+    assert of("bldc-12n14p 5:1", "servo motor").texts("catalog") == ("whether bldc-12n14p is a servo motor: ?",)
 
 
 def test_a_simulated_figure_rests_on_every_catalog_value_of_the_rig_with_interval_evidence_and_source() -> None:
     cell = of(f"{NEW} | low_pass_20Hz", "reading error")
-    told = cell.told("catalog")
+    told = cell.texts("catalog")
     entry = CATALOG.motor("HDS6A-0104A")
     scenario = scenario_of(next(one for one in candidates(study()) if one.name == NEW), study(), seed=1)
     assert len(told) == len(scenario.taken)
@@ -67,7 +67,7 @@ def test_a_simulated_figure_rests_on_every_catalog_value_of_the_rig_with_interva
     assert f"[{entry.rotor_inertia.evidence}], from {entry.rotor_inertia.source}" in inertia
     assert any(text.startswith("ripple: cogging native of HDS6A-0104A") for text in told)
     assert any(text.startswith("stiffness of reference-5-1") for text in told)
-    assert "behind the filter low_pass_20Hz" in cell.told("metric")[0]
+    assert "behind the filter low_pass_20Hz" in cell.texts("metric")[0]
 
 
 def test_the_values_taken_are_those_of_the_parts_and_what_the_scenario_states_is_not_among_them() -> None:
@@ -90,10 +90,10 @@ def test_points_and_what_they_add_are_those_of_the_engine() -> None:
         added = 0.0
         for column, criterion in enumerate(result.criteria):
             cell = traced_cell(decided, answer, name, criterion)
-            assert cell.told("points")[0].startswith(f"{result.middle[row, column]:.3g}")
-            added += float(cell.told("weight")[0].rpartition("adds ")[2].removesuffix(" to T"))
+            assert cell.texts("points")[0].startswith(f"{result.middle[row, column]:.3g}")
+            added += float(cell.texts("weight")[0].rpartition("adds ")[2].removesuffix(" to T"))
         assert added == pytest.approx(result.total[row], abs=0.02)  # each term is told with three digits
-        assert f"T {result.total[row]:.4g} of {result.ideal:.4g}" in cell.told("total")[0]
+        assert f"T {result.total[row]:.4g} of {result.ideal:.4g}" in cell.texts("total")[0]
 
 
 def test_a_drive_alone_stands_for_its_best_filter_and_a_demand_for_the_drive() -> None:
@@ -102,13 +102,13 @@ def test_a_drive_alone_stands_for_its_best_filter_and_a_demand_for_the_drive() -
     assert of(NEW, "price").alternative == best
     assert of(NEW, "servo motor").alternative == NEW
     price = of(NEW, "price")
-    assert [text.partition(":")[0] for text in price.told("catalog")] == [
+    assert [text.partition(":")[0] for text in price.texts("catalog")] == [
         "price of HDS6A-0104A", "price of the drive of HDS6A-0104A",
     ]  # fmt: skip
-    assert price.told("value") == ("340..1300 [EUR]",)
+    assert price.texts("value") == ("340..1300 [EUR]",)
     out = of("GP-71M 20:1", "speed reserve")
-    assert out.told("demand")[0].startswith("- speed reserve >= 1")
-    assert out.told("decision") == ("eliminate",)
+    assert out.texts("requirement")[0].startswith("- speed reserve >= 1")
+    assert out.texts("decision") == ("eliminate",)
 
 
 def test_the_catalog_values_of_a_drive_stand_once_with_all_that_rests_on_them() -> None:
@@ -144,7 +144,7 @@ def test_an_eliminated_drive_has_no_points_to_trace() -> None:
 def test_one_engine_gives_the_verdict_of_a_study_and_of_some_of_its_drives() -> None:
     decided, answer = small()
     rated = rated_drives(decided, left_over(decided))
-    assert (rated.verdict.word, rated.verdict.chances) == (answer.word, answer.chances)
+    assert (rated.verdict.certainty, rated.verdict.best_shares) == (answer.word, answer.chances)
     assert sum(answer.shares.values()) == pytest.approx(1)
     new = [name for name in left_over(decided) if not name.startswith("bldc")]
     others = rated_drives(decided, new)

@@ -11,8 +11,8 @@ from torquerig.catalog.search import catalog_for
 from torquerig.cli.inputs import catalog_option, set_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
-from torquerig.decide.matrix_io.certainty_text import tell_trace
-from torquerig.decide.working import work_out
+from torquerig.decide.matrix_analysis import analyse_matrix
+from torquerig.decide.matrix_io.certainty_text import trace_text
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.plain_table import grid
@@ -80,9 +80,9 @@ def command(
     decided, answer = _tell(runs)
     _tell_changes(found, settings)
     for pair in traced:
-        click.echo("\n" + tell_trace(traced_cell(decided, answer, *pair)))
+        click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
     for path in matrices:
-        write_matrix(work_out(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
+        write_matrix(analyse_matrix(as_matrix(decided, name=scenario.stem, seed=study.settings.seed)), path)
         click.echo(f"wrote {path}", err=True)
     written = write_study_report(runs, decided, answer, folder, changes=found or None, edits=settings)
     click.echo(f"\n{answer.sentence}\n\nreport: {written[0]}")

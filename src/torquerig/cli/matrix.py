@@ -12,7 +12,7 @@ from torquerig.document import Document, read_document
 from torquerig.errors import InputError
 
 if TYPE_CHECKING:
-    from torquerig.decide.working import WorkedOut
+    from torquerig.decide.matrix_analysis import MatrixAnalysis
 
 ENDINGS = (".html", ".md", ".xlsx", ".yaml")
 
@@ -38,10 +38,10 @@ def command(
     if isinstance(document.data, dict) and "tables" in document.data:
         if outs or traced or before:
             raise InputError(f"{file}: holds published tables; --out, --trace and --before want a matrix of one's own")
-        from torquerig.decide.matrix_io.matrix_report import tell_book
+        from torquerig.decide.matrix_io.matrix_report import published_tables_text
         from torquerig.decide.matrix_io.published_tables import tables_from
 
-        click.echo(tell_book(tables_from(document)), nl=False)
+        click.echo(published_tables_text(tables_from(document)), nl=False)
         return
     for path in outs:
         check_target(path, force=force)
@@ -54,38 +54,38 @@ def command(
         click.echo(f"wrote {path}", err=True)
 
 
-def _told(worked: WorkedOut, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
-    from torquerig.decide.comparing import reordering
-    from torquerig.decide.matrix_io.certainty_text import tell_reordering, tell_trace
-    from torquerig.decide.matrix_io.matrix_report import tell_worked_out
+def _told(worked: MatrixAnalysis, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
+    from torquerig.decide.matrix_io.certainty_text import ranking_changes_text, trace_text
+    from torquerig.decide.matrix_io.matrix_report import matrix_analysis_text
     from torquerig.decide.trace import trace
+    from torquerig.decide.version_comparison import ranking_changes
 
-    parts = [tell_trace(trace(worked, *pair)) for pair in traced]
+    parts = [trace_text(trace(worked, *pair)) for pair in traced]
     if before is not None:
-        parts.append(tell_reordering(reordering(_worked_out(_read(before)), worked)))
-    return "\n\n".join(parts) + "\n" if parts else tell_worked_out(worked)
+        parts.append(ranking_changes_text(ranking_changes(_worked_out(_read(before)), worked)))
+    return "\n\n".join(parts) + "\n" if parts else matrix_analysis_text(worked)
 
 
-def _worked_out(document: Document) -> WorkedOut:
+def _worked_out(document: Document) -> MatrixAnalysis:
+    from torquerig.decide.matrix_analysis import analyse_matrix
     from torquerig.decide.matrix_io.matrix_file import matrix_from
-    from torquerig.decide.working import work_out
 
     catalog = None
     if isinstance(document.data, dict) and document.data.get("motors"):
         from torquerig.catalog.search import catalog_for
 
         catalog = catalog_for(document.path, ())
-    return work_out(matrix_from(document, catalog=catalog))
+    return analyse_matrix(matrix_from(document, catalog=catalog))
 
 
 def _read(file: Path) -> Document:
     if file.suffix.lower() == ".xlsx":
-        from torquerig.decide.matrix_io.matrix_sheet import read_matrix_sheet
+        from torquerig.decide.matrix_io.excel_matrix import read_excel_matrix
 
-        return read_matrix_sheet(file)
+        return read_excel_matrix(file)
     document = read_document(file)
     if isinstance(document.data, dict) and "rig" in document.data:
-        raise InputError(f"{file}: is the scenario of a rig, not a matrix; torquerig compare works its matrices out")
+        raise InputError(f"{file}: is the scenario of a rig, not a matrix; use torquerig compare")
     return document
 
 

@@ -1,24 +1,24 @@
-"""A matrix with how to judge it: datum, scale, goal, doubts, and what was decided before."""
+"""A matrix with its settings: baseline, scale, goal, uncertainty and history."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from torquerig.decide.draws import Doubt
 from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_io.sheet import Alias
+from torquerig.decide.matrix_io.matrix_table import Alias
+from torquerig.decide.monte_carlo import Uncertainty
 
 
 @dataclass(frozen=True, kw_only=True)
 class Cost:
-    """What the economic rating of VDI 2225 is counted from, where it is not from points.
+    """The costs of the economic rating of VDI 2225, where it is not from points.
 
     Parameters
     ----------
     criterion : str
-        Whose values are the costs.
+        The criterion whose values are the costs.
     permissible : float
         The highest cost that would be accepted [unit of the criterion].
     """
@@ -29,40 +29,40 @@ class Cost:
 
 @dataclass(frozen=True, kw_only=True)
 class MatrixCase:
-    """A matrix with how to judge it.
+    """A matrix with its settings.
 
     Parameters
     ----------
     matrix : DecisionMatrix
-    datum : str
+    baseline : str
         The alternative that Pugh starts from.
     profile : Profile
         The points scale.
     goal : str
     goal_words : tuple of str
-        What a criterion's name must hold to ask for the goal.
+        A criterion whose name has one of these words rates the goal.
     draws, seed : int
-        Of the joint draws.
-    doubt : Doubt
-        How far points and weights may be off.
+        Number of Monte Carlo samples and their random seed.
+    uncertainty : Uncertainty
+        Uncertainty of points and weights.
     cost : Cost or None
         For the economic rating.
     aliases : tuple of Alias
         Names that are known to mean one thing.
     history : tuple of str
-        What was changed before, in words, the oldest first.
+        Earlier changes, in words, the oldest first.
     places : mapping of str to str
-        Where each criterion stands in its file, for findings.
+        Place of each criterion in its file, for findings.
     """
 
     matrix: DecisionMatrix
-    datum: str
+    baseline: str
     profile: Profile = TEACHING
     goal: str = ""
     goal_words: tuple[str, ...] = ()
     draws: int = 10_000
     seed: int = 0
-    doubt: Doubt = field(default_factory=Doubt)
+    uncertainty: Uncertainty = field(default_factory=Uncertainty)
     cost: Cost | None = None
     aliases: tuple[Alias, ...] = ()
     history: tuple[str, ...] = ()

@@ -1,4 +1,4 @@
-"""One cell of a matrix: a number, an interval or ``?``, where it comes from, and what somebody set by hand."""
+"""One cell of a matrix: a number, an interval or ``?``, its sources, and what was set by hand."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.units import in_unit
 
 @dataclass(frozen=True, kw_only=True)
 class Origin:
-    """A catalog value or measurement that a cell was worked out from.
+    """A catalog value or measurement that a cell was calculated from.
 
     Parameters
     ----------
@@ -32,16 +32,16 @@ class Origin:
 
 @dataclass(frozen=True, kw_only=True)
 class Override:
-    """What somebody set by hand: another value, or the points themselves, and why.
+    """A value or points set by hand, with the reason.
 
     Parameters
     ----------
     reason : str
-        Must be stated; it is shown wherever the cell is.
+        Required; it is shown with the cell.
     value : float or None
-        Takes the place of what is known [unit of the criterion].
+        Replaces the known value [unit of the criterion].
     points : float or None
-        Takes the place of what the value function gives.
+        Replaces the points of the value function.
     """
 
     reason: str
@@ -59,7 +59,7 @@ class Override:
 
 @dataclass(frozen=True, kw_only=True)
 class Cell:
-    """What is known of one alternative under one criterion, and from where.
+    """What is known of one alternative under one criterion, with its sources.
 
     Parameters
     ----------
@@ -76,14 +76,14 @@ class Cell:
     unknown_reason : str
         What is missing, in words, for the list of open questions.
     fact : str
-        The one fact that the cell rests on (``rotor inertia of HDS6A-0104A``). Cells with the same fact are drawn
-        together and asked for together; empty where the cell is a fact of its own.
+        The fact that the cell depends on (``rotor inertia of HDS6A-0104A``). Cells with the same fact are sampled
+        together; empty where no other cell depends on it.
     origins : tuple of Origin
-        The catalog values that it was worked out from.
+        The catalog values that it was calculated from.
     metric : str
-        How it was worked out from them: a formula or a simulation, in words.
+        How it was calculated from them: a formula or a simulation, in words.
     by_hand : Override or None
-        What takes its place.
+        What replaces it.
     """
 
     value: float | None = None
@@ -111,7 +111,7 @@ class Cell:
 
     @property
     def used(self) -> Cell:
-        """The cell that counts: itself, or the value that was set by hand."""
+        """The cell that is used: this one, or the value that was set by hand."""
         if self.by_hand is None or self.by_hand.value is None:
             return self
         return replace(self, value=self.by_hand.value, low=None, high=None, text="", by_hand=None)
@@ -123,7 +123,7 @@ class Cell:
 
     @property
     def known(self) -> bool:
-        """Whether it is one number, without doubt."""
+        """Whether it is one exact number."""
         low, high = self.bounds
         return low == high and self.used.value is not None
 
@@ -170,7 +170,7 @@ class Cell:
 
 
 def _digits(number: float | None, digits: int) -> str:
-    """Return so many digits, and a large number without an exponent."""
+    """Return the number with ``digits`` digits, and a large number without an exponent."""
     text = f"{number:.{digits}g}"
     return f"{float(text):.0f}" if "e+0" in text else text
 

@@ -1,8 +1,8 @@
-"""Pugh's controlled convergence: the strongest becomes the datum, again and again, until the datum stands.
+"""Pugh's controlled convergence: the strongest alternative becomes the baseline until no other one is stronger.
 
 Source: Pugh, Concept selection - a method that works, ICED 1981; Frey et al., The Pugh controlled convergence method,
-Research in Engineering Design 20 (2009) 41-58. What a run cannot do is done by people between two runs: removing the
-negatives of a strong concept, and combining concepts. So each run says where that would have to begin.
+Research in Engineering Design 20 (2009) 41-58. Between two runs, people remove the negatives of a strong concept and
+combine concepts. Each run therefore lists the criteria in which the strongest alternative is worse.
 """
 
 from __future__ import annotations
@@ -13,28 +13,28 @@ from dataclasses import dataclass
 import numpy as np
 
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.pugh import DatumSweep, PughResult, Sign, pugh
+from torquerig.decide.pugh import BaselineSweep, PughResult, Sign, pugh
 
 
 @dataclass(frozen=True, kw_only=True)
-class DatumStep:
-    """One run with one datum.
+class BaselineStep:
+    """One run with one baseline.
 
     Parameters
     ----------
-    datum, strongest : str
-        ``strongest`` is the datum itself where nobody has more pluses than minuses against it.
+    baseline, strongest : str
+        ``strongest`` is the baseline itself where no alternative has more pluses than minuses against it.
     net_low, net_high : int
-        The net of the strongest, with every ``?`` turned out badly and well.
+        The net score of the strongest, with every ``?`` counted as ``-`` and as ``+``.
     negatives : tuple of str
-        The criteria in which the strongest is worse than the datum: what to attack.
+        The criteria in which the strongest is worse than the baseline: the ones to improve.
     undiscriminating : tuple of str
-        The criteria with the same certain sign for all but the datum: they decided nothing in this run.
+        The criteria with the same certain sign for all alternatives but the baseline.
     weak : tuple of str
-        Those that are never better and somewhere worse than the datum, whatever the ``?`` turn out to be: what to drop.
+        Alternatives that are never better and somewhere worse than the baseline, for any value of ``?``: to be dropped.
     """
 
-    datum: str
+    baseline: str
     strongest: str
     net_low: int
     net_high: int
@@ -49,75 +49,75 @@ class Convergence:
 
     Parameters
     ----------
-    steps : tuple of DatumStep
-    stands : str
-        The datum that nobody surely-signed beats; empty where the runs go round in a circle.
-    circle : tuple of str
-        The datums that follow each other for ever; empty where one stands.
+    steps : tuple of BaselineStep
+    stable : str
+        The baseline that no alternative beats by certain signs; empty where the runs form a cycle.
+    cycle : tuple of str
+        The baselines that follow each other in a cycle; empty where one is stable.
     sure : bool
-        Whether the datum stands whatever the ``?`` turn out to be.
+        Whether the baseline is stable for any value of ``?``.
     """
 
-    steps: tuple[DatumStep, ...]
-    stands: str
-    circle: tuple[str, ...]
+    steps: tuple[BaselineStep, ...]
+    stable: str
+    cycle: tuple[str, ...]
     sure: bool
 
 
-def converge(matrix: DecisionMatrix, datum: str) -> Convergence:
-    """Run Pugh from ``datum`` until the datum stands or a datum comes back.
+def converge(matrix: DecisionMatrix, baseline: str) -> Convergence:
+    """Run Pugh from ``baseline`` until the baseline is stable or a former baseline returns.
 
-    The strongest is who has the highest net of certain signs, then the most pluses, then the first place. Because signs
-    come from values, a new datum needs no new judging.
+    The strongest alternative has the highest net of certain signs, then the most pluses, then the first place. Signs
+    come from values, so that a new baseline needs no new rating.
 
     Raises
     ------
     UnknownNameError
-        When the datum is not in the matrix.
+        When the baseline is not in the matrix.
     """
-    steps: list[DatumStep] = []
+    steps: list[BaselineStep] = []
     seen: list[str] = []
     while True:
-        result = pugh(matrix, datum)
+        result = pugh(matrix, baseline)
         step = _step(result)
         steps.append(step)
-        seen.append(datum)
-        if step.strongest == datum:
+        seen.append(baseline)
+        if step.strongest == baseline:
             sure = bool((result.net_high <= 0).all())
-            return Convergence(steps=tuple(steps), stands=datum, circle=(), sure=sure)
-        datum = step.strongest
-        if datum in seen:
-            circle = tuple(seen[seen.index(datum) :])
-            return Convergence(steps=tuple(steps), stands="", circle=circle, sure=False)
+            return Convergence(steps=tuple(steps), stable=baseline, cycle=(), sure=sure)
+        baseline = step.strongest
+        if baseline in seen:
+            circle = tuple(seen[seen.index(baseline) :])
+            return Convergence(steps=tuple(steps), stable="", cycle=circle, sure=False)
 
 
-def cycles(sweep: DatumSweep) -> tuple[tuple[str, ...], ...]:
-    """Return a shortest circle a > b > ... > a of sure wins from each knot of alternatives that beat each other round.
+def cycles(sweep: BaselineSweep) -> tuple[tuple[str, ...], ...]:
+    """Return a shortest cycle a > b > ... > a of certain wins from each group of alternatives that beat each other.
 
-    Empty where the wins are in order. Pairwise majorities may run in circles (Condorcet); then no ranking follows.
+    Empty where there is no cycle. Pairwise majorities may form cycles (Condorcet); then no ranking follows.
     """
     beats = sweep.beats
     reach = beats.copy()
     for middle in range(len(reach)):
         reach |= reach[:, middle, None] & reach[None, middle]
-    left = {place for place in range(len(reach)) if reach[place, place]}
+    remaining = {place for place in range(len(reach)) if reach[place, place]}
     found = []
-    while left:
-        knot = {other for other in left if reach[min(left), other] and reach[other, min(left)]}
-        loop = min((_loop(beats, start, knot) for start in sorted(knot)), key=len)
+    while remaining:
+        group = {other for other in remaining if reach[min(remaining), other] and reach[other, min(remaining)]}
+        loop = min((_loop(beats, start, group) for start in sorted(group)), key=len)
         found.append(tuple(sweep.alternatives[place] for place in loop))
-        left -= knot
+        remaining -= group
     return tuple(found)
 
 
-def _loop(beats: np.ndarray[tuple[int, ...], np.dtype[np.bool_]], start: int, knot: Iterable[int]) -> list[int]:
-    """Return a shortest way from ``start`` back to it within the knot, without the return."""
+def _loop(beats: np.ndarray[tuple[int, ...], np.dtype[np.bool_]], start: int, group: Iterable[int]) -> list[int]:
+    """Return a shortest path from ``start`` back to it within the group, without the last step."""
     ways = [[start]]
     seen = {start}
     while ways:
         longer = []
         for way in ways:
-            for other in sorted(knot):
+            for other in sorted(group):
                 if beats[way[-1], other] and other == start:
                     return way
                 if beats[way[-1], other] and other not in seen:
@@ -127,19 +127,19 @@ def _loop(beats: np.ndarray[tuple[int, ...], np.dtype[np.bool_]], start: int, kn
     return [start]
 
 
-def _step(result: PughResult) -> DatumStep:
+def _step(result: PughResult) -> BaselineStep:
     pluses = np.array([result.counts(name)[Sign.BETTER] for name in result.alternatives])
     order = np.lexsort((np.arange(pluses.size), -pluses, -result.net_certain))
     place = int(order[0])
-    datum = result.alternatives.index(result.datum)
+    baseline = result.alternatives.index(result.baseline)
     if result.net_certain[place] <= 0:
-        place = datum
-    low, high = (np.delete(ends, datum, axis=0) for ends in (result.low, result.high))
+        place = baseline
+    low, high = (np.delete(ends, baseline, axis=0) for ends in (result.low, result.high))
     flat: list[bool] = ((low == high) & (low == low[:1])).all(axis=0).tolist() if len(low) > 1 else []
     weak = (result.high <= 0).all(axis=1) & (result.low < 0).any(axis=1) & (result.high < 0).any(axis=1)
     strongest = result.alternatives[place]
-    return DatumStep(
-        datum=result.datum,
+    return BaselineStep(
+        baseline=result.baseline,
         strongest=strongest,
         net_low=int(result.net_low[place]),
         net_high=int(result.net_high[place]),

@@ -1,4 +1,4 @@
-"""What is asked of each alternative: a direction, maybe a limit, maybe points on an absolute scale."""
+"""Criteria of a matrix: direction, requirement, indifference band, and points on an absolute scale."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ class Better(StrEnum):
 
 
 class Kind(StrEnum):
-    """Which of the two ratings of VDI 2225 a criterion belongs to; a price is economic."""
+    """The rating of VDI 2225 that a criterion belongs to; a price is economic."""
 
     TECHNICAL = "technical"
     ECONOMIC = "economic"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Demand:
+class Requirement:
     """A limit that must be met.
 
     Parameters
@@ -48,9 +48,9 @@ class Demand:
 
     def __post_init__(self) -> None:
         if self.low is None and self.high is None:
-            raise InputError("a demand needs a limit; write min or max, or leave the demand out")
+            raise InputError("a requirement needs a limit; write min or max, or leave the requirement out")
         if self.low is not None and self.high is not None and self.low > self.high:
-            raise InputError(f"the demand's min {self.low:g} is above its max {self.high:g}; swap them")
+            raise InputError(f"the requirement's min {self.low:g} is above its max {self.high:g}; swap them")
 
     def rule(self, name: str, unit: str) -> str:
         """Return the rule as a sentence part: ``price <= 600 EUR``."""
@@ -74,7 +74,7 @@ class Indifference:
         Half-width [unit of the criterion], >= 0.
     relative : float
         Half-width as a share of the larger of the two magnitudes [1], 0 <= relative < 1. Taken so, "a beats b" and
-        "b loses to a" are one statement, whichever of the two is the datum.
+        "b loses to a" are one statement, whichever of the two is the baseline.
     """
 
     absolute: float = 0.0
@@ -89,7 +89,7 @@ class Indifference:
 
 @dataclass(frozen=True)
 class ValueFunction:
-    """How many points a value is worth: straight lines between knots, level outside them.
+    """Points as a function of the value: linear between knots, constant outside them.
 
     The points depend on the value alone and never on the other alternatives, so that adding or removing an
     alternative cannot reorder the rest.
@@ -146,7 +146,7 @@ class ValueFunction:
         return self.at(low) - slopes[0] * low, slopes[0], turns
 
     def check(self, better: Better) -> None:
-        """Raise InputError where the points do not run the way that ``better`` says."""
+        """Raise InputError where the points are not monotone in the direction of ``better``."""
         steps = [(left, right[1] - left[1], right) for left, right in pairwise(self.knots)]
         fell = False
         for left, step, right in steps:
@@ -178,7 +178,7 @@ class Criterion:
         ``MORE``, ``LESS``, or ``BAND`` with ``band`` the wanted range.
     band : (float, float) or None
         The wanted range [unit], only with ``BAND``.
-    demand : Demand or None
+    requirement : Requirement or None
         The limit that must be met; None makes the criterion a wish, and a wish never eliminates.
     indifference : Indifference
         When two values count as the same (Pugh).
@@ -189,14 +189,14 @@ class Criterion:
     kind : Kind
         Technical or economic.
     purpose : str
-        What it is asked for.
+        The reason for the criterion.
     """
 
     name: str
     unit: str = "1"
     better: Better = Better.MORE
     band: tuple[float, float] | None = None
-    demand: Demand | None = None
+    requirement: Requirement | None = None
     indifference: Indifference = field(default_factory=Indifference)
     value: ValueFunction | None = None
     weight: float = 0.0
@@ -220,8 +220,8 @@ class Criterion:
 
     @property
     def wish(self) -> bool:
-        """Whether nothing is demanded, so that the criterion may rank but never eliminate."""
-        return self.demand is None
+        """Whether there is no requirement, so that the criterion may rank but never eliminate."""
+        return self.requirement is None
 
     def merit(
         self, low: NDArray[np.float64], high: NDArray[np.float64]

@@ -1,7 +1,7 @@
-"""Who meets the demands: the selection chart of Pahl and Beitz, with the unknown kept unknown.
+"""Selection chart of Pahl and Beitz: which alternatives meet the requirements; unknown values stay unknown.
 
-``+`` meets, ``-`` fails, ``?`` the facts are missing, ``!`` the demand itself must be checked. A row stops at its first
-``-``; later cells stay empty. Wishes are not asked here: a wish never eliminates.
+``+`` meets, ``-`` fails, ``?`` the facts are missing, ``!`` the requirement itself must be checked. A row stops at its
+first ``-``; later cells stay empty. Wishes are not tested here, because a wish never eliminates.
 Source: Pahl, Beitz, Feldhusen, Grote, Engineering Design, 3rd ed., section 3.3.1 (selection chart).
 """
 
@@ -42,13 +42,13 @@ class Remark:
     criterion : str
     mark : Mark
     rule : str
-        The demand as a formula, with limit and unit.
+        The requirement as a formula, with limit and unit.
     limit, miss : float or None
         The limit that is broken and how far the nearest possible value lies from it [unit]; None where not a number.
     value, unit, source : str
-        What is known, as a table shows it, and from where.
+        What is known, as a table shows it, and its source.
     missing : str
-        The fact to ask for, with ``?``; the question about the demand, with ``!``.
+        The missing fact, with ``?``; the question about the requirement, with ``!``.
     """
 
     criterion: str
@@ -68,8 +68,8 @@ class Remark:
         if self.mark is Mark.UNKNOWN:
             return f"{self.mark} {self.rule}: it is {self.value}{suffix}{source}; missing: {self.missing}"
         miss = "" if self.miss is None else f", misses by {self.miss:.3g}{suffix}"
-        asked = f"; check the demand: {self.missing}" if self.mark is Mark.CHECK else ""
-        return f"{self.mark} {self.rule}: it is {self.value}{suffix}{miss}{source}{asked}"
+        check = f"; check the requirement: {self.missing}" if self.mark is Mark.CHECK else ""
+        return f"{self.mark} {self.rule}: it is {self.value}{suffix}{miss}{source}{check}"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,7 +82,7 @@ class ChartRow:
 
     @property
     def decision(self) -> Decision:
-        """What the marks say: the first ``-`` eliminates, then ``!`` asks for revision, then ``?`` leaves it open."""
+        """The decision from the marks: ``-`` eliminates; else ``!`` requires a revision; else ``?`` leaves it open."""
         given = set(self.marks.values())
         if Mark.FAILS in given:
             return Decision.ELIMINATE
@@ -92,7 +92,7 @@ class ChartRow:
 
     @property
     def missing(self) -> tuple[str, ...]:
-        """The facts to get before an open row can be decided."""
+        """The facts that are needed before an open row can be decided."""
         return tuple(remark.missing for remark in self.remarks if remark.mark is Mark.UNKNOWN)
 
 
@@ -109,27 +109,27 @@ class SelectionChart:
 
 
 def eliminate(matrix: DecisionMatrix) -> SelectionChart:
-    """Say of each alternative whether it meets the demands, and if not by how much it misses.
+    """Return for each alternative whether it meets the requirements, and if not by how much it misses.
 
     Parameters
     ----------
     matrix : DecisionMatrix
-        Only criteria with a demand are asked, in their order.
+        Only criteria with a requirement are tested, in their order.
 
     Returns
     -------
     SelectionChart
         An interval wholly inside the limits gets ``+``, wholly outside ``-``, across a limit ``?``.
     """
-    demands = tuple(criterion for criterion in matrix.criteria if not criterion.wish)
-    rows = tuple(_row(matrix, alternative, demands) for alternative in matrix.alternatives)
-    return SelectionChart(criteria=tuple(criterion.name for criterion in demands), rows=rows)
+    requirements = tuple(criterion for criterion in matrix.criteria if not criterion.wish)
+    rows = tuple(_row(matrix, alternative, requirements) for alternative in matrix.alternatives)
+    return SelectionChart(criteria=tuple(criterion.name for criterion in requirements), rows=rows)
 
 
 def chart_from_marks(
     marks: Mapping[str, Sequence[Mark]], *, criteria: Sequence[str], source: str = "as printed"
 ) -> SelectionChart:
-    """Draw the chart from given marks: ``marks[alternative]`` has one per criterion; none counts after a ``-``."""
+    """Return the chart of given marks: ``marks[alternative]`` has one per criterion; none counts after a ``-``."""
     rows = []
     for alternative, given in marks.items():
         kept = dict(zip(criteria, given, strict=True))
@@ -146,10 +146,10 @@ def chart_from_marks(
     return SelectionChart(criteria=tuple(criteria), rows=tuple(rows))
 
 
-def _row(matrix: DecisionMatrix, alternative: str, demands: tuple[Criterion, ...]) -> ChartRow:
+def _row(matrix: DecisionMatrix, alternative: str, requirements: tuple[Criterion, ...]) -> ChartRow:
     marks: dict[str, Mark] = {}
     remarks = []
-    for criterion in demands:
+    for criterion in requirements:
         mark, remark = _mark(alternative, matrix.cell(alternative, criterion.name), criterion)
         marks[criterion.name] = mark
         if remark is not None:
@@ -160,12 +160,12 @@ def _row(matrix: DecisionMatrix, alternative: str, demands: tuple[Criterion, ...
 
 
 def _mark(alternative: str, cell: Cell, criterion: Criterion) -> tuple[Mark, Remark | None]:
-    demand = criterion.demand
-    if demand is None:
+    requirement = criterion.requirement
+    if requirement is None:
         return Mark.MEETS, None
     low, high = cell.bounds
-    below, above = demand.low, demand.high
-    rule = demand.rule(criterion.name, criterion.unit)
+    below, above = requirement.low, requirement.high
+    rule = requirement.rule(criterion.name, criterion.unit)
     if (below is None or low >= below) and (above is None or high <= above) and not cell.unknown:
         return Mark.MEETS, None
     limit, miss = None, None
@@ -174,7 +174,7 @@ def _mark(alternative: str, cell: Cell, criterion: Criterion) -> tuple[Mark, Rem
     elif above is not None and low > above:
         limit, miss = above, low - above
     mark = Mark.UNKNOWN if limit is None else Mark.FAILS
-    if mark is Mark.FAILS and demand.in_question:
+    if mark is Mark.FAILS and requirement.in_question:
         mark = Mark.CHECK
     missing = cell.unknown_reason or f"{criterion.name} of {alternative}"
     return mark, Remark(
@@ -186,5 +186,5 @@ def _mark(alternative: str, cell: Cell, criterion: Criterion) -> tuple[Mark, Rem
         value=cell.shown(),
         unit="1" if cell.unknown or cell.text else criterion.unit,
         source=cell.source,
-        missing={Mark.UNKNOWN: missing, Mark.CHECK: demand.in_question}.get(mark, ""),
+        missing={Mark.UNKNOWN: missing, Mark.CHECK: requirement.in_question}.get(mark, ""),
     )

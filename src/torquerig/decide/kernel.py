@@ -1,9 +1,9 @@
-"""Joint draws of a whole matrix, compiled: totals, and how often each alternative takes each rank.
+"""Compiled Monte Carlo sampling of a whole matrix: totals, and how often each alternative takes each rank.
 
-Every random number is a hash of a key and the number of the draw (SplitMix64: Steele, Lea and Flood, Fast splittable
-pseudorandom number generators, OOPSLA 2014). So each cell and weight has a stream of its own, whatever else is drawn,
-and draws may be shared out between threads. The loops run over blocks of draws so that these stay in the cache and the
-compiler takes several draws at once.
+Every random number is a hash of a key and the number of the sample (SplitMix64: Steele, Lea and Flood, Fast splittable
+pseudorandom number generators, OOPSLA 2014). So each cell and weight has a separate
+stream, independent of all others, and threads may share the samples. The loops run over blocks of samples so that
+these stay in the cache and the compiler can vectorise them.
 """
 
 from __future__ import annotations
@@ -34,23 +34,23 @@ def _fill(upper, lower, key, first, count):
 @njit(cache=True, nogil=True)
 def _draw(first, count, cells, weights, scale, totals, whole, drawn, upper, lower, value, points):
     """Fill ``totals`` (alternatives, BLOCK) and ``whole`` (BLOCK,), the sums of the weights, for one block."""
-    keys, start, width, logarithmic, base, slope, knots, turns, bends, spread = cells
-    given, weight_keys, weight_spread = weights
+    keys, start, width, logarithmic, base, slope, knots, turns, bends, half_widths = cells
+    given, weight_keys, weight_half_widths = weights
     rows, columns = start.shape
     u, score = upper.view(np.float64), lower.view(np.float64)
     whole[:count] = 0.0
     for column in range(columns):
         drawn[column, :count] = given[column]
-        if weight_spread[column] > 0:
+        if weight_half_widths[column] > 0:
             _fill(upper, lower, weight_keys[column], first, count)
             for at in range(count):
-                drawn[column, at] = given[column] * (1.0 + weight_spread[column] * (2.0 * u[at] - 3.0))
+                drawn[column, at] = given[column] * (1.0 + weight_half_widths[column] * (2.0 * u[at] - 3.0))
         for at in range(count):
             whole[at] += drawn[column, at]
     for row in range(rows):
         totals[row, :count] = 0.0
         for column in range(columns):
-            reach, wide = spread[row, column], width[row, column]
+            reach, wide = half_widths[row, column], width[row, column]
             if wide > 0 or reach > 0:
                 _fill(upper, lower, keys[row, column], first, count)
             if wide > 0:
@@ -81,11 +81,11 @@ def _draw(first, count, cells, weights, scale, totals, whole, drawn, upper, lowe
 
 @njit(cache=True, nogil=True)
 def count_ranks(first, draws, cells, weights, scale, tie, counts, sums):
-    """Add draws ``first .. first + draws`` to ``counts`` (alternatives, ranks) and ``sums`` (alternatives,).
+    """Add samples ``first .. first + draws`` to ``counts`` (alternatives, ranks) and ``sums`` (alternatives,).
 
     ``cells`` holds, by alternative and criterion: key; start and width of the value (of its logarithm where
     ``logarithmic``); the points as ``base + slope v + sum of turns max(0, v - knots)`` over ``bends`` knots; and the
-    half-width of the spread of the points, which stay within ``scale``. ``weights`` holds the given ones, their keys
+    half-width of the error of the points, which stay within ``scale``. ``weights`` holds the given ones, their keys
     and relative half-widths. ``sums`` adds up T over the sum of the weights. A tie shares its ranks equally.
     """
     rows, columns = cells[1].shape
@@ -126,7 +126,7 @@ def count_ranks(first, draws, cells, weights, scale, tie, counts, sums):
 
 @njit(cache=True, nogil=True)
 def all_totals(draws, cells, weights, scale, out):
-    """Write T of every draw into ``out`` (alternatives, draws), for checks and pictures."""
+    """Write T of every sample into ``out`` (alternatives, draws), for checks and pictures."""
     rows, columns = cells[1].shape
     upper, lower = np.empty(BLOCK, np.uint64), np.empty(BLOCK, np.uint64)
     value, points, whole = np.empty(BLOCK), np.empty(BLOCK), np.empty(BLOCK)

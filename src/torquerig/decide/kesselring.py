@@ -1,4 +1,4 @@
-"""How many weighted points each alternative gets, as an interval where data is missing.
+"""Kesselring rating: weighted points of each alternative, as an interval where data is missing.
 
 Points come from absolute value functions, never from the other candidates: with column-sum or min-max scaling the
 addition of a dominated alternative changes the winner in 4 to 7 % of random 4 x 6 cases (measured for the project);
@@ -35,7 +35,7 @@ class Profile:
     high: float = 0.6
 
     def refusal(self, points: float) -> str:
-        """Return the sentence for points that are outside the scale."""
+        """Return the error text for points outside the scale."""
         return (
             f"{points:g} points are outside the scale {self.p_min:g}..{self.p_max:g}; rescale them, or widen the scale"
         )
@@ -48,7 +48,7 @@ class Profile:
 
     @property
     def weak(self) -> float:
-        """The most points that still count as a weak spot: one step above the worst (1 on the scale 0-4)."""
+        """The most points that count as a weak spot: one step above the worst (1 on the scale 0-4)."""
         return self.p_min + 1
 
 
@@ -81,7 +81,7 @@ class KesselringResult:
     middle : ndarray, shape (alternatives, criteria)
         Points of the stated value, else the middle of low and high.
     by_hand : mapping of (alternative, criterion) to str
-        The cells that somebody set by hand, with the reason.
+        The cells that were set by hand, with the reason.
     """
 
     profile: Profile
@@ -112,12 +112,12 @@ class KesselringResult:
 
     @cached_property
     def total_low(self) -> Array:
-        """T if every unknown turns out badly, shape (alternatives,)."""
+        """T with the lowest points of every unknown, shape (alternatives,)."""
         return _weighted(self.low, self.weights)
 
     @cached_property
     def total_high(self) -> Array:
-        """T if every unknown turns out well, shape (alternatives,)."""
+        """T with the highest points of every unknown, shape (alternatives,)."""
         return _weighted(self.high, self.weights)
 
     @cached_property
@@ -161,7 +161,7 @@ class KesselringResult:
 
 
 def kesselring(matrix: DecisionMatrix, *, profile: Profile = TEACHING) -> KesselringResult:
-    """Give every alternative its weighted points; a missing cell gives the whole scale, never zero.
+    """Return the weighted points of every alternative; a missing cell gives the whole scale, never zero.
 
     Raises
     ------
@@ -197,7 +197,7 @@ def kesselring(matrix: DecisionMatrix, *, profile: Profile = TEACHING) -> Kessel
 def kesselring_from_points(
     points: Mapping[str, Sequence[float | None]], *, weights: Mapping[str, float], profile: Profile = TEACHING
 ) -> KesselringResult:
-    """Weigh given points, ``points[alternative]`` one per criterion in the order of ``weights``; None is unknown.
+    """Return the result of given points, ``points[alternative]`` in the order of ``weights``; None is unknown.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What is known of each alternative: one cell per criterion, a number, an interval or ``?``."""
+"""Decision matrix: one cell per alternative and criterion; a number, an interval or ``?``."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.decide.cell import UNKNOWN, Cell
-from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.criterion import Better, Criterion, Indifference, Kind, Requirement, ValueFunction
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 
-__all__ = ["Better", "Cell", "Criterion", "DecisionMatrix", "Demand", "Indifference", "Kind", "ValueFunction"]
+__all__ = ["Better", "Cell", "Criterion", "DecisionMatrix", "Indifference", "Kind", "Requirement", "ValueFunction"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,7 +27,7 @@ class DecisionMatrix:
     alternatives : tuple of str
         Names, each once.
     criteria : tuple of Criterion
-        In the order in which the selection chart asks them.
+        In the order in which the selection chart tests them.
     cells : mapping of (alternative, criterion name) to Cell
     """
 
@@ -45,7 +45,7 @@ class DecisionMatrix:
                 raise InputError(f"{self.name}: the name of one {what} is empty; write one")
             twice = sorted({one for one in listed if listed.count(one) > 1})
             if twice:
-                raise InputError(f"{self.name}: the {what} {twice[0]!r} stands twice; give each its own name")
+                raise InputError(f"{self.name}: the {what} {twice[0]!r} occurs twice; give each a different name")
         alternatives, criteria = set(self.alternatives), set(names)
         for alternative, criterion in self.cells:
             if alternative not in alternatives:
@@ -72,7 +72,7 @@ class DecisionMatrix:
         return ends[..., 0], ends[..., 1]
 
     def index(self, alternative: str) -> int:
-        """Return the place of an alternative; UnknownNameError with the close matches."""
+        """Return the index of an alternative; UnknownNameError with the close matches."""
         if alternative not in self.alternatives:
             raise UnknownNameError(
                 f"{self.name}: {alternative!r} is not in the matrix; {did_you_mean(alternative, self.alternatives)}"

@@ -1,4 +1,4 @@
-"""Who was eliminated by a hair: how near each broken demand was to being met."""
+"""Near misses: alternatives that a requirement eliminated although they nearly met it."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from dataclasses import dataclass
 
 from torquerig.decide.eliminate import Decision, Remark, SelectionChart
 
-NEAR = 0.1  # [1] of the limit
+NEAR = 0.1  # [1] of the limit; a miss that a change of the limit by 10 % would remove
 
 
 @dataclass(frozen=True, kw_only=True)
 class NearMiss:
-    """One alternative that a demand eliminated although it nearly met it.
+    """One alternative that a requirement eliminated although it nearly met it.
 
     Parameters
     ----------
     alternative : str
     remark : Remark
-        The demand with limit, value, miss, unit and source.
+        The requirement with limit, value, miss, unit and source.
     share : float
         The miss as a share of the limit [1].
     """
@@ -32,10 +32,10 @@ class NearMiss:
 
 
 def near_misses(chart: SelectionChart, *, within: float = NEAR) -> tuple[NearMiss, ...]:
-    """Return those whose eliminating value lies within this share of its limit, the nearest first.
+    """Return the alternatives whose eliminating value lies within this share of its limit, the nearest first.
 
-    A demand of yes or no is not missed nearly. Because a row stops at its first ``-``, what comes after it may still
-    eliminate; a limit of zero has no share of it, and is left out.
+    A requirement of yes or no has no near miss, and a limit of zero is left out. A row stops at its first ``-``: a
+    later requirement may also eliminate the alternative.
     """
     found = [
         NearMiss(alternative=row.alternative, remark=remark, share=remark.miss / abs(remark.limit))

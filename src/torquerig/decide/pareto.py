@@ -1,4 +1,4 @@
-"""Who is no worse in anything and better in something: dominance and the Pareto set, before any weight is stated."""
+"""Dominance and Pareto set: no worse in any criterion and better in at least one, without weights."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, kw_only=True)
 class Dominance:
-    """Which alternative dominates which, as far as the intervals tell.
+    """Dominance of alternatives over each other, as far as the intervals determine it.
 
     Parameters
     ----------
     alternatives : tuple of str
     surely : ndarray of bool, shape (alternatives, alternatives)
-        The row is at least as good in every criterion and better in one, whatever the open facts turn out to be.
+        The row is at least as good in every criterion and better in one, for any value of the open facts.
     possibly : ndarray of bool, same shape
         There are values within the intervals for which it is.
     """
@@ -32,17 +32,17 @@ class Dominance:
 
     @property
     def efficient(self) -> tuple[str, ...]:
-        """The sure members of the Pareto set: nobody can turn out to dominate them."""
+        """The certain members of the Pareto set: no alternative can dominate them."""
         return self._named(np.logical_not(self.possibly.any(axis=0)))
 
     @property
     def open(self) -> tuple[str, ...]:
-        """Those whose place in the Pareto set depends on open facts."""
+        """The alternatives whose membership of the Pareto set depends on open facts."""
         return self._named(np.greater(self.possibly.any(axis=0), self.surely.any(axis=0)))
 
     @property
     def dominated(self) -> Mapping[str, tuple[str, ...]]:
-        """Each surely dominated alternative with those that dominate it."""
+        """Each certainly dominated alternative with those that dominate it."""
         names = np.array(self.alternatives)
         return {
             name: tuple(names[column].tolist())
@@ -55,10 +55,10 @@ class Dominance:
 
 
 def dominance(matrix: DecisionMatrix) -> Dominance:
-    """Compare all with all by value, without indifference bands, points or weights.
+    """Compare all alternatives by value, without indifference bands, points or weights.
 
-    Facts are taken as independent of each other, so that two alternatives that share an open fact may be called open
-    although it cannot tell them apart. Where a band is wanted, being inside it is all that counts.
+    Facts are taken as independent. Two alternatives that share an open fact may therefore be open although this fact
+    does not distinguish them. With a wanted band, all values inside it are equal.
     """
     low, high = matrix.bounds
     count = len(matrix.alternatives)

@@ -1,10 +1,10 @@
-"""Better, worse or same than a datum: Pugh's controlled convergence, and the same against every datum in turn.
+"""Pugh matrix: each alternative is better (+), worse (-) or the same (S) as a baseline, under each criterion.
 
-Signs are derived from values, so that a new datum needs no new judging. Pugh counts ``+``, ``-`` and ``S`` side by
-side; the net of pluses and minuses is a habit of screening courses, offered here as an option and labelled as one.
+Pugh calls the baseline the datum. Signs come from values, so that a new baseline needs no new rating. Pugh counts
+``+``, ``-`` and ``S`` separately; the net of pluses and minuses comes from concept screening and is an option here.
 Source: Pugh, Concept selection - a method that works, ICED 1981; net score: Ulrich and Eppinger, Product Design and
-Development, concept screening. One datum is never enough: in random 5 x 6 cases the net winner differs between datums
-in 84 % (measured for the project).
+Development, concept screening. One baseline is not enough: in random 5 x 6 cases the net winner differs between
+baselines in 84 % (measured for the project).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Signs = NDArray[np.int8]
 
 
 class Sign(StrEnum):
-    """How an alternative compares with the datum under one criterion."""
+    """How an alternative compares with the baseline under one criterion."""
 
     BETTER = "+"
     WORSE = "-"
@@ -39,17 +39,17 @@ _CERTAIN = {1: Sign.BETTER, -1: Sign.WORSE, 0: Sign.SAME}
 
 @dataclass(frozen=True, kw_only=True)
 class PughResult:
-    """Signs of all alternatives against one datum, which stands among them and is ``S`` throughout.
+    """Signs of all alternatives against one baseline, which is one of them and has ``S`` everywhere.
 
     Parameters
     ----------
-    datum : str
+    baseline : str
     alternatives, criteria : tuple of str
     low, high : ndarray of int8, shape (alternatives, criteria)
         The worst and the best sign (-1, 0, +1) that the cells allow; where they differ the sign is ``?``.
     """
 
-    datum: str
+    baseline: str
     alternatives: tuple[str, ...]
     criteria: tuple[str, ...]
     low: Signs
@@ -62,18 +62,18 @@ class PughResult:
         return tuple(_CERTAIN[low] if low == high else Sign.UNKNOWN for low, high in pairs)
 
     def counts(self, alternative: str) -> Mapping[Sign, int]:
-        """Return how many ``+``, ``-``, ``S`` and ``?`` one alternative has: the result as Pugh meant it."""
+        """Return how many ``+``, ``-``, ``S`` and ``?`` one alternative has: the result as Pugh defines it."""
         signs = self.signs(alternative)
         return {sign: signs.count(sign) for sign in Sign}
 
     @cached_property
     def net_low(self) -> NDArray[np.int64]:
-        """The net of pluses and minuses if every ``?`` turns out badly, shape (alternatives,)."""
+        """The net of pluses and minuses if every ``?`` is ``-``, shape (alternatives,)."""
         return np.asarray(self.low.sum(axis=1), dtype=np.int64)
 
     @cached_property
     def net_high(self) -> NDArray[np.int64]:
-        """The net of pluses and minuses if every ``?`` turns out well, shape (alternatives,)."""
+        """The net of pluses and minuses if every ``?`` is ``+``, shape (alternatives,)."""
         return np.asarray(self.high.sum(axis=1), dtype=np.int64)
 
     @cached_property
@@ -83,27 +83,27 @@ class PughResult:
 
     @property
     def ranks(self) -> NDArray[np.int64]:
-        """Shared competition ranks by ``net_certain``, the datum included; shape (alternatives,)."""
+        """Shared competition ranks by ``net_certain``, the baseline included; shape (alternatives,)."""
         return competition_ranks(self.net_certain)
 
     @property
     def rank_range(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """The best and the worst rank that the net intervals allow; the datum included."""
+        """The best and the worst rank that the net intervals allow; the baseline included."""
         return rank_intervals(self.net_low, self.net_high)
 
 
-def pugh(matrix: DecisionMatrix, datum: str) -> PughResult:
-    """Compare every alternative of ``matrix`` with ``datum``; from intervals a sign is given only where it is certain.
+def pugh(matrix: DecisionMatrix, baseline: str) -> PughResult:
+    """Compare every alternative of ``matrix`` with ``baseline``; intervals give a sign only where it is certain.
 
     Raises
     ------
     UnknownNameError
-        When the datum is not in the matrix.
+        When the baseline is not in the matrix.
     """
-    place = matrix.index(datum)
+    place = matrix.index(baseline)
     low, high = _signs_against(matrix, np.array([place]))
     return PughResult(
-        datum=datum,
+        baseline=baseline,
         alternatives=matrix.alternatives,
         criteria=tuple(criterion.name for criterion in matrix.criteria),
         low=low[:, 0],
@@ -111,36 +111,36 @@ def pugh(matrix: DecisionMatrix, datum: str) -> PughResult:
     )
 
 
-def pugh_from_signs(signs: Mapping[str, Sequence[Sign]], *, datum: str, criteria: Sequence[str]) -> PughResult:
-    """Add up given signs; the datum may be left out of ``signs`` and is ``S`` by construction.
+def pugh_from_signs(signs: Mapping[str, Sequence[Sign]], *, baseline: str, criteria: Sequence[str]) -> PughResult:
+    """Add up given signs; the baseline may be left out of ``signs`` and is ``S`` by construction.
 
     Raises
     ------
     InputError
-        When a row has another number of signs than there are criteria, or the datum is given another sign than ``S``.
+        When a row has another number of signs than there are criteria, or the baseline has another sign than ``S``.
     """
     for name, given in signs.items():
         if len(given) != len(criteria):
             raise InputError(f"{name}: {len(given)} signs for {len(criteria)} criteria; give one for each")
-    if any(sign is not Sign.SAME for sign in signs.get(datum, ())):
-        raise InputError(f"{datum}: the datum is S against itself; leave its signs out")
-    full = {datum: (Sign.SAME,) * len(criteria), **signs}
+    if any(sign is not Sign.SAME for sign in signs.get(baseline, ())):
+        raise InputError(f"{baseline}: the baseline is S against itself; leave its signs out")
+    full = {baseline: (Sign.SAME,) * len(criteria), **signs}
     ends = np.array([[_RANGE[sign] for sign in given] for given in full.values()], dtype=np.int8)
     ends = ends.reshape(len(full), len(criteria), 2)
     return PughResult(
-        datum=datum, alternatives=tuple(full), criteria=tuple(criteria), low=ends[..., 0], high=ends[..., 1]
+        baseline=baseline, alternatives=tuple(full), criteria=tuple(criteria), low=ends[..., 0], high=ends[..., 1]
     )
 
 
 @dataclass(frozen=True, kw_only=True)
-class DatumSweep:
-    """Every alternative against every other as datum.
+class BaselineSweep:
+    """Every alternative against every other as baseline.
 
     Parameters
     ----------
     alternatives, criteria : tuple of str
-    low, high : ndarray of int8, shape (alternatives, datums, criteria)
-        Worst and best sign of the row against the datum of the column; the diagonal is ``S``.
+    low, high : ndarray of int8, shape (alternatives, baselines, criteria)
+        Worst and best sign of the row against the baseline of the column; the diagonal is ``S``.
     """
 
     alternatives: tuple[str, ...]
@@ -155,33 +155,33 @@ class DatumSweep:
 
     @cached_property
     def beats(self) -> NDArray[np.bool_]:
-        """Whether the row has more pluses than minuses against the column whatever the ``?`` turn out to be."""
+        """Whether the row has more pluses than minuses against the column for any value of ``?``."""
         return np.asarray(self.low.sum(axis=2, dtype=np.int64) > 0)
 
     @property
     def condorcet_winner(self) -> str | None:
-        """The alternative that surely beats each other one; None where there is none (a cycle, ties, or unknowns)."""
+        """The alternative that certainly beats each other one; None where there is none (a cycle, ties or unknowns)."""
         others = len(self.alternatives) - 1
         hits = np.flatnonzero(self.beats.sum(axis=1) == others)
         return self.alternatives[int(hits[0])] if hits.size and others else None
 
     @property
     def winners(self) -> Mapping[str, tuple[str, ...]]:
-        """Who has the highest net of certain signs under each datum, ties together."""
+        """The alternatives with the highest net of certain signs under each baseline, ties together."""
         nets = np.where(self.low == self.high, self.low, 0).sum(axis=2, dtype=np.int64)
         names = np.array(self.alternatives)
         return {
-            datum: tuple(names[column == column.max()].tolist())
-            for datum, column in zip(self.alternatives, nets.T, strict=True)
+            baseline: tuple(names[column == column.max()].tolist())
+            for baseline, column in zip(self.alternatives, nets.T, strict=True)
         }
 
-    def against(self, datum: str) -> PughResult:
-        """Return the result with one of the alternatives as datum."""
-        if datum not in self.alternatives:
-            raise UnknownNameError(f"{datum!r} is no alternative; {did_you_mean(datum, self.alternatives)}")
-        place = self.alternatives.index(datum)
+    def against(self, baseline: str) -> PughResult:
+        """Return the result with one of the alternatives as baseline."""
+        if baseline not in self.alternatives:
+            raise UnknownNameError(f"{baseline!r} is no alternative; {did_you_mean(baseline, self.alternatives)}")
+        place = self.alternatives.index(baseline)
         return PughResult(
-            datum=datum,
+            baseline=baseline,
             alternatives=self.alternatives,
             criteria=self.criteria,
             low=self.low[:, place],
@@ -189,31 +189,31 @@ class DatumSweep:
         )
 
 
-def sweep_datums(matrix: DecisionMatrix) -> DatumSweep:
-    """Let every alternative be the datum once: who beats whom, and whether the winner depends on it."""
+def sweep_baselines(matrix: DecisionMatrix) -> BaselineSweep:
+    """Compare all alternatives with each alternative as the baseline in turn."""
     low, high = _signs_against(matrix, np.arange(len(matrix.alternatives)))
     names = tuple(criterion.name for criterion in matrix.criteria)
-    return DatumSweep(alternatives=matrix.alternatives, criteria=names, low=low, high=high)
+    return BaselineSweep(alternatives=matrix.alternatives, criteria=names, low=low, high=high)
 
 
-def _signs_against(matrix: DecisionMatrix, datums: NDArray[np.intp]) -> tuple[Signs, Signs]:
+def _signs_against(matrix: DecisionMatrix, baselines: NDArray[np.intp]) -> tuple[Signs, Signs]:
     low, high = matrix.bounds
-    shape = (len(matrix.alternatives), datums.size, len(matrix.criteria))
+    shape = (len(matrix.alternatives), baselines.size, len(matrix.criteria))
     worst, best = np.empty(shape, np.int8), np.empty(shape, np.int8)
     for column, criterion in enumerate(matrix.criteria):
         poor, good = criterion.merit(low[:, column], high[:, column])
-        worst[..., column] = _sign(poor[:, None], good[datums][None, :], criterion, unknown=-1)
-        best[..., column] = _sign(good[:, None], poor[datums][None, :], criterion, unknown=1)
-    itself = (datums, np.arange(datums.size))
+        worst[..., column] = _sign(poor[:, None], good[baselines][None, :], criterion, unknown=-1)
+        best[..., column] = _sign(good[:, None], poor[baselines][None, :], criterion, unknown=1)
+    itself = (baselines, np.arange(baselines.size))
     worst[itself], best[itself] = 0, 0
     return worst, best
 
 
-def _sign(ours: NDArray[np.float64], datum: NDArray[np.float64], criterion: Criterion, *, unknown: int) -> Signs:
-    """Sign of ours - datum outside the indifference band; monotone in both, so interval ends give the extremes."""
-    size = np.maximum(np.abs(ours), np.abs(datum))
+def _sign(ours: NDArray[np.float64], baseline: NDArray[np.float64], criterion: Criterion, *, unknown: int) -> Signs:
+    """Return the sign of ours - baseline outside the indifference band; interval ends give its extremes."""
+    size = np.maximum(np.abs(ours), np.abs(baseline))
     rounding = 1e-12 * size
     band = np.maximum(criterion.indifference.absolute, criterion.indifference.relative * size) + rounding
-    difference = ours - datum
+    difference = ours - baseline
     sign = np.where(difference > band, 1, np.where(difference < -band, -1, 0))
     return np.where(np.isnan(difference), unknown, sign).astype(np.int8)

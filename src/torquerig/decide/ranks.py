@@ -1,4 +1,4 @@
-"""Who stands where: rank conventions, and the ranks that intervals leave open. More is better everywhere."""
+"""Rank conventions, and the ranks that score intervals allow; a higher score is better everywhere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How sure the winner is: how often each alternative takes each rank when everything in doubt is drawn at once."""
+"""Rank acceptability: the share of Monte Carlo samples in which each alternative takes each rank."""
 
 from __future__ import annotations
 
@@ -10,30 +10,30 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.decide.draws import Doubt, Draws, prepared, sources
 from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.monte_carlo import SamplingPlan, Uncertainty, sampling_plan, separate_uncertainties
 from torquerig.decide.ranks import TIE
 from torquerig.errors import InputError
 
 Array = NDArray[np.float64]
-CHUNK = 1 << 16  # draws of one thread at a time; fixed, so that sums do not depend on how many threads there are
+CHUNK = 1 << 16  # samples of one thread at a time; fixed, so that sums do not depend on how many threads there are
 THREADS = 2
-FEW = 25_000  # draws up to which a second thread costs more than it saves
+FEW = 25_000  # samples up to which a second thread costs more than it saves
 
 
 @dataclass(frozen=True, kw_only=True)
-class Acceptability:
-    """How often each alternative takes each rank.
+class RankAcceptability:
+    """The share of Monte Carlo samples in which each alternative takes each rank.
 
     Parameters
     ----------
     shares : ndarray, shape (alternatives, ranks)
         Rows and columns sum to 1; a tie shares the ranks that it covers equally.
     mean_share : ndarray, shape (alternatives,)
-        The mean of T/T_max over the draws.
-    doubt : Doubt
-        What was drawn.
+        The mean of T/T_max over the samples.
+    uncertainty : Uncertainty
+        What was sampled.
 
     Notes
     -----
@@ -43,13 +43,13 @@ class Acceptability:
     alternatives: tuple[str, ...]
     shares: Array
     mean_share: Array
-    doubt: Doubt
+    uncertainty: Uncertainty
     draws: int
     seed: int
 
     @property
     def p_best(self) -> Array:
-        """How often each is best, shape (alternatives,)."""
+        """The share of samples in which each is best, shape (alternatives,)."""
         return np.asarray(self.shares[:, 0])
 
     @cached_property
@@ -57,8 +57,8 @@ class Acceptability:
         """The mean rank, shape (alternatives,)."""
         return np.asarray(self.shares @ np.arange(1, self.shares.shape[1] + 1))
 
-    def chance(self, alternative: str) -> float:
-        """Return how often one alternative is best."""
+    def best_share(self, alternative: str) -> float:
+        """Return the share of samples in which one alternative is best."""
         return float(self.p_best[self.alternatives.index(alternative)])
 
 
@@ -66,24 +66,24 @@ def rank_acceptability(
     matrix: DecisionMatrix,
     *,
     profile: Profile = TEACHING,
-    doubt: Doubt | None = None,
+    uncertainty: Uncertainty | None = None,
     draws: int = 10_000,
     seed: int = 0,
-) -> Acceptability:
-    """Draw values, points and weights jointly, as far as ``doubt`` has them, and count who takes which rank.
+) -> RankAcceptability:
+    """Sample values, points and weights jointly within ``uncertainty`` and count the ranks of each alternative.
 
-    Values are drawn evenly over their intervals (evenly in the logarithm where high/low > 5) and go through the value
-    functions; an unknown cell gets points from the whole scale. Cells that rest on one fact are drawn together, all
-    others independently; where catalog values share an error that no ``fact`` names, the result looks surer than it is.
+    Values are uniform over their intervals (log-uniform where high/low > 5) and go through the value functions; an
+    unknown cell gets uniform points from the whole scale. Cells that depend on one fact are sampled together, others
+    independently. Where catalog values share an error that no ``fact`` names, the result is too certain.
     """
-    doubt = Doubt() if doubt is None else doubt
-    ready = prepared(matrix, profile=profile, doubt=doubt, seed=seed)
+    uncertainty = Uncertainty() if uncertainty is None else uncertainty
+    ready = sampling_plan(matrix, profile=profile, uncertainty=uncertainty, seed=seed)
     counts, sums = _counted(ready, draws)
-    return Acceptability(
+    return RankAcceptability(
         alternatives=matrix.alternatives,
         shares=counts / draws,
         mean_share=sums / (draws * profile.p_max),
-        doubt=doubt,
+        uncertainty=uncertainty,
         draws=draws,
         seed=seed,
     )
@@ -93,23 +93,23 @@ def robustness(
     matrix: DecisionMatrix,
     *,
     profile: Profile = TEACHING,
-    doubt: Doubt | None = None,
+    uncertainty: Uncertainty | None = None,
     draws: int = 10_000,
     seed: int = 0,
-) -> Mapping[str, Acceptability]:
+) -> Mapping[str, RankAcceptability]:
     """Return the acceptability for ``intervals``, ``scores`` and ``weights`` each alone, and ``together``."""
     return {
-        name: rank_acceptability(matrix, profile=profile, doubt=one, draws=draws, seed=seed)
-        for name, one in sources(Doubt() if doubt is None else doubt).items()
+        name: rank_acceptability(matrix, profile=profile, uncertainty=one, draws=draws, seed=seed)
+        for name, one in separate_uncertainties(Uncertainty() if uncertainty is None else uncertainty).items()
     }
 
 
-def _counted(ready: Draws, draws: int) -> tuple[Array, Array]:
-    """Return how often each takes each rank, and the sums of T over sum of weights."""
+def _counted(ready: SamplingPlan, draws: int) -> tuple[Array, Array]:
+    """Return the counts of each rank, and the sums of T over the sum of the weights."""
     from torquerig.decide.kernel import count_ranks
 
     if draws < 1:
-        raise InputError(f"{draws} draws tell nothing; ask for 1 or more")
+        raise InputError(f"{draws} Monte Carlo samples are too few; use 1 or more")
     rows = len(ready.alternatives)
 
     def chunk(first: int) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""The strength of each alternative: technical against economic rating, as the S-diagram of VDI 2225 shows them.
+"""Strength of each alternative: technical against economic rating, as in the S-diagram of VDI 2225.
 
 Price belongs to the economic rating and not into the technical one. The formulas are textbook content on VDI 2225
 sheet 3 (1998); conformity with the guideline is not claimed.
@@ -24,7 +24,7 @@ IDEAL_SHARE = 0.7  # [1] of the permissible cost, which counts as ideal
 
 @dataclass(frozen=True, kw_only=True)
 class Rating:
-    """One of the two ratings, with the range that open facts leave; arrays of shape (alternatives,) [1]."""
+    """One of the two ratings, with the range due to open facts; arrays of shape (alternatives,) [1]."""
 
     value: Array
     low: Array
@@ -42,7 +42,7 @@ class Rating:
 
 @dataclass(frozen=True, kw_only=True)
 class Strength:
-    """Both ratings together; the ideal is at (1, 1), and on the diagonal neither side lags behind.
+    """Both ratings together; the ideal is at (1, 1), and on the diagonal both ratings are equal.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class Strength:
 
     @property
     def hyperbolic_range(self) -> tuple[Array, Array]:
-        """The lowest and highest sqrt(x y) that the open facts leave."""
+        """The lowest and highest sqrt(x y) for any value of the open facts."""
         x, y = self.technical, self.economic
         return np.sqrt(x.low * y.low), np.sqrt(x.high * y.high)
 
@@ -85,14 +85,14 @@ def grade(rating: float) -> str:
 
 
 def strength(technical: KesselringResult, economic: KesselringResult) -> Strength:
-    """Return both ratings where both are weighed by points."""
+    """Return both ratings from points."""
     if technical.alternatives != economic.alternatives:
         raise InputError("technical and economic rating must be of the same alternatives in the same order")
     return Strength(alternatives=technical.alternatives, technical=Rating.of(technical), economic=Rating.of(economic))
 
 
 def strength_from_cost(technical: KesselringResult, costs: Mapping[str, Cell], *, permissible: float) -> Strength:
-    """Return the technical rating beside y = H_ideal / H, H_ideal being 0.7 of the permissible cost.
+    """Return the technical rating together with y = H_ideal / H, H_ideal being 0.7 of the permissible cost.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def strength_from_cost(technical: KesselringResult, costs: Mapping[str, Cell], *
 
     Notes
     -----
-    y is cut at 1: what costs less than the ideal is ideal.
+    y is limited to 1: a cost below the ideal counts as ideal.
     """
     if not (isfinite(permissible) and permissible > 0):
         raise InputError(f"the permissible cost {permissible:g} must be above 0")

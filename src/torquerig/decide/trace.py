@@ -1,4 +1,4 @@
-"""How one cell came about: catalog value, metric, value, value function, points, and what they did to the verdict."""
+"""Trace of one cell: catalog value, metric, value, value function, points, rank and verdict."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from torquerig.decide.cell import Cell
 from torquerig.decide.criterion import YES_NO, Criterion
 from torquerig.decide.eliminate import Decision, SelectionChart
 from torquerig.decide.kesselring import KesselringResult
+from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.decide.pugh import PughResult
 from torquerig.decide.ranks import shown_rank
-from torquerig.decide.verdict import Word
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.verdict import Certainty
 from torquerig.errors import UnknownNameError, did_you_mean
 
 Steps = list[tuple[str, str]]
@@ -25,48 +25,48 @@ class CellTrace:
     criterion: str
     steps: tuple[tuple[str, str], ...]
 
-    def told(self, label: str) -> tuple[str, ...]:
-        """Return what the steps of one label say."""
+    def texts(self, label: str) -> tuple[str, ...]:
+        """Return the texts of the steps with this label."""
         return tuple(text for name, text in self.steps if name == label)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Standing:
-    """How an alternative ends: its decision, how often it is best in joint draws, the verdict on the winner."""
+class Outcome:
+    """The result of an alternative: its decision, the share of samples in which it is best, and the verdict."""
 
     decision: Decision
-    chance: float
-    word: Word
+    best_share: float
+    certainty: Certainty
 
 
-def trace(worked: WorkedOut, alternative: str, criterion: str) -> CellTrace:
+def trace(analysis: MatrixAnalysis, alternative: str, criterion: str) -> CellTrace:
     """Return every step from the catalog to the verdict for one cell; UnknownNameError with the close matches."""
-    matrix = worked.case.matrix
+    matrix = analysis.case.matrix
     matrix.index(alternative)
     known = {one.name: one for one in matrix.criteria}
     if criterion not in known:
         raise UnknownNameError(f"{matrix.name}: unknown criterion {criterion!r}; {did_you_mean(criterion, known)}")
-    asked, together = known[criterion], worked.acceptability["together"]
-    row = next(one for one in worked.chart.rows if one.alternative == alternative)
-    left = alternative in together.alternatives
-    standing = Standing(
+    rated, together = known[criterion], analysis.acceptability["together"]
+    row = next(one for one in analysis.chart.rows if one.alternative == alternative)
+    is_rated = alternative in together.alternatives
+    outcome = Outcome(
         decision=row.decision,
-        chance=together.chance(alternative) if left else 0.0,
-        word=worked.verdict.word,
+        best_share=together.best_share(alternative) if is_rated else 0.0,
+        certainty=analysis.verdict.certainty,
     )
     steps = (
-        *value_steps(matrix.cell(alternative, criterion), asked, alternative),
-        *demand_steps(worked.chart, asked, alternative),
-        *sign_steps(worked.pugh, asked, alternative),
-        *point_steps(worked.overall, asked, alternative, standing),
+        *value_steps(matrix.cell(alternative, criterion), rated, alternative),
+        *requirement_steps(analysis.chart, rated, alternative),
+        *sign_steps(analysis.pugh, rated, alternative),
+        *point_steps(analysis.overall, rated, alternative, outcome),
     )
     return CellTrace(alternative=alternative, criterion=criterion, steps=steps)
 
 
-def all_traces(worked: WorkedOut) -> tuple[CellTrace, ...]:
+def all_traces(analysis: MatrixAnalysis) -> tuple[CellTrace, ...]:
     """Return the trace of every cell, row by row."""
-    matrix = worked.case.matrix
-    return tuple(trace(worked, name, one.name) for name in matrix.alternatives for one in matrix.criteria)
+    matrix = analysis.case.matrix
+    return tuple(trace(analysis, name, one.name) for name in matrix.alternatives for one in matrix.criteria)
 
 
 def value_steps(cell: Cell, criterion: Criterion, alternative: str) -> Steps:
@@ -74,31 +74,31 @@ def value_steps(cell: Cell, criterion: Criterion, alternative: str) -> Steps:
     return [*_origins(cell), *_value(cell, criterion, alternative)]
 
 
-def demand_steps(chart: SelectionChart, criterion: Criterion, alternative: str) -> Steps:
-    """Return what the elimination says of the cell; nothing where nothing is demanded."""
-    if criterion.demand is None:
+def requirement_steps(chart: SelectionChart, criterion: Criterion, alternative: str) -> Steps:
+    """Return the result of the elimination for the cell; nothing where there is no requirement."""
+    if criterion.requirement is None:
         return []
     row = next(one for one in chart.rows if one.alternative == alternative)
-    rule = criterion.demand.rule(criterion.name, criterion.unit)
+    rule = criterion.requirement.rule(criterion.name, criterion.unit)
     mark = row.marks.get(criterion.name)
-    told = next((one.sentence() for one in row.remarks if one.criterion == criterion.name), f"{mark} {rule}")
-    return [("demand", told if mark else f"{rule}: not asked, an earlier demand eliminates it")]
+    text = next((one.sentence() for one in row.remarks if one.criterion == criterion.name), f"{mark} {rule}")
+    return [("requirement", text if mark else f"{rule}: not tested, an earlier requirement eliminates it")]
 
 
 def sign_steps(pugh: PughResult, criterion: Criterion, alternative: str) -> Steps:
-    """Return the sign against the datum."""
+    """Return the sign against the baseline."""
     sign = pugh.signs(alternative)[pugh.criteria.index(criterion.name)]
-    return [("Pugh", f"{sign} against {pugh.datum}")]
+    return [("Pugh", f"{sign} against {pugh.baseline}")]
 
 
-def point_steps(result: KesselringResult, criterion: Criterion, alternative: str, standing: Standing) -> Steps:
+def point_steps(result: KesselringResult, criterion: Criterion, alternative: str, outcome: Outcome) -> Steps:
     """Return the steps from the value function over points and weight to the verdict."""
     if criterion.weight <= 0 or criterion.value is None:
-        return [("points", "none: the criterion has no weight"), ("decision", str(standing.decision))]
+        return [("points", "none: the criterion has no weight"), ("decision", str(outcome.decision))]
     knots = ", ".join(f"{value:g} -> {points:g}" for value, points in criterion.value.knots)
     steps = [("value function", f"{knots} (straight lines between, level outside)")]
     if alternative not in result.alternatives:
-        return [*steps, ("points", "none: a demand eliminates it"), ("decision", str(standing.decision))]
+        return [*steps, ("points", "none: a requirement eliminates it"), ("decision", str(outcome.decision))]
     place, column = result.alternatives.index(alternative), result.criteria.index(criterion.name)
     low, high, middle = (float(ends[place, column]) for ends in (result.low, result.high, result.middle))
     weight, share = float(result.weights[column]), float(result.normalised[column])
@@ -107,18 +107,19 @@ def point_steps(result: KesselringResult, criterion: Criterion, alternative: str
         *steps,
         ("points", f"{points}, on the scale {result.profile.p_min:g} to {result.profile.p_max:g}"),
         ("weight", f"{weight:g} as given, {share:.3f} normalised: adds {weight * middle:.3g} to T"),
-        *end_steps(result, alternative, standing),
+        *end_steps(result, alternative, outcome),
     ]
 
 
-def end_steps(result: KesselringResult, alternative: str, standing: Standing) -> Steps:
-    """Return the sum of an alternative and how it ends, which all its cells share."""
+def end_steps(result: KesselringResult, alternative: str, outcome: Outcome) -> Steps:
+    """Return the sum, rank and decision of an alternative, which are the same for all its cells."""
     place = result.alternatives.index(alternative)
     best, worst = (int(ends[place]) for ends in result.rank_range)
     total = f"T {result.total[place]:.4g} of {result.ideal:.4g}, T/T_max {result.share[place]:.3f}"
+    share = f"{outcome.best_share:.0%} of the Monte Carlo samples"
     return [
         ("total", f"{total}, rank {shown_rank(best, worst)}"),
-        ("decision", f"{standing.decision}; best in {standing.chance:.0%} of joint draws; verdict {standing.word}"),
+        ("decision", f"{outcome.decision}; best in {share}; verdict {outcome.certainty}"),
     ]
 
 

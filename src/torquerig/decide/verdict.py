@@ -1,4 +1,4 @@
-"""The answer of a matrix in one word, and what that word rests on: robust, fragile, tie, or undecidable."""
+"""Verdict of a matrix: robust, fragile, tie, or open because the answer depends on missing facts."""
 
 from __future__ import annotations
 
@@ -11,87 +11,113 @@ import numpy as np
 from torquerig.decide.eliminate import Decision, SelectionChart
 from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.ranks import TIE
-from torquerig.decide.robustness import Acceptability
+from torquerig.decide.robustness import RankAcceptability
 
-ROBUST = 0.9  # [1] how often the winner must be best for the word robust
-DECIDED = 2 / 3  # [1] how often over the open facts alone, below which these decide and not the matrix
+ROBUST = 0.9  # [1] share of samples in which the winner must be best for the verdict "robust"
+DECIDED = 2 / 3  # [1] the same share over the open facts alone, below which the answer depends on them
+MOST_NAMED = 3  # facts that the sentence names; the matrix lists all of them under "What to ask next"
 
 
-class Word(StrEnum):
-    """How sure the winner is."""
+class Certainty(StrEnum):
+    """How certain the winner is."""
 
     ROBUST = "robust"
     FRAGILE = "fragile"
     TIE = "tie"
-    UNDECIDABLE = "undecidable for lack of information"
-    NOBODY = "nobody meets the demands"
+    OPEN = "open: answer depends on missing facts"
+    NOBODY = "no alternative meets the requirements"
 
 
 @dataclass(frozen=True, kw_only=True)
 class MatrixVerdict:
-    """Who wins, and how sure that is.
+    """The winner, and how certain it is.
 
     Parameters
     ----------
-    word : Word
+    certainty : Certainty
     winners : tuple of str
-        In front by T; several where they tie, none where nobody meets the demands.
+        The alternatives with the highest T; several where they tie, none where no alternative meets the requirements.
     runner_up : str
     lead : float
-        T/T_max of the winner above the runner-up [1].
-    chances : mapping of str to float
-        How often the winner is best by what is drawn: ``intervals``, ``scores``, ``weights``, ``together``.
-    words : mapping of str to Word
+        T/T_max of the winner minus that of the runner-up [1].
+    best_shares : mapping of str to float
+        The share of Monte Carlo samples in which the winner is best [1], by what is sampled: ``intervals``, ``scores``,
+        ``weights``, ``together``.
+    certainty_of : mapping of str to Certainty
         Robust or fragile against each of these alone.
     conditions : tuple of str
-        What must still turn out well for the winner to meet the demands.
+        Open requirements on the winner.
+    facts : tuple of str
+        Missing facts, each of which alone can change the winner.
     """
 
-    word: Word
+    certainty: Certainty
     winners: tuple[str, ...]
     runner_up: str
     lead: float
-    chances: Mapping[str, float]
-    words: Mapping[str, Word]
+    best_shares: Mapping[str, float]
+    certainty_of: Mapping[str, Certainty]
     conditions: tuple[str, ...]
+    facts: tuple[str, ...] = ()
+
+    def certainty_text(self) -> str:
+        """Return the certainty in words; where it is open, with the facts that the answer depends on."""
+        named = [*self.conditions, *(fact for fact in self.facts if not any(fact in one for one in self.conditions))]
+        if self.certainty is not Certainty.OPEN or not named:
+            return str(self.certainty)
+        more = f"; and {len(named) - MOST_NAMED} more" if len(named) > MOST_NAMED else ""
+        return f"open: answer depends on {'; '.join(named[:MOST_NAMED])}{more}"
 
     def sentence(self) -> str:
-        """Return the verdict for the reader."""
+        """Return the verdict in sentences."""
         if not self.winners:
-            return "Nobody meets the demands: see by how much each one misses."
-        told = f"{' and '.join(self.winners)} {'is' if len(self.winners) == 1 else 'are'} in front"
-        told += f", {self.lead:.3f} in T/T_max before {self.runner_up}" if self.runner_up else ", and alone"
-        parts = ", ".join(f"{chance:.0%} over {name}" for name, chance in self.chances.items() if name != "together")
-        sure = f"best in {self.chances['together']:.0%} of joint draws ({parts})" if self.runner_up else ""
-        still = f" Still open: {'; '.join(self.conditions)}." if self.conditions else ""
-        return f"{told}. The verdict is {self.word}{f': {sure}' if sure else ''}.{still}"
+            return "No alternative meets the requirements. The elimination shows by how much each one misses."
+        one = len(self.winners) == 1
+        names = " and ".join(self.winners)
+        first = f"{names} {'ranks' if one else 'rank'} first"
+        first += (
+            f", {self.lead:.3f} in T/T_max ahead of {self.runner_up}" if self.runner_up else "; there is no other one"
+        )
+        text = f"{first}. The verdict is {self.certainty_text()}."
+        if not self.runner_up:
+            return text
+        parts = ", ".join(f"{share:.0%} over {name}" for name, share in self.best_shares.items() if name != "together")
+        share = f"{self.best_shares['together']:.0%} of the Monte Carlo samples ({parts})"
+        return f"{text} {self.winners[0]} is best in {share}."
 
 
 def verdict_of(
-    chart: SelectionChart, result: KesselringResult | None, found: Mapping[str, Acceptability]
+    chart: SelectionChart,
+    result: KesselringResult | None,
+    found: Mapping[str, RankAcceptability],
+    *,
+    facts: tuple[str, ...] = (),
 ) -> MatrixVerdict:
     """Return the verdict of the three methods.
 
-    Undecidable: a demand on the winner is still open, or over the open facts alone it is best in fewer than two of
-    three draws. Tie: nothing is open that could tell the first two apart and their T is the same. Robust: best in at
-    least nine of ten joint draws of facts, points and weights. Fragile: all else.
+    Open: a requirement on the winner is open, or over the open facts alone it is best in fewer than two of three
+    samples. Tie: the first two have the same T, and no open fact can change that. Robust: best in at least nine of ten
+    Monte Carlo samples of facts, points and weights. Fragile: all else.
 
     Parameters
     ----------
     result : KesselringResult or None
-        Of those that no demand eliminated; None where nobody is left.
-    found : mapping of str to Acceptability
+        Of the alternatives that no requirement eliminates; None where there is none.
+    found : mapping of str to RankAcceptability
         As :func:`torquerig.decide.robustness.robustness` gives it for the same alternatives.
+    facts : tuple of str
+        Missing facts, each of which alone can change the winner.
     """
     if result is None:
         return MatrixVerdict(
-            word=Word.NOBODY, winners=(), runner_up="", lead=0.0, chances={}, words={}, conditions=()
+            certainty=Certainty.NOBODY, winners=(), runner_up="", lead=0.0, best_shares={}, certainty_of={},
+            conditions=(),
         )  # fmt: skip
     order = np.argsort(-result.total, kind="stable").tolist()
     top = float(result.total[order[0]])
     winners = tuple(result.alternatives[row] for row in order if result.total[row] >= top - TIE)
     rest = [row for row in order if result.total[row] < top - TIE]
-    chances = {name: one.chance(winners[0]) for name, one in found.items()}
+    best_shares = {name: one.best_share(winners[0]) for name, one in found.items()}
     conditions = tuple(
         f"{row.alternative}: {remark.missing}"
         for row in chart.rows
@@ -100,23 +126,29 @@ def verdict_of(
         if remark.missing
     )
     return MatrixVerdict(
-        word=_word(chart, winners, chances),
+        certainty=_certainty(chart, winners, best_shares),
         winners=winners,
         runner_up=result.alternatives[rest[0]] if rest else "",
         lead=float(top - result.total[rest[0]]) / result.ideal if rest else 0.0,
-        chances=chances,
-        words={name: Word.ROBUST if chance >= ROBUST else Word.FRAGILE for name, chance in chances.items()},
+        best_shares=best_shares,
+        certainty_of={
+            name: Certainty.ROBUST if best_share >= ROBUST else Certainty.FRAGILE
+            for name, best_share in best_shares.items()
+        },
         conditions=conditions,
+        facts=facts,
     )
 
 
-def _word(chart: SelectionChart, winners: tuple[str, ...], chances: Mapping[str, float]) -> Word:
+def _certainty(chart: SelectionChart, winners: tuple[str, ...], best_shares: Mapping[str, float]) -> Certainty:
     pursued = set(chart.with_decision(Decision.PURSUE))
     tied = len(winners) > 1
     # a tie of known values is shared equally, so its winner is best in 1 of so many draws
-    open_facts = chances["intervals"] < DECIDED and not (tied and abs(chances["intervals"] - 1 / len(winners)) < TIE)
+    open_facts = best_shares["intervals"] < DECIDED and not (
+        tied and abs(best_shares["intervals"] - 1 / len(winners)) < TIE
+    )
     if open_facts or not set(winners) <= pursued:
-        return Word.UNDECIDABLE
+        return Certainty.OPEN
     if tied:
-        return Word.TIE
-    return Word.ROBUST if chances["together"] >= ROBUST else Word.FRAGILE
+        return Certainty.TIE
+    return Certainty.ROBUST if best_shares["together"] >= ROBUST else Certainty.FRAGILE

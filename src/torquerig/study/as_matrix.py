@@ -19,4 +19,4 @@ def as_matrix(decided: Decided, *, name: str, seed: int) -> MatrixCase:
     for one in left_over(decided):
         best.setdefault(decided.alternatives[one].drive.candidate.name, one)
     rows = tuple(dict.fromkeys((*best.values(), decided.datum)))
-    return MatrixCase(matrix=replace(with_demands(decided, rows), name=name), datum=decided.datum, seed=seed)
+    return MatrixCase(matrix=replace(with_demands(decided, rows), name=name), baseline=decided.datum, seed=seed)

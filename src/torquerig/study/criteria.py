@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.criterion import Better, Criterion, Indifference, Kind, Requirement, ValueFunction
 from torquerig.decide.kesselring import TEACHING
 from torquerig.errors import InputError, TorquerigError
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
@@ -59,7 +59,7 @@ def _made(study: Study, section: str, name: str, row: DemandRow | CriterionRow) 
 
 
 def _demand(name: str, row: DemandRow) -> Criterion:
-    return Criterion(name=name, unit=row.unit, demand=Demand(low=row.min, high=row.max), purpose=row.purpose)
+    return Criterion(name=name, unit=row.unit, requirement=Requirement(low=row.min, high=row.max), purpose=row.purpose)
 
 
 def _criterion(name: str, row: CriterionRow) -> Criterion:

@@ -10,8 +10,8 @@ import numpy as np
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, kesselring
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.missing import MissingFact, missing_facts
-from torquerig.decide.robustness import Acceptability, robustness
+from torquerig.decide.robustness import RankAcceptability, robustness
+from torquerig.decide.value_of_information import MissingFact, missing_facts
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
 from torquerig.study.scoring import Decided
 
@@ -26,7 +26,7 @@ class RatedDrives:
         The best combination of each drive against the criteria, with the demands on its drive beside.
     overall : KesselringResult
         Of ``matrix``.
-    combinations : mapping of str to Acceptability
+    combinations : mapping of str to RankAcceptability
         Of every combination of these drives, by what is drawn.
     verdict : MatrixVerdict
         Of the drives: how often a drive is best with any of its filters, and what a demand on it still asks.
@@ -34,7 +34,7 @@ class RatedDrives:
 
     matrix: DecisionMatrix
     overall: KesselringResult
-    combinations: Mapping[str, Acceptability]
+    combinations: Mapping[str, RankAcceptability]
     verdict: MatrixVerdict
 
     @property
@@ -97,8 +97,8 @@ def _by_drive(decided: Decided, names: tuple[str, ...]) -> dict[str, list[str]]:
     return {listed[0]: listed for listed in by_drive.values()}
 
 
-def _of_drives(found: Acceptability, drives: Mapping[str, list[str]]) -> Acceptability:
+def _of_drives(found: RankAcceptability, drives: Mapping[str, list[str]]) -> RankAcceptability:
     """Return how often each drive is best with any of its filters, under the name of its best combination."""
-    best = [sum(found.chance(name) for name in listed) for listed in drives.values()]
+    best = [sum(found.best_share(name) for name in listed) for listed in drives.values()]
     rows = [found.alternatives.index(name) for name in drives]
     return replace(found, alternatives=tuple(drives), shares=np.array(best)[:, None], mean_share=found.mean_share[rows])

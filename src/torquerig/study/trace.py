@@ -10,11 +10,11 @@ from torquerig.decide.criterion import Criterion
 from torquerig.decide.eliminate import ChartRow
 from torquerig.decide.trace import (
     CellTrace,
-    Standing,
+    Outcome,
     Steps,
-    demand_steps,
     end_steps,
     point_steps,
+    requirement_steps,
     sign_steps,
     value_steps,
 )
@@ -69,7 +69,7 @@ def traced_drive(decided: Decided, verdict: Verdict, drive: str, combination: st
     """Return the cells of a drive, and of it with a filter where ``combination`` names one."""
     row = _row(decided, drive)
     criteria = decided.matrix.criteria if combination else ()
-    standing = Standing(decision=row.decision, chance=verdict.shares.get(combination, 0.0), word=verdict.word)
+    standing = Outcome(decision=row.decision, best_share=verdict.shares.get(combination, 0.0), certainty=verdict.word)
     end = end_steps(decided.overall, combination, standing) if combination else [("decision", str(row.decision))]
     return TracedDrive(
         drive=drive,
@@ -132,7 +132,7 @@ def _demand(decided: Decided, drive: str, name: str) -> CellTrace:
     asked = next(one for one in decided.demands.criteria if one.name == name)
     steps = (
         *_value(decided.demands.cell(drive, name), asked, drive),
-        *demand_steps(decided.chart, asked, drive),
+        *requirement_steps(decided.chart, asked, drive),
         ("decision", str(_row(decided, drive).decision)),
     )
     return CellTrace(alternative=drive, criterion=name, steps=steps)
@@ -141,8 +141,8 @@ def _demand(decided: Decided, drive: str, name: str) -> CellTrace:
 def _criterion(decided: Decided, verdict: Verdict, combination: str, name: str) -> CellTrace:
     asked = next(one for one in decided.matrix.criteria if one.name == name)
     drive = decided.alternatives[combination].drive.candidate.name
-    standing = Standing(
-        decision=_row(decided, drive).decision, chance=verdict.shares.get(combination, 0.0), word=verdict.word
+    standing = Outcome(
+        decision=_row(decided, drive).decision, best_share=verdict.shares.get(combination, 0.0), certainty=verdict.word
     )
     steps = (
         *_value(decided.matrix.cell(combination, name), asked, combination),

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from torquerig.decide.eliminate import Decision
-from torquerig.decide.missing import MissingFact
-from torquerig.decide.verdict import DECIDED, MatrixVerdict, Word, verdict_of
+from torquerig.decide.value_of_information import MissingFact
+from torquerig.decide.verdict import DECIDED, Certainty, MatrixVerdict, verdict_of
 from torquerig.study.rated_drives import left_over, rated_drives
 from torquerig.study.results import DriveResult
 from torquerig.study.scoring import Decided
@@ -23,7 +23,7 @@ class Verdict:
         Name of the alternative; empty where nothing survives.
     sentence : str
         One sentence for the reader.
-    word : Word
+    word : Certainty
         Of the drives, each with its best filter; as :func:`torquerig.decide.verdict.verdict_of` counts.
     p_best : float
         How often the combination is best in joint draws of data, points and weights [1].
@@ -39,7 +39,7 @@ class Verdict:
 
     winner: str
     sentence: str
-    word: Word
+    word: Certainty
     p_best: float
     chances: Mapping[str, float]
     shares: Mapping[str, float]
@@ -64,13 +64,14 @@ def verdict(decided: Decided) -> Verdict:
     if not names:
         nobody = verdict_of(decided.chart, None, {})
         return Verdict(
-            winner="", word=nobody.word, p_best=0.0, chances={}, shares={}, facts=(),
+            winner="", word=nobody.certainty, p_best=0.0, chances={}, shares={}, facts=(),
             sentence="No drive meets the demands; the elimination says which demand each one misses.",
         )  # fmt: skip
     rated = rated_drives(decided, names)
     made, together = rated.verdict, rated.combinations["together"]
     return Verdict(
-        winner=made.winners[0], word=made.word, p_best=together.chance(made.winners[0]), chances=made.chances,
+        winner=made.winners[0], word=made.certainty, p_best=together.best_share(made.winners[0]),
+        chances=made.best_shares,
         shares=dict(zip(together.alternatives, together.p_best.tolist(), strict=True)),
         sentence=_sentence(decided, made), facts=rated.facts,
     )  # fmt: skip
@@ -85,9 +86,9 @@ def _sentence(decided: Decided, made: MatrixVerdict) -> str:
         f"is off by {today.value:.3f}"
     )
     return (
-        f"{_action(decided, made)} the filter {winner.chain}: {reading}{_beside(decided, made)}. The verdict is "
-        f"{made.word}: this drive is best in {made.chances['together']:.0%} of joint draws over open data, points and "
-        f"weights ({made.chances['intervals']:.0%} over the data alone)."
+        f"{_action(decided, made)} the filter {winner.chain}: {reading}{_beside(decided, made)}. The verdict "
+        f"is {made.certainty}: this drive is best in {made.best_shares['together']:.0%} of joint draws over open data, "
+        f"points and weights ({made.best_shares['intervals']:.0%} over the data alone)."
     )
 
 
@@ -96,7 +97,7 @@ def _action(decided: Decided, made: MatrixVerdict) -> str:
     action = "keep {} as it is, with" if made.winners[0] == decided.datum else _change(winner, now)
     action = action.format(winner.candidate.name)
     opened = ", ".join(dict.fromkeys(told.partition(": ")[2] for told in made.conditions))
-    if made.chances["intervals"] < DECIDED and made.word is Word.UNDECIDABLE:
+    if made.best_shares["intervals"] < DECIDED and made.certainty is Certainty.OPEN:
         still = f" (still open besides: {opened})" if opened else ""
         return f"Nothing can be called best yet{still}; in front is {winner.candidate.name} with"
     if opened:

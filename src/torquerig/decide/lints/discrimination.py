@@ -1,46 +1,46 @@
-"""Whether each row tells the alternatives apart."""
+"""Lints of rows that do not distinguish the alternatives."""
 
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about, quoted
-from torquerig.decide.matrix_io.sheet import Book, Method, Sheet
+from torquerig.decide.matrix_io.matrix_table import MatrixTable, Method, TableSet
 
 
-def rows_without_difference(sheet: Sheet, book: Book) -> list[Finding]:
-    """Find the rows of a ranking in which all alternatives are judged the same (a demand may be met by all)."""
-    if sheet.method is Method.ELIMINATION or len(sheet.alternatives) < 2:
+def rows_without_difference(table: MatrixTable, table_set: TableSet) -> list[Finding]:
+    """Find the rows of a ranking in which all alternatives have the same entry (a requirement may be met by all)."""
+    if table.method is Method.ELIMINATION or len(table.alternatives) < 2:
         return []
-    flat = [row for row in sheet.rows if not row.varies]
+    flat = [row for row in table.rows if not row.varies]
     if not flat:
         return []
-    deciding = len(sheet.rows) - len(flat)
+    deciding = len(table.rows) - len(flat)
     return [
         about(
             flat[0],
             lint="rows that do not discriminate",
-            table=sheet.name,
-            what=f"{len(flat)} of {len(sheet.rows)} rows are the same for all: "
+            table=table.name,
+            what=f"{len(flat)} of {len(table.rows)} rows are the same for all: "
             f"{quoted([row.criterion for row in flat])}",
-            why=f"the ranking rests on the other {deciding}",
-            remedy="judge these rows finer (numbers instead of marks), or leave them out",
+            why=f"the ranking depends on the other {deciding}",
+            remedy="rate these rows with finer steps (numbers instead of marks), or omit them",
         )
     ]
 
 
-def rows_all_minus(sheet: Sheet, book: Book) -> list[Finding]:
-    """Find the rows in which everybody has ``-``."""
-    hit = [row for row in sheet.rows if row.entries and set(row.entries) == {"-"}]
-    if sheet.method is Method.ELIMINATION:
-        why = "under the strict rule nobody survives it"
-        remedy = "if it is a demand, all are out: check the demand; if it is a wish, take it out of this table"
+def rows_all_minus(table: MatrixTable, table_set: TableSet) -> list[Finding]:
+    """Find the rows in which all alternatives have ``-``."""
+    hit = [row for row in table.rows if row.entries and set(row.entries) == {"-"}]
+    if table.method is Method.ELIMINATION:
+        why = "by the strict rule it eliminates every alternative"
+        remedy = "check the requirement, which eliminates all; if it is a wish, remove it from this table"
     else:
-        why = "it only says that the datum is better, not which of the others"
-        remedy = "state by how much each is worse, so that the row can tell them apart"
+        why = "it shows that the baseline is better, but does not compare the others"
+        remedy = "state by how much each is worse"
     return [
         about(
             row,
-            lint="everybody has -",
-            table=sheet.name,
+            lint="all have -",
+            table=table.name,
             what=f"all {len(row.entries)} alternatives have - under {row.criterion!r}",
             why=why,
             remedy=remedy,

@@ -1,4 +1,4 @@
-"""Whether one thing is counted twice."""
+"""Lints of duplicate rows: one property counted twice."""
 
 from __future__ import annotations
 
@@ -7,38 +7,38 @@ from itertools import combinations
 import numpy as np
 
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Method, Row, Sheet, canonical
+from torquerig.decide.matrix_io.matrix_table import UNKNOWN, MatrixTable, Method, Row, TableSet, canonical
 
-STRONG = 0.9
-FEWEST_PAIRS = 4
+STRONG = 0.9  # [1] Pearson r from which rows count as strongly correlated
+FEWEST_PAIRS = 4  # fewer pairs often give a high r by random error
 
 
-def identical_rows(sheet: Sheet, book: Book) -> list[Finding]:
-    """Find pairs of rows with the same entries that do tell alternatives apart."""
+def identical_rows(table: MatrixTable, table_set: TableSet) -> list[Finding]:
+    """Find pairs of rows with the same entries that distinguish alternatives."""
     return [
         about(
             second,
             lint="identical rows",
-            table=sheet.name,
+            table=table.name,
             what=f"{first.criterion!r} and {second.criterion!r} have the same entries",
             why="one property is counted twice",
-            remedy="keep one of them, or say what the second adds",
+            remedy="keep one of them, or state what the second adds",
         )
-        for first, second in combinations([row for row in sheet.rows if row.varies], 2)
+        for first, second in combinations([row for row in table.rows if row.varies], 2)
         if _same(first, second)
     ]
 
 
-def correlated_rows(sheet: Sheet, book: Book) -> list[Finding]:
-    """Find pairs of rows that rise together (Pearson r of at least 0.9 over at least four known pairs).
+def correlated_rows(table: MatrixTable, table_set: TableSet) -> list[Finding]:
+    """Find pairs of positively correlated rows (Pearson r of at least 0.9 over at least four known pairs).
 
-    Only rankings are looked at; a strong negative correlation is a trade-off, not double counting. With few
-    alternatives a high r is weak evidence, so the finding says on how many pairs it rests.
+    Only rankings are checked; a strong negative correlation is a trade-off, not double counting. With few
+    alternatives a high r is weak evidence, so that the finding states the number of pairs.
     """
-    if sheet.method is Method.ELIMINATION:
+    if table.method is Method.ELIMINATION:
         return []
     found = []
-    for first, second in combinations(sheet.rows, 2):
+    for first, second in combinations(table.rows, 2):
         pairs = [pair for pair in zip(first.numbers, second.numbers, strict=True) if None not in pair]
         known = np.array(pairs, dtype=float).reshape(-1, 2)
         if len(known) < FEWEST_PAIRS or np.ptp(known, axis=0).min() == 0 or _same(first, second):
@@ -49,11 +49,11 @@ def correlated_rows(sheet: Sheet, book: Book) -> list[Finding]:
                 about(
                     second,
                     lint="strongly correlated rows",
-                    table=sheet.name,
-                    what=f"{first.criterion!r} and {second.criterion!r} rise together "
+                    table=table.name,
+                    what=f"{first.criterion!r} and {second.criterion!r} are correlated "
                     f"(r = {r:.2f} over {len(known)} alternatives)",
-                    why="what lies behind both may be counted twice",
-                    remedy="check that both ask for different things, or share one weight between them",
+                    why="a common cause may be counted twice",
+                    remedy="check that they rate different properties, or divide one weight between them",
                 )
             )
     return found

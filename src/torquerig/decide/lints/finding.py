@@ -1,15 +1,15 @@
-"""What a lint says of a table: where, what, why it matters and what to do."""
+"""Finding of a lint: the place, the error, its effect and the remedy."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from torquerig.decide.matrix_io.sheet import Row, Sheet
+from torquerig.decide.matrix_io.matrix_table import MatrixTable, Row
 
 
 @dataclass(frozen=True, kw_only=True)
 class Finding:
-    """One thing that is wrong with a table.
+    """One error in a table.
 
     Parameters
     ----------
@@ -29,8 +29,8 @@ class Finding:
     place: str = ""
 
 
-def about(where: Sheet | Row, *, lint: str, table: str, what: str, why: str, remedy: str) -> Finding:
-    """Return a finding that stands where the sheet or row stands."""
+def about(where: MatrixTable | Row, *, lint: str, table: str, what: str, why: str, remedy: str) -> Finding:
+    """Return a finding with the place of the table or row."""
     return Finding(lint=lint, table=table, place=where.place, what=what, why=why, remedy=remedy)
 
 

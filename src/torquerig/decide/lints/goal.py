@@ -1,37 +1,37 @@
-"""Whether the stated goal is asked for."""
+"""Lint of the stated goal: a criterion must rate it."""
 
 from __future__ import annotations
 
 from torquerig.decide.lints.finding import Finding, about
-from torquerig.decide.matrix_io.sheet import UNKNOWN, Book, Method, Sheet
+from torquerig.decide.matrix_io.matrix_table import UNKNOWN, MatrixTable, Method, TableSet
 
 
-def goal_without_criterion(sheet: Sheet, book: Book) -> list[Finding]:
-    """Find rankings without a row for the stated goal, or with nothing known in it.
+def goal_without_criterion(table: MatrixTable, table_set: TableSet) -> list[Finding]:
+    """Find rankings without a row for the stated goal, or with ``?`` only in it.
 
-    Eliminations are left out: the goal ranks, it need not be a demand.
+    Eliminations are not checked: the goal ranks, it need not be a requirement.
     """
-    if sheet.method is Method.ELIMINATION or not book.goal_words:
+    if table.method is Method.ELIMINATION or not table_set.goal_words:
         return []
-    rows = [row for row in sheet.rows if any(word.lower() in row.criterion.lower() for word in book.goal_words)]
+    rows = [row for row in table.rows if any(word.lower() in row.criterion.lower() for word in table_set.goal_words)]
     if not rows:
         return [
             about(
-                sheet,
+                table,
                 lint="the goal has no criterion",
-                table=sheet.name,
-                what=f"no row asks for the stated goal, {book.goal}",
-                why="the winner is chosen by everything but the purpose of the choice",
-                remedy=f"add a criterion for {book.goal} with its weight",
+                table=table.name,
+                what=f"no row rates the stated goal, {table_set.goal}",
+                why="the choice does not depend on its purpose",
+                remedy=f"add a criterion for {table_set.goal} with its weight",
             )
         ]
     return [
         about(
             row,
             lint="the goal is unknown",
-            table=sheet.name,
-            what=f"{row.criterion!r} is ? for everybody",
-            why=f"the table says nothing about the stated goal, {book.goal}",
+            table=table.name,
+            what=f"{row.criterion!r} is ? for all alternatives",
+            why=f"the table contains nothing about the stated goal, {table_set.goal}",
             remedy="measure or simulate it before ranking",
         )
         for row in rows

@@ -1,8 +1,8 @@
 """Matrices in and out: YAML, Excel sheets, published tables, and their text for the terminal.
 
 ======================= ===========================================================================
-``matrix_file``         one's own matrix from YAML; ``matrix_schema``: its keys; ``matrix_cells``: its cells
-``matrix_sheet``        the same from an Excel sheet; ``sheet_layout``: where its cells are
+``matrix_file``         a user's matrix from YAML; ``matrix_schema``: its keys; ``matrix_cells``: its cells
+``matrix_sheet``        the same from an Excel sheet; ``excel_layout``: where its cells are
 ``matrix_writing``      a matrix as YAML
 ``published_tables``      published tables from YAML; ``sheet``: one such table
 ``recompute``           the three engines run over the cells of a published table

@@ -1,68 +1,68 @@
-"""How sure the answer is as plain text: verdict, draws, flips, datum runs, open facts, edits."""
+"""Certainty of the answer as plain text: verdict, rank shares, flips, baseline runs, open facts, edits."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from torquerig.decide.comparing import Reordering
 from torquerig.decide.convergence import Convergence
 from torquerig.decide.flips import CommonFlip, FlipScore, FlipWeight
-from torquerig.decide.missing import MissingFact
 from torquerig.decide.near_miss import NearMiss
 from torquerig.decide.pareto import Dominance
-from torquerig.decide.robustness import Acceptability
+from torquerig.decide.robustness import RankAcceptability
 from torquerig.decide.strength import Strength
 from torquerig.decide.trace import CellTrace
+from torquerig.decide.value_of_information import MissingFact
 from torquerig.decide.verdict import MatrixVerdict
+from torquerig.decide.version_comparison import RankingChanges
 from torquerig.plain_table import grid, wrapped
 
-FLIPS = 5  # of the smallest changes of a score that are told
+FLIPS = 5  # of the smallest changes of a score that are listed
 
 
-def tell_verdict(verdict: MatrixVerdict) -> str:
-    """Return the answer in a sentence."""
+def verdict_text(verdict: MatrixVerdict) -> str:
+    """Return the verdict in sentences."""
     return wrapped(verdict.sentence(), rest="")
 
 
-def tell_near_misses(near: Sequence[NearMiss]) -> str:
-    """Return who was eliminated by a hair, a line each; empty where nobody was."""
+def near_misses_text(near: Sequence[NearMiss]) -> str:
+    """Return the alternatives that were eliminated narrowly, a line each; empty where there is none."""
     return "\n".join(wrapped(f"near miss: {one.sentence()}", rest="    ") for one in near)
 
 
-def tell_pareto(found: Dominance) -> str:
-    """Return who is dominated by whom, and who is in the Pareto set."""
-    told = [f"in the Pareto set: {', '.join(found.efficient) or 'nobody for sure'}"]
+def pareto_text(found: Dominance) -> str:
+    """Return the Pareto set and the dominated alternatives."""
+    lines = [f"in the Pareto set: {', '.join(found.efficient) or 'no alternative for certain'}"]
     if found.open:
-        told.append(f"in it or not, by facts that are open: {', '.join(found.open)}")
-    told += [f"dominated: {name}, by {', '.join(others)}" for name, others in found.dominated.items()]
-    return "\n".join(wrapped(one) for one in told)
+        lines.append(f"in it or not, depending on open facts: {', '.join(found.open)}")
+    lines += [f"dominated: {name}, by {', '.join(others)}" for name, others in found.dominated.items()]
+    return "\n".join(wrapped(one) for one in lines)
 
 
-def tell_convergence(found: Convergence, circles: Sequence[tuple[str, ...]]) -> str:
-    """Return the log of datums, what each run says to do next, and wins that run round."""
-    told = []
+def convergence_text(found: Convergence, cycles: Sequence[tuple[str, ...]]) -> str:
+    """Return the log of baselines, what each run suggests, and cycles of wins."""
+    lines = []
     for number, step in enumerate(found.steps, start=1):
         net = str(step.net_low) if step.net_low == step.net_high else f"{step.net_low}..{step.net_high}"
-        parts = [f"run {number}: datum {step.datum}"]
-        if step.strongest == step.datum:
-            parts.append("nobody is stronger")
+        parts = [f"run {number}: baseline {step.baseline}"]
+        if step.strongest == step.baseline:
+            parts.append("no alternative is stronger")
         else:
             parts.append(f"strongest is {step.strongest} (net {net})")
-            parts.append(f"attack its negatives: {', '.join(step.negatives) or 'it has none'}")
+            parts.append(f"improve where it is worse: {', '.join(step.negatives) or 'nowhere'}")
         if step.weak:
-            parts.append(f"never better than the datum, to be dropped: {', '.join(step.weak)}")
+            parts.append(f"never better than the baseline, to be dropped: {', '.join(step.weak)}")
         if step.undiscriminating:
             parts.append(f"the same for all: {', '.join(step.undiscriminating)}")
-        told.append("; ".join(parts))
-    if found.stands:
-        told.append(f"the datum stands: {found.stands}{'' if found.sure else ', as far as the known signs go'}")
+        lines.append("; ".join(parts))
+    if found.stable:
+        lines.append(f"stable baseline: {found.stable}{'' if found.sure else ', by the known signs only'}")
     else:
-        told.append(f"no datum stands; they follow each other in a circle: {_round(found.circle)}")
-    told += [f"sure wins run in a circle: {_round(one)}" for one in circles]
-    return "\n".join(wrapped(one, rest="    ") for one in told)
+        lines.append(f"no stable baseline; they follow each other in a cycle: {_round(found.cycle)}")
+    lines += [f"certain wins form a cycle: {_round(one)}" for one in cycles]
+    return "\n".join(wrapped(one, rest="    ") for one in lines)
 
 
-def tell_strength(found: Strength) -> str:
+def strength_text(found: Strength) -> str:
     """Return technical x, economic y, both means and the guide value of each alternative."""
     low, high = found.hyperbolic_range
     body = [
@@ -76,8 +76,8 @@ def tell_strength(found: Strength) -> str:
     return grid([["", "technical x", "economic y", "(x+y)/2", "sqrt(x y)", "technically"], *body])
 
 
-def tell_acceptability(found: Mapping[str, Acceptability]) -> str:
-    """Return how often each is best by what is in doubt, and how often it takes each rank over all of it."""
+def acceptability_text(found: Mapping[str, RankAcceptability]) -> str:
+    """Return the share of samples in which each is best, by source of uncertainty, and in which it takes each rank."""
     together = found["together"]
     best = [
         [name, *(f"{one.p_best[row]:.1%}" for one in found.values()), f"{together.mean_rank[row]:.2f}"]
@@ -87,10 +87,10 @@ def tell_acceptability(found: Mapping[str, Acceptability]) -> str:
         [name, *(f"{share:.1%}" for share in together.shares[row].tolist())]
         for row, name in enumerate(together.alternatives)
     ]
-    doubt = together.doubt
+    uncertainty = together.uncertainty
     drawn = (
-        f"{together.draws} draws, seed {together.seed}: intervals of the facts, points +-{doubt.scores:g}, "
-        f"weights +-{doubt.weights:.0%}"
+        f"{together.draws} Monte Carlo samples, random seed {together.seed}: intervals of the facts, "
+        f"points +-{uncertainty.scores:g}, weights +-{uncertainty.weights:.0%}"
     )
     return "\n".join(
         [
@@ -102,59 +102,63 @@ def tell_acceptability(found: Mapping[str, Acceptability]) -> str:
     )
 
 
-def tell_flips(weights: Sequence[FlipWeight], scores: Sequence[FlipScore], common: CommonFlip | None) -> str:
+def flips_text(weights: Sequence[FlipWeight], scores: Sequence[FlipScore], common: CommonFlip | None) -> str:
     """Return the exact weights and the smallest changes of scores at which another one wins."""
     if common is None:
-        return "one alternative has no rival"
-    told = [
-        f"weight of {one.criterion!r}: {one.weight:g} as given, at {one.flip:.3g} {one.rival} ties with {one.winner}"
+        return "there is only one alternative"
+    lines = [
+        f"weight of {one.criterion!r}: {one.weight:g} as given, at {one.flip:.3g} {one.other} ties with {one.winner}"
         for one in weights
         if one.flip is not None
-    ] or ["no single weight of at least 0 lets anybody catch up"]
+    ] or ["no single weight of at least 0 changes the winner"]
     reached = [one for one in scores if one.flip is not None]
-    told += [
+    lines += [
         f"points of {one.alternative} for {one.criterion!r}: {one.points:.3g}, at {one.flip:.3g} ({one.change:+.3g}) "
-        f"{one.rival} ties with {one.winner}"
+        f"{one.other} ties with {one.winner}"
         for one in reached[:FLIPS]
-    ] or ["no single cell's points within the scale let anybody catch up"]
-    told.append(
-        "even all points off by the whole scale change nothing" if common.scores is None
-        else f"all points at once: off by {common.scores:.3g}, {common.score_rival} can catch up"
+    ] or ["no single cell's points within the scale change the winner"]
+    lines.append(
+        "even an error of all points by the whole scale does not change the winner" if common.scores is None
+        else f"all points at once: with an error of {common.scores:.3g}, {common.first_by_scores} can reach it"
     )  # fmt: skip
-    told.append(
-        "weights may all be off by 100 % of themselves" if common.weights is None
-        else f"all weights at once: off by {common.weights:.1%} of themselves, {common.weight_rival} can catch up"
+    lines.append(
+        "even an error of all weights by 100 % does not change the winner" if common.weights is None
+        else f"all weights at once: with an error of {common.weights:.1%}, {common.first_by_weights} can reach it"
     )  # fmt: skip
-    return "\n".join(wrapped(one, rest="    ") for one in told)
+    return "\n".join(wrapped(one, rest="    ") for one in lines)
 
 
-def tell_missing(facts: Sequence[MissingFact]) -> str:
-    """Return what to ask for, the most useful first; what cannot change the winner alone is only named."""
+def missing_facts_text(facts: Sequence[MissingFact]) -> str:
+    """Return the missing facts, the most useful first; those that cannot change the winner alone are only named."""
     decisive = [one for one in facts if one.decisive]
-    told = [
+    lines = [
         f"{place}. {one.sentence()}; worth {one.gain:.4f} in T/T_max" for place, one in enumerate(decisive, start=1)
     ]
-    rest = [one.fact for one in facts if not one.decisive]
-    if rest:
-        told.append(f"alone these cannot change the winner: {'; '.join(rest)}")
-    return "\n".join(wrapped(one, rest="   ") for one in told) or "nothing is missing"
+    others = [one.fact for one in facts if not one.decisive]
+    if others:
+        lines.append(f"alone these cannot change the winner: {'; '.join(others)}")
+    return "\n".join(wrapped(one, rest="   ") for one in lines) or "nothing is missing"
 
 
-def tell_trace(one: CellTrace) -> str:
-    """Return the way of one cell from the catalog to the verdict, a line per step."""
+def trace_text(one: CellTrace) -> str:
+    """Return the trace of one cell from the catalog to the verdict, a line per step."""
     width = max(len(label) for label, _ in one.steps)
     lines = [wrapped(f"{label.ljust(width)}  {text}", first="  ", rest=" " * (width + 4)) for label, text in one.steps]
     return "\n".join([f"{one.alternative} / {one.criterion}", *lines])
 
 
-def tell_reordering(found: Reordering) -> str:
-    """Return what was changed and what it did."""
-    told = [f"{one.key}: {_entry(one.before)} -> {_entry(one.after)}" for one in found.edits] or ["nothing was changed"]
-    before, after = (" and ".join(names) or "nobody" for names in (found.winners_before, found.winners_after))
-    told.append(f"in front before and after: {before}" if before == after else f"in front: {before} -> {after}")
-    told += [f"rank of {name}: {_entry(old)} -> {_entry(new)}" for name, old, new in found.ranks]
-    told += [f"{second} has overtaken {first}" for first, second in found.reversed_pairs]
-    return "\n".join(wrapped(one, rest="    ") for one in told)
+def ranking_changes_text(found: RankingChanges) -> str:
+    """Return the edits and the changes of the ranking."""
+    lines = [f"{one.key}: {_entry(one.before)} -> {_entry(one.after)}" for one in found.edits] or [
+        "nothing was changed"
+    ]
+    before, after = (" and ".join(names) or "none" for names in (found.winners_before, found.winners_after))
+    lines.append(
+        f"ranked first before and after: {before}" if before == after else f"ranked first: {before} -> {after}"
+    )
+    lines += [f"rank of {name}: {_entry(old)} -> {_entry(new)}" for name, old, new in found.ranks]
+    lines += [f"{second} now ranks above {first}" for first, second in found.reversed_pairs]
+    return "\n".join(wrapped(one, rest="    ") for one in lines)
 
 
 def _range(value: float, low: float, high: float) -> str:

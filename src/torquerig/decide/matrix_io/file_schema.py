@@ -1,4 +1,4 @@
-"""What the YAML of published tables and of one's own matrix have in common."""
+"""Parts of the YAML that published tables and a user's matrix have in common."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ STRICT: dict[str, Any] = {"extra": "forbid"}
 
 @dataclass(frozen=True, kw_only=True)
 class GoalText:
-    """The stated goal, and the words by which a criterion for it is known."""
+    """The stated goal, and the words that identify a criterion for it."""
 
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     name: str

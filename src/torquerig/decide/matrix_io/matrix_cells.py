@@ -1,4 +1,4 @@
-"""The cells of one's own matrix: as written in the file, or from the catalog's motors."""
+"""The cells of a user's matrix: as written in the file, or from the catalog's motors."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def _from_catalog(document: Document, criterion: Criterion, motor: str, *, key: 
     origin = Origin(name=fact, shown=known.shown(criterion.unit), evidence=known.evidence, source=known.source)
     return Cell(
         value=cell.value, low=cell.low, high=cell.high, source=known.source, evidence=known.evidence, note=known.note,
-        unknown_reason="" if cell.known else fact, fact=fact, origins=(origin,), metric="catalog value as it stands",
+        unknown_reason="" if cell.known else fact, fact=fact, origins=(origin,), metric="catalog value, unchanged",
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""One's own matrix read from YAML: criteria, alternatives and what is known of each."""
+"""A user's matrix read from YAML: criteria, alternatives and cells."""
 
 from __future__ import annotations
 
@@ -6,20 +6,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from torquerig.decide.case import Cost, MatrixCase
-from torquerig.decide.criterion import Criterion, Demand, Indifference, ValueFunction
-from torquerig.decide.draws import Doubt
+from torquerig.decide.criterion import Criterion, Indifference, Requirement, ValueFunction
 from torquerig.decide.kesselring import Profile, rated_criteria
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.matrix_io.matrix_cells import Cells, Keys, catalog_cells, written_cells
 from torquerig.decide.matrix_io.matrix_schema import CriterionText, MatrixText
-from torquerig.decide.matrix_io.sheet import Alias
-from torquerig.document import Document, read_document, validated
+from torquerig.decide.matrix_io.matrix_table import Alias
+from torquerig.decide.monte_carlo import Uncertainty
+from torquerig.document import Document, read_document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 
 if TYPE_CHECKING:
     from torquerig.catalog.reading import Catalog
 
 __all__ = ["MatrixCase", "matrix_from", "read_matrix"]
+
+OLD_KEYS = {("datum",): "baseline", ("doubt",): "uncertainty", ("criteria", "*", "demand"): "requirement"}
+"""Paths of keys that files of earlier versions have, and the names that they have now."""
 
 
 def read_matrix(path: Path, *, catalog: Catalog | None = None) -> MatrixCase:
@@ -28,20 +31,21 @@ def read_matrix(path: Path, *, catalog: Catalog | None = None) -> MatrixCase:
 
 
 def matrix_from(document: Document, *, catalog: Catalog | None = None) -> MatrixCase:
-    """Return the matrix of a document that has been read; the first alternative is the datum if none is named.
+    """Return the matrix of a document that has been read; the first alternative is the baseline if none is named.
 
-    ``catalog`` is needed where the file has ``motors:``; the shipped one is taken where none is given.
+    ``catalog`` is used where the file has ``motors:``; the default is the shipped catalog.
     """
     from pydantic import TypeAdapter
 
     if not isinstance(document.data, dict):
         raise InputError(f"{document.place()}: no matrix; write criteria: and alternatives:, as in matrix_example.yaml")
+    document = with_new_keys(document, OLD_KEYS)
     file = validated(document, TypeAdapter(MatrixText))
     if not file.alternatives or not file.criteria:
         raise InputError(f"{document.place()}: a matrix needs criteria and alternatives; at least one of each")
     for key in ("criteria", "alternatives"):
         if any(not name.strip() for name in document.data[key]):
-            raise InputError(f"{document.place((key, ''))}: a name is empty; write one that tells what stands there")
+            raise InputError(f"{document.place((key, ''))}: a name is empty; write a name")
     criteria = {name: _criterion(document, name, written) for name, written in file.criteria.items()}
     cells = {**_cells_of_motors(document, file, criteria, catalog), **written_cells(document, file, criteria)}
     matrix = DecisionMatrix(
@@ -50,16 +54,16 @@ def matrix_from(document: Document, *, catalog: Catalog | None = None) -> Matrix
     profile = _profile(document, file, matrix)
     _check_points_by_hand(document, cells, profile)
     if file.draws < 1:
-        raise InputError(f"{document.place(('draws',))}: {file.draws} draws tell nothing; write 1 or more")
+        raise InputError(f"{document.place(('draws',))}: {file.draws} Monte Carlo samples are too few; write 1 or more")
     return MatrixCase(
         matrix=matrix,
-        datum=_datum(document, file),
+        baseline=_baseline(document, file),
         profile=profile,
         goal=file.goal.name if file.goal else "",
         goal_words=file.goal.words if file.goal else (),
         draws=file.draws,
         seed=file.seed,
-        doubt=_doubt(document, file),
+        uncertainty=_uncertainty(document, file),
         cost=_cost(document, file),
         aliases=tuple(
             Alias(names=one.names, reason=one.reason, place=document.place(("aliases", place)))
@@ -74,9 +78,9 @@ def _cells_of_motors(
     document: Document, file: MatrixText, criteria: dict[str, Criterion], catalog: Catalog | None
 ) -> Cells:
     if not file.motors:
-        asking = next((name for name, one in file.criteria.items() if one.catalog), None)
-        if asking:
-            place = document.place(("criteria", asking, "catalog"))
+        wanting = next((name for name, one in file.criteria.items() if one.catalog), None)
+        if wanting:
+            place = document.place(("criteria", wanting, "catalog"))
             raise InputError(f"{place}: no alternative has a motor; add motors: {{alternative: name in the catalog}}")
         return {}
     if catalog is None:
@@ -87,23 +91,25 @@ def _cells_of_motors(
     return catalog_cells(document, file, criteria, catalog)
 
 
-def _datum(document: Document, file: MatrixText) -> str:
-    datum = file.datum or next(iter(file.alternatives))
-    if datum not in file.alternatives:
-        hint = did_you_mean(datum, file.alternatives)
-        raise InputError(f"{document.place(('datum',))}: the datum {datum!r} is not in the matrix; {hint}")
-    return datum
+def _baseline(document: Document, file: MatrixText) -> str:
+    baseline = file.baseline or next(iter(file.alternatives))
+    if baseline not in file.alternatives:
+        hint = did_you_mean(baseline, file.alternatives)
+        raise InputError(f"{document.place(('baseline',))}: the baseline {baseline!r} is not in the matrix; {hint}")
+    return baseline
 
 
 def _criterion(document: Document, name: str, written: CriterionText) -> Criterion:
-    demand = written.demand
+    requirement = written.requirement
     try:
         return Criterion(
             name=name,
             unit=written.unit,
             better=written.better,
             band=written.band,
-            demand=None if demand is None else Demand(low=demand.min, high=demand.max, in_question=demand.in_question),
+            requirement=None
+            if requirement is None
+            else Requirement(low=requirement.min, high=requirement.max, in_question=requirement.in_question),
             indifference=Indifference(absolute=written.indifference.absolute, relative=written.indifference.relative),
             value=None if written.points is None else ValueFunction(written.points),
             weight=written.weight,
@@ -111,8 +117,8 @@ def _criterion(document: Document, name: str, written: CriterionText) -> Criteri
             purpose=written.purpose,
         )
     except InputError as error:
-        told = _unnamed(error, name)
-        raise InputError(f"{document.place(('criteria', name, _key_of(told)))}: {told}") from None
+        problem = _unnamed(error, name)
+        raise InputError(f"{document.place(('criteria', name, _key_of(problem)))}: {problem}") from None
 
 
 def _profile(document: Document, file: MatrixText, matrix: DecisionMatrix) -> Profile:
@@ -137,11 +143,11 @@ def _check_points_by_hand(document: Document, cells: Cells, profile: Profile) ->
             raise InputError(f"{place}: {profile.refusal(given)}")
 
 
-def _doubt(document: Document, file: MatrixText) -> Doubt:
+def _uncertainty(document: Document, file: MatrixText) -> Uncertainty:
     try:
-        return Doubt(scores=file.doubt.scores, weights=file.doubt.weights)
+        return Uncertainty(scores=file.uncertainty.scores, weights=file.uncertainty.weights)
     except InputError as error:
-        raise InputError(f"{document.place(('doubt',))}: {error}") from None
+        raise InputError(f"{document.place(('uncertainty',))}: {error}") from None
 
 
 def _cost(document: Document, file: MatrixText) -> Cost | None:
@@ -156,13 +162,13 @@ def _cost(document: Document, file: MatrixText) -> Cost | None:
     return Cost(criterion=file.cost.criterion, permissible=file.cost.permissible)
 
 
-def _key_of(told: str) -> str:
-    """Return the key of a criterion that a refusal is about, for its place."""
-    if "points are outside" in told:
+def _key_of(problem: str) -> str:
+    """Return the key of a criterion that an error is about, for its place."""
+    if "points are outside" in problem:
         return "points"
-    about = {"weight": "the weight", "points": "the value", "band": "the band", "demand": "the demand",
+    about = {"weight": "the weight", "points": "the value", "band": "the band", "requirement": "the requirement",
              "indifference": "the "}  # fmt: skip
-    return next((key for key, start in about.items() if told.startswith(start)), "")
+    return next((key for key, start in about.items() if problem.startswith(start)), "")
 
 
 def _unnamed(error: InputError, name: str) -> str:

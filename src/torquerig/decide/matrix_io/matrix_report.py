@@ -1,39 +1,39 @@
-"""The whole text of ``torquerig matrix``: published tables audited, or one's own matrix run through the engines."""
+"""The whole text of ``torquerig matrix``: published tables audited, or a user's matrix analysed."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from torquerig.decide.lints.audit import audit
+from torquerig.decide.matrix_analysis import MatrixAnalysis, analyse_matrix
 from torquerig.decide.matrix_io.certainty_text import (
-    tell_acceptability,
-    tell_convergence,
-    tell_flips,
-    tell_missing,
-    tell_near_misses,
-    tell_pareto,
-    tell_strength,
-    tell_verdict,
+    acceptability_text,
+    convergence_text,
+    flips_text,
+    missing_facts_text,
+    near_misses_text,
+    pareto_text,
+    strength_text,
+    verdict_text,
 )
 from torquerig.decide.matrix_io.matrix_file import matrix_from
-from torquerig.decide.matrix_io.printed_text import tell_sheet
+from torquerig.decide.matrix_io.matrix_table import TableSet
 from torquerig.decide.matrix_io.published_tables import tables_from
-from torquerig.decide.matrix_io.sheet import Book
-from torquerig.decide.matrix_io.text import (
+from torquerig.decide.matrix_io.published_text import published_table_text
+from torquerig.decide.matrix_io.result_text import (
+    chart_text,
+    findings_text,
     heading,
-    tell_chart,
-    tell_findings,
-    tell_kesselring,
-    tell_matrix,
-    tell_pugh,
-    tell_sweep,
+    kesselring_text,
+    known_values_text,
+    pugh_text,
+    sweep_text,
 )
-from torquerig.decide.working import WorkedOut, work_out
 from torquerig.document import read_document
 
 
 def matrix_report(path: Path) -> str:
-    """Return the text for a file of published tables (it has ``tables:``) or for one's own matrix.
+    """Return the text for a file of published tables (it has ``tables:``) or for a user's matrix.
 
     Raises
     ------
@@ -42,41 +42,51 @@ def matrix_report(path: Path) -> str:
     """
     document = read_document(path)
     if isinstance(document.data, dict) and "tables" in document.data:
-        return tell_book(tables_from(document))
-    return tell_worked_out(work_out(matrix_from(document)))
+        return published_tables_text(tables_from(document))
+    return matrix_analysis_text(analyse_matrix(matrix_from(document)))
 
 
-def tell_book(book: Book) -> str:
-    """Return all tables as printed and recomputed, then what is wrong with them."""
-    findings = audit(book)
-    title = heading(f"What the tables get wrong: {len(findings)} findings")
-    return "\n\n".join([*(tell_sheet(sheet) for sheet in book.sheets), title, tell_findings(findings)]) + "\n"
+def published_tables_text(table_set: TableSet) -> str:
+    """Return all tables as printed and recalculated, then the findings of the lints."""
+    findings = audit(table_set)
+    title = heading(f"Errors in the tables: {len(findings)} findings")
+    return (
+        "\n\n".join([*(published_table_text(table) for table in table_set.tables), title, findings_text(findings)])
+        + "\n"
+    )
 
 
-def tell_worked_out(worked: WorkedOut) -> str:
-    """Return one's own matrix with the three methods, how sure the winner is, what to ask next, and the lints."""
-    case, matrix = worked.case, worked.case.matrix
-    near = tell_near_misses(worked.near)
-    out = f"\nleft out, as a demand eliminates it: {', '.join(worked.eliminated)}" if worked.eliminated else ""
+def matrix_analysis_text(analysis: MatrixAnalysis) -> str:
+    """Return a user's matrix with the three methods, the certainty of the winner, what to ask next, and the lints."""
+    case, matrix = analysis.case, analysis.case.matrix
+    near = near_misses_text(analysis.near)
+    out = (
+        f"\nleft out, because a requirement eliminates it: {', '.join(analysis.eliminated)}"
+        if analysis.eliminated
+        else ""
+    )
     parts = [
-        (f"{matrix.name}: the verdict", tell_verdict(worked.verdict)),
-        (f"{matrix.name}: what is known", tell_matrix(matrix)),
-        ("Elimination: who meets the demands", tell_chart(worked.chart) + (f"\n{near}" if near else "")),
-        ("Dominance, before any weight", tell_pareto(worked.pareto)),
-        (f"Pugh against {case.datum}", tell_pugh(worked.pugh)),
-        ("Pugh until the datum stands", tell_convergence(worked.convergence, worked.circles)),
-        ("Pugh with every alternative as datum", tell_sweep(worked.sweep)),
-        (f"Kesselring, points {case.profile.name}", tell_kesselring(worked.overall) + out),
+        (f"{matrix.name}: the verdict", verdict_text(analysis.verdict)),
+        (f"{matrix.name}: known values", known_values_text(matrix)),
+        (
+            "Elimination: which alternatives meet the requirements",
+            chart_text(analysis.chart) + (f"\n{near}" if near else ""),
+        ),
+        ("Dominance, without weights", pareto_text(analysis.pareto)),
+        (f"Pugh against {case.baseline}", pugh_text(analysis.pugh)),
+        ("Pugh until the baseline is stable", convergence_text(analysis.convergence, analysis.cycles)),
+        ("Pugh with every alternative as baseline", sweep_text(analysis.sweep)),
+        (f"Kesselring, points {case.profile.name}", kesselring_text(analysis.overall) + out),
     ]
-    if worked.strength is not None:
-        parts.append(("Technical and economic rating apart", tell_strength(worked.strength)))
+    if analysis.strength is not None:
+        parts.append(("Technical and economic rating", strength_text(analysis.strength)))
     parts += [
-        ("How sure the winner is", tell_acceptability(worked.acceptability)),
-        ("What would change the winner", tell_flips(worked.weight_flips, worked.score_flips, worked.common)),
-        ("What to ask next", tell_missing(worked.missing)),
+        ("How certain the winner is", acceptability_text(analysis.acceptability)),
+        ("What would change the winner", flips_text(analysis.weight_flips, analysis.score_flips, analysis.common)),
+        ("What to ask next", missing_facts_text(analysis.missing)),
     ]
     if case.history:
-        told = "\n".join(f"{number}. {text}" for number, text in enumerate(case.history, start=1))
-        parts.append(("What was changed before", told))
-    parts.append((f"Lints: {len(worked.findings)} findings", tell_findings(worked.findings)))
+        history = "\n".join(f"{number}. {text}" for number, text in enumerate(case.history, start=1))
+        parts.append(("Earlier changes", history))
+    parts.append((f"Lints: {len(analysis.findings)} findings", findings_text(analysis.findings)))
     return "\n\n".join(f"{heading(title)}\n{text}" for title, text in parts) + "\n"

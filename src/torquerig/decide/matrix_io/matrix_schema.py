@@ -1,4 +1,4 @@
-"""What the YAML of one's own matrix may hold."""
+"""Keys of the YAML of a user's matrix."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from torquerig.decide.matrix_io.file_schema import STRICT, GoalText, ScaleText
 
 
 @dataclass(frozen=True, kw_only=True)
-class DemandText:
+class RequirementText:
     """A limit that must be met."""
 
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
@@ -22,7 +22,7 @@ class DemandText:
 
 @dataclass(frozen=True, kw_only=True)
 class IndifferenceText:
-    """How far two values may lie apart and count as the same."""
+    """Largest difference of two values that count as the same."""
 
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     absolute: float = 0.0
@@ -37,7 +37,7 @@ class CriterionText:
     unit: str = "1"
     better: Better = Better.MORE
     band: tuple[float, float] | None = None
-    demand: DemandText | None = None
+    requirement: RequirementText | None = None
     indifference: IndifferenceText = field(default_factory=IndifferenceText)
     points: tuple[tuple[float, float], ...] | None = None
     weight: float = 0.0
@@ -59,7 +59,7 @@ class OriginText:
 
 @dataclass(frozen=True, kw_only=True)
 class OverrideText:
-    """What somebody set by hand, and why."""
+    """A value or points set by hand, with the reason."""
 
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     reason: str = ""
@@ -87,8 +87,8 @@ class CellText:
 
 
 @dataclass(frozen=True, kw_only=True)
-class DoubtText:
-    """How far points [points] and raw weights [share of them] may be off."""
+class UncertaintyText:
+    """Uncertainty: half-widths of the points [points] and of the raw weights [share of them]."""
 
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     scores: float = 0.5
@@ -97,7 +97,7 @@ class DoubtText:
 
 @dataclass(frozen=True, kw_only=True)
 class CostText:
-    """The criterion that holds the costs, and the highest that would be accepted."""
+    """The criterion with the costs, and the highest accepted cost."""
 
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     criterion: str
@@ -121,12 +121,12 @@ class MatrixText:
     criteria: dict[str, CriterionText]
     alternatives: dict[str, dict[str, Any] | None]
     name: str = "matrix"
-    datum: str = ""
+    baseline: str = ""
     goal: GoalText | None = None
     scale: ScaleText = field(default_factory=lambda: ScaleText(min=TEACHING.p_min, max=TEACHING.p_max))
     draws: int = 10_000
     seed: int = 0
-    doubt: DoubtText = field(default_factory=DoubtText)
+    uncertainty: UncertaintyText = field(default_factory=UncertaintyText)
     motors: dict[str, str] = field(default_factory=dict)
     cost: CostText | None = None
     aliases: tuple[AliasText, ...] = ()

@@ -1,4 +1,4 @@
-"""One's own matrix written as YAML: reading it again gives the same case."""
+"""A user's matrix written as YAML: reading it again gives the same case."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ RESERVED = frozenset({"yes", "no", "on", "off", "true", "false", "null", "y", "n
 
 
 def matrix_yaml(case: MatrixCase) -> str:
-    """Return the YAML of a case; what came from the catalog stands in its cells with its origin."""
+    """Return the YAML of a case; values from the catalog are in its cells with their origin."""
     import yaml
 
     class Dumper(yaml.SafeDumper):
@@ -32,16 +32,16 @@ def matrix_yaml(case: MatrixCase) -> str:
 
 
 def case_data(case: MatrixCase) -> dict[str, Any]:
-    """Return a case as the mappings and lists of its file; what stands at its default is left out."""
+    """Return a case as the mappings and lists of its file; defaults are left out."""
     matrix, data = case.matrix, {"name": case.matrix.name}
     full: dict[str, Any] = {
         **data,
         "goal": {"name": case.goal, "words": list(case.goal_words)} if case.goal else None,
         "scale": {"min": case.profile.p_min, "max": case.profile.p_max},
-        "datum": case.datum,
+        "baseline": case.baseline,
         "draws": case.draws,
         "seed": case.seed,
-        "doubt": {"scores": case.doubt.scores, "weights": case.doubt.weights},
+        "uncertainty": {"scores": case.uncertainty.scores, "weights": case.uncertainty.weights},
         "cost": {"criterion": case.cost.criterion, "permissible": case.cost.permissible} if case.cost else None,
         "aliases": [{"names": list(one.names), "reason": one.reason} for one in case.aliases],
         "history": list(case.history),
@@ -68,15 +68,15 @@ def cell_data(cell: Cell, unit: str) -> Any:
         return cell.value
     if unit != YES_NO and cell == Cell(low=cell.low, high=cell.high):
         return [cell.low, cell.high]
-    told = _filled(cell)
+    data = _filled(cell)
     if cell.origins:
-        told["origins"] = [_filled(origin) for origin in cell.origins]
+        data["origins"] = [_filled(origin) for origin in cell.origins]
     if cell.by_hand is not None:
-        told["by_hand"] = _filled(cell.by_hand)
+        data["by_hand"] = _filled(cell.by_hand)
     if unit == YES_NO:
-        for held in (told, told.get("by_hand", {})):
+        for held in (data, data.get("by_hand", {})):
             held |= {key: _answer(held[key]) for key in ("value", "low", "high") if key in held}
-    return told
+    return data
 
 
 def _answer(value: float | None) -> str:
@@ -89,16 +89,20 @@ def _filled(record: Any) -> dict[str, Any]:
 
 
 def _criterion(criterion: Criterion) -> dict[str, Any]:
-    demand, same = criterion.demand, criterion.indifference
+    requirement, same = criterion.requirement, criterion.indifference
     full: dict[str, Any] = {
         "unit": criterion.unit,
         "better": str(criterion.better),
         "band": None if criterion.band is None else list(criterion.band),
-        "demand": None
-        if demand is None
+        "requirement": None
+        if requirement is None
         else {
             key: value
-            for key, value in (("min", demand.low), ("max", demand.high), ("in_question", demand.in_question))
+            for key, value in (
+                ("min", requirement.low),
+                ("max", requirement.high),
+                ("in_question", requirement.in_question),
+            )
             if value not in (None, "")
         },
         "indifference": {"absolute": same.absolute, "relative": same.relative}

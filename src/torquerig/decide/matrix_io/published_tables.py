@@ -1,4 +1,4 @@
-"""Published tables read from YAML, cell by cell as printed; every complaint names file, line and key."""
+"""Published tables read from YAML, cell by cell as printed; every error names file, line and key."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from typing import Any, ClassVar
 from torquerig.decide.criterion import Kind
 from torquerig.decide.kesselring import Profile
 from torquerig.decide.matrix_io.file_schema import STRICT, GoalText, ScaleText
-from torquerig.decide.matrix_io.sheet import SAME, UNKNOWN, Alias, Book, Entry, Method, Row, Sheet
-from torquerig.document import Document, read_document, validated
+from torquerig.decide.matrix_io.matrix_table import SAME, UNKNOWN, Alias, Entry, MatrixTable, Method, Row, TableSet
+from torquerig.document import Document, read_document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 
+OLD_KEYS = {("tables", "*", "datum"): "baseline", ("tables", "*", "rows", "*", "datum_has"): "baseline_has"}
+"""Paths of keys that files of earlier versions have, and the names that they have now."""
 _MARKS = {Method.ELIMINATION: ("+", "-", "?", "!"), Method.PUGH: ("+", "-", "0", "S", "?")}
 _PROCEED = {"yes": True, "no": False}
 
@@ -28,7 +30,7 @@ class _Row:
     weight: float | None = None
     products: tuple[float | None, ...] = ()
     kind: Kind = Kind.TECHNICAL
-    datum_has: bool = False
+    baseline_has: bool = False
     note: str = ""
 
 
@@ -41,7 +43,7 @@ class _Table:
     rows: dict[str, _Row]
     section: str = ""
     title: str = ""
-    datum: str = ""
+    baseline: str = ""
     ideal: str = ""
     scale: ScaleText = field(default_factory=lambda: ScaleText(min=1, max=5))
     follows_rating: tuple[str, ...] = ()
@@ -70,26 +72,27 @@ class _File:
     aliases: tuple[_Alias, ...] = ()
 
 
-def read_tables(path: Path) -> Book:
+def read_tables(path: Path) -> TableSet:
     """Read a file of published tables.
 
     Raises
     ------
     InputError
         One sentence with file, line, key and remedy: unknown keys or marks, a row of the wrong length, names that
-        stand twice, points outside the scale, negative or all-zero weights, a datum that is no column.
+        occur twice, points outside the scale, negative or all-zero weights, a baseline that is no column.
     """
     return tables_from(read_document(path))
 
 
-def tables_from(document: Document) -> Book:
+def tables_from(document: Document) -> TableSet:
     """Return the tables of a YAML document that has been read; errors as in :func:`read_tables`."""
     from pydantic import TypeAdapter
 
+    document = with_new_keys(document, OLD_KEYS)
     file = validated(document, TypeAdapter(_File))
     _refuse_twice(document, ("tables",), [table.name for table in file.tables], what="table")
-    return Book(
-        sheets=tuple(_sheet(document, place, table) for place, table in enumerate(file.tables)),
+    return TableSet(
+        tables=tuple(_matrix_table(document, place, table) for place, table in enumerate(file.tables)),
         goal=file.goal.name if file.goal else "",
         goal_words=file.goal.words if file.goal else (),
         ratings=file.ratings,
@@ -101,7 +104,7 @@ def tables_from(document: Document) -> Book:
     )
 
 
-def _sheet(document: Document, place: int, table: _Table) -> Sheet:
+def _matrix_table(document: Document, place: int, table: _Table) -> MatrixTable:
     keys: Keys = ("tables", place)
     _refuse_twice(document, (*keys, "columns"), table.columns, what="column")
     for name, row in table.rows.items():
@@ -114,7 +117,7 @@ def _sheet(document: Document, place: int, table: _Table) -> Sheet:
     return _by_columns(document, keys, table)
 
 
-def _elimination(document: Document, keys: Keys, table: _Table) -> Sheet:
+def _elimination(document: Document, keys: Keys, table: _Table) -> MatrixTable:
     passed = []
     for name, row in table.rows.items():
         for entry in row.cells:
@@ -136,7 +139,7 @@ def _elimination(document: Document, keys: Keys, table: _Table) -> Sheet:
         )
         for column, criterion in enumerate(table.columns)
     )
-    return Sheet(
+    return MatrixTable(
         name=table.name,
         method=table.method,
         alternatives=tuple(table.rows),
@@ -151,9 +154,9 @@ def _elimination(document: Document, keys: Keys, table: _Table) -> Sheet:
     )
 
 
-def _by_columns(document: Document, keys: Keys, table: _Table) -> Sheet:
-    key = "datum" if table.method is Method.PUGH else "ideal"
-    apart = table.datum if table.method is Method.PUGH else table.ideal
+def _by_columns(document: Document, keys: Keys, table: _Table) -> MatrixTable:
+    key = "baseline" if table.method is Method.PUGH else "ideal"
+    apart = table.baseline if table.method is Method.PUGH else table.ideal
     if (apart or table.method is Method.PUGH) and apart not in table.columns:
         _fail(document, (*keys, key), f"the {key} {apart!r} is not in the table; {did_you_mean(apart, table.columns)}")
     for printed in ("sums", "ranks"):
@@ -165,12 +168,12 @@ def _by_columns(document: Document, keys: Keys, table: _Table) -> Sheet:
     profile = _profile(document, keys, table)
     if table.method is Method.KESSELRING:
         _check_weights(document, keys, table)
-    return Sheet(
+    return MatrixTable(
         name=table.name,
         method=table.method,
         alternatives=tuple(table.columns[column] for column in kept),
         rows=tuple(_row(document, (*keys, "rows", name), table, kept) for name in table.rows),
-        datum=table.datum,
+        baseline=table.baseline,
         sums=tuple(table.sums[column] for column in kept) if table.sums else (),
         ranks=tuple(table.ranks[column] for column in kept) if table.ranks else (),
         spare_sums=table.spare_sums,
@@ -189,9 +192,9 @@ def _row(document: Document, keys: Keys, table: _Table, kept: Sequence[int]) -> 
     name = str(keys[-1])
     row = table.rows[name]
     if table.method is Method.PUGH:
-        datum = row.cells[table.columns.index(table.datum)]
-        if datum not in (*SAME, "REF", table.datum):
-            _fail(document, (*keys, "cells"), f"the datum's own cell is {datum!r}; it is S against itself")
+        baseline = row.cells[table.columns.index(table.baseline)]
+        if baseline not in (*SAME, "REF", table.baseline):
+            _fail(document, (*keys, "cells"), f"the cell of the baseline is {baseline!r}; it must be S")
         entries = tuple(_mark(document, (*keys, "cells"), row.cells[column], table.method) for column in kept)
     else:
         entries = tuple(_points(document, (*keys, "cells"), row.cells[column], table.scale) for column in kept)
@@ -202,7 +205,7 @@ def _row(document: Document, keys: Keys, table: _Table, kept: Sequence[int]) -> 
         weight=row.weight,
         products=tuple(row.products[column] for column in kept) if row.products else (),
         kind=row.kind,
-        datum_has=row.datum_has,
+        baseline_has=row.baseline_has,
         follows_rating=name in table.follows_rating,
         note=row.note,
     )
@@ -255,7 +258,7 @@ def _check_weights(document: Document, keys: Keys, table: _Table) -> None:
 def _refuse_twice(document: Document, keys: Keys, names: Sequence[str], *, what: str) -> None:
     for place, name in enumerate(names):
         if name in names[:place]:
-            _fail(document, (*keys, place), f"the {what} {name!r} stands twice; give each its own name")
+            _fail(document, (*keys, place), f"the {what} {name!r} occurs twice; give each a different name")
 
 
 def _fail(document: Document, keys: Keys, problem: str) -> None:

@@ -1,4 +1,4 @@
-"""The three engines run over the cells of a sheet, and which columns of a printed elimination decide at all."""
+"""Results recalculated from the cells of a printed table, and the columns of an elimination that decide."""
 
 from __future__ import annotations
 
@@ -7,60 +7,60 @@ import numpy as np
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Mark, SelectionChart, chart_from_marks
 from torquerig.decide.kesselring import KesselringResult, kesselring_from_points
-from torquerig.decide.matrix_io.sheet import Entry, Row, Sheet, canonical
+from torquerig.decide.matrix_io.matrix_table import Entry, MatrixTable, Row, canonical
 from torquerig.decide.pugh import PughResult, Sign, pugh_from_signs
 
 
-def recomputed_chart(sheet: Sheet, *, without: tuple[str, ...] = ()) -> SelectionChart:
-    """Apply the strict rule to printed marks, with the criteria ``without`` set aside as wishes."""
-    asked = [place for place, row in enumerate(sheet.rows) if row.criterion not in without]
-    marks = {name: [Mark(str(sheet.column(name)[place])) for place in asked] for name in sheet.alternatives}
-    return chart_from_marks(marks, criteria=[sheet.rows[place].criterion for place in asked], source=sheet.name)
+def recomputed_chart(table: MatrixTable, *, without: tuple[str, ...] = ()) -> SelectionChart:
+    """Apply the strict rule to printed marks, without the criteria ``without``, which are wishes."""
+    tested = [place for place, row in enumerate(table.rows) if row.criterion not in without]
+    marks = {name: [Mark(str(table.column(name)[place])) for place in tested] for name in table.alternatives}
+    return chart_from_marks(marks, criteria=[table.rows[place].criterion for place in tested], source=table.name)
 
 
-def undeciding_rows(sheet: Sheet) -> tuple[Row, ...]:
-    """Return the rows of a printed elimination that never decided: somebody passed with ``-``, or nobody got one.
+def undeciding_rows(table: MatrixTable) -> tuple[Row, ...]:
+    """Return the rows of a printed elimination that never decided: an alternative passed with ``-``, or none got one.
 
-    A row that everybody meets is a fulfilled demand and not returned.
+    A row that all meet is a met requirement and not returned.
     """
     undeciding = []
-    for row in sheet.rows:
+    for row in table.rows:
         failed = [entry == "-" for entry in row.entries]
-        ignored = any(fail and passed for fail, passed in zip(failed, sheet.passed, strict=True))
+        ignored = any(fail and passed for fail, passed in zip(failed, table.passed, strict=True))
         if ignored or (not any(failed) and set(row.entries) != {"+"}):
             undeciding.append(row)
     return tuple(undeciding)
 
 
-def recomputed_pugh(sheet: Sheet, *, correct_datum: bool = False) -> PughResult:
-    """Add up printed signs; with ``correct_datum``, ``+`` becomes ``S`` where the datum has the property too."""
-    rows = [_at_best_same(row) if correct_datum and row.datum_has else row.entries for row in sheet.rows]
+def recomputed_pugh(table: MatrixTable, *, correct_baseline: bool = False) -> PughResult:
+    """Add up printed signs; with ``correct_baseline``, ``+`` becomes ``S`` where the baseline has the property too."""
+    rows = [_at_best_same(row) if correct_baseline and row.baseline_has else row.entries for row in table.rows]
     signs = {
         name: [Sign(str(canonical(entries[place]))) for entries in rows]
-        for place, name in enumerate(sheet.alternatives)
+        for place, name in enumerate(table.alternatives)
     }
-    return pugh_from_signs(signs, datum=sheet.datum, criteria=[row.criterion for row in sheet.rows])
+    return pugh_from_signs(signs, baseline=table.baseline, criteria=[row.criterion for row in table.rows])
 
 
-def recomputed_kesselring(sheet: Sheet) -> KesselringResult:
-    """Weigh printed points; ``?`` becomes the whole scale."""
-    points = {name: points_of(sheet, name) for name in sheet.alternatives}
-    weights = {row.criterion: row.weight or 0.0 for row in sheet.rows}
-    return kesselring_from_points(points, weights=weights, profile=sheet.profile)
+def recomputed_kesselring(table: MatrixTable) -> KesselringResult:
+    """Return the weighted sums of printed points; ``?`` becomes the whole scale."""
+    points = {name: points_of(table, name) for name in table.alternatives}
+    weights = {row.criterion: row.weight or 0.0 for row in table.rows}
+    return kesselring_from_points(points, weights=weights, profile=table.profile)
 
 
-def technical_shares(sheet: Sheet) -> tuple[float, ...]:
+def technical_shares(table: MatrixTable) -> tuple[float, ...]:
     """Return T/T_max of each alternative without the economic rows; the middle of the scale where unknown."""
-    technical = [place for place, row in enumerate(sheet.rows) if row.kind is Kind.TECHNICAL and row.weight]
-    result = recomputed_kesselring(sheet)
+    technical = [place for place, row in enumerate(table.rows) if row.kind is Kind.TECHNICAL and row.weight]
+    result = recomputed_kesselring(table)
     weights = result.weights[technical]
-    shares = result.middle[:, technical] @ weights / (sheet.profile.p_max * np.sum(weights))
+    shares = result.middle[:, technical] @ weights / (table.profile.p_max * np.sum(weights))
     return tuple(shares.tolist())
 
 
-def points_of(sheet: Sheet, alternative: str) -> tuple[float | None, ...]:
+def points_of(table: MatrixTable, alternative: str) -> tuple[float | None, ...]:
     """Return the printed points of one alternative, None where unknown."""
-    return tuple(entry if isinstance(entry, float) else None for entry in sheet.column(alternative))
+    return tuple(entry if isinstance(entry, float) else None for entry in table.column(alternative))
 
 
 def _at_best_same(row: Row) -> tuple[Entry, ...]:

@@ -1,4 +1,4 @@
-"""The tables of an Excel workbook: heads, rows and where each cell stands, with formulas as their stored values."""
+"""The tables of an Excel workbook: heads, rows and cell names, with formulas as their stored values."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class SheetTable:
     rows: tuple[tuple[int, Row], ...]
 
     def records(self) -> Iterator[tuple[int, dict[str, Any]]]:
-        """Yield the number of each row that is not empty, and what stands in it by head."""
+        """Yield the number of each row that is not empty, and its entries by head."""
         for number, row in self.rows:
             held = {head: row[column] for head, column in self.heads.items() if column < len(row)}
             held = {head: value for head, value in held.items() if value is not None and value != ""}
@@ -29,12 +29,12 @@ class SheetTable:
                 yield number, held
 
     def cell(self, number: int, head: str) -> str:
-        """Return where a cell stands, in words."""
+        """Return the place of a cell in words."""
         return f"sheet {self.name!r}, cell {column_letters(self.heads.get(head, 0))}{number}"
 
 
 def sheet_tables(path: Path, names: Collection[str]) -> dict[str, SheetTable]:
-    """Return those of the named sheets that the workbook has; InputError where it is none, or a head stands twice."""
+    """Return those of the named sheets that the workbook has; InputError where it is none, or a head occurs twice."""
     from zipfile import BadZipFile
 
     import openpyxl
@@ -59,7 +59,7 @@ def sheet_tables(path: Path, names: Collection[str]) -> dict[str, SheetTable]:
             title = str(text).strip()
             if title in heads:
                 where = f"{path}: sheet {name!r}, cell {column_letters(column)}1"
-                raise InputError(f"{where}: the column {title!r} stands twice; keep one of them")
+                raise InputError(f"{where}: the column {title!r} occurs twice; keep one of them")
             heads[title] = column
         tables[name] = SheetTable(name=name, heads=heads, rows=rows[1:])
     values.close()
@@ -104,6 +104,6 @@ def column_letters(column: int) -> str:
     text = ""
     column += 1
     while column:
-        column, rest = divmod(column - 1, 26)
-        text = chr(ord("A") + rest) + text
+        column, remainder = divmod(column - 1, 26)
+        text = chr(ord("A") + remainder) + text
     return text

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from torquerig.decide.eliminate import Decision
-from torquerig.decide.matrix_io.certainty_text import tell_convergence, tell_flips, tell_pareto
-from torquerig.decide.matrix_io.text import span
+from torquerig.decide.matrix_analysis import MatrixAnalysis
+from torquerig.decide.matrix_io.certainty_text import convergence_text, flips_text, pareto_text
+from torquerig.decide.matrix_io.result_text import span
 from torquerig.decide.pugh import Sign
 from torquerig.decide.ranks import shown_rank
 from torquerig.decide.trace import all_traces
-from torquerig.decide.working import WorkedOut
 from torquerig.reporting.figures.shades import GOOD_IS_HIGH, mark_style, shade
 from torquerig.reporting.layout import Cell, Table, number, words
 
@@ -36,12 +36,12 @@ class Chapter:
     picture: str = ""
 
 
-def chapters(worked: WorkedOut) -> tuple[Chapter, ...]:
+def chapters(worked: MatrixAnalysis) -> tuple[Chapter, ...]:
     """Return all chapters in the order in which they are read."""
     return (
         known_chapter(worked),
         _elimination(worked),
-        Chapter(anchor="pareto", title="Dominance, before any weight", lines=_lines(tell_pareto(worked.pareto))),
+        Chapter(anchor="pareto", title="Dominance, before any weight", lines=_lines(pareto_text(worked.pareto))),
         _pugh(worked),
         _kesselring(worked),
         *_strength(worked),
@@ -53,14 +53,14 @@ def chapters(worked: WorkedOut) -> tuple[Chapter, ...]:
     )
 
 
-def trace_anchor(worked: WorkedOut, alternative: str, criterion: str) -> str:
+def trace_anchor(worked: MatrixAnalysis, alternative: str, criterion: str) -> str:
     """Return the name under which the page keeps the way of one cell."""
     matrix = worked.case.matrix
     column = next(place for place, one in enumerate(matrix.criteria) if one.name == criterion)
     return f"cell-{matrix.index(alternative) + 1}-{column + 1}"
 
 
-def known_chapter(worked: WorkedOut) -> Chapter:
+def known_chapter(worked: MatrixAnalysis) -> Chapter:
     """Return what is known, each cell leading to its trace."""
     matrix = worked.case.matrix
     head = [one.name if one.unit in ("1", "yes/no") else f"{one.name} [{one.unit}]" for one in matrix.criteria]
@@ -78,9 +78,11 @@ def known_chapter(worked: WorkedOut) -> Chapter:
     return Chapter(anchor="known", title="What is known", tables=(table,))
 
 
-def _elimination(worked: WorkedOut) -> Chapter:
+def _elimination(worked: MatrixAnalysis) -> Chapter:
     rules = {
-        one.name: one.demand.rule(one.name, one.unit) for one in worked.case.matrix.criteria if one.demand is not None
+        one.name: one.requirement.rule(one.name, one.unit)
+        for one in worked.case.matrix.criteria
+        if one.requirement is not None
     }
     rows = []
     for row in worked.chart.rows:
@@ -100,7 +102,7 @@ def _elimination(worked: WorkedOut) -> Chapter:
     return Chapter(anchor="elimination", title="Elimination", lines=near, tables=(table,))
 
 
-def _pugh(worked: WorkedOut) -> Chapter:
+def _pugh(worked: MatrixAnalysis) -> Chapter:
     result, sweep = worked.pugh, worked.sweep
     best, worst = (ends.tolist() for ends in result.rank_range)
     rows = []
@@ -110,8 +112,8 @@ def _pugh(worked: WorkedOut) -> Chapter:
         net = span(float(result.net_low[place]), float(result.net_high[place]))
         rows.append((*words(name), *marks, *counts, number(net), number(shown_rank(best[place], worst[place]))))
     against = Table(
-        caption=f"Against {result.datum}: better +, worse -, the same S, not known ?; the counts side by side are the "
-        "result, the net is an option",
+        caption=f"Against {result.baseline}: better +, worse -, the same S, not known ?; the counts side by side are "
+        "the result, the net is an option",
         head=("alternative", *result.criteria, *(str(sign) for sign in Sign), "net (option)", "rank by net"),
         rows=tuple(rows),
     )
@@ -126,11 +128,11 @@ def _pugh(worked: WorkedOut) -> Chapter:
         note="Best net under each datum: " + "; ".join(f"{one}: {', '.join(names)}" for one, names in
                                                        sweep.winners.items()),
     )  # fmt: skip
-    lines = _lines(tell_convergence(worked.convergence, worked.circles))
+    lines = _lines(convergence_text(worked.convergence, worked.cycles))
     return Chapter(anchor="pugh", title="Pugh", lines=lines, tables=(against, wins))
 
 
-def _kesselring(worked: WorkedOut) -> Chapter:
+def _kesselring(worked: MatrixAnalysis) -> Chapter:
     result = worked.overall
     top, best, worst = result.profile.p_max, *(ends.tolist() for ends in result.rank_range)
     rows = [
@@ -168,7 +170,7 @@ def _kesselring(worked: WorkedOut) -> Chapter:
                    picture="profile")  # fmt: skip
 
 
-def _strength(worked: WorkedOut) -> tuple[Chapter, ...]:
+def _strength(worked: MatrixAnalysis) -> tuple[Chapter, ...]:
     found = worked.strength
     if found is None:
         return ()
@@ -184,7 +186,7 @@ def _strength(worked: WorkedOut) -> tuple[Chapter, ...]:
     return (Chapter(anchor="strength", title="Strength", tables=(table,), picture="strength"),)
 
 
-def _sure(worked: WorkedOut) -> Chapter:
+def _sure(worked: MatrixAnalysis) -> Chapter:
     found = worked.acceptability
     together = found["together"]
     rows = tuple(
@@ -195,16 +197,16 @@ def _sure(worked: WorkedOut) -> Chapter:
     ranks = (f"rank {place + 1}" for place in range(len(together.alternatives)))
     table = Table(
         caption=f"How often each is best, and how often it takes each rank: {together.draws} draws, seed "
-        f"{together.seed}, of the facts' intervals, points +-{together.doubt.scores:g}, weights "
-        f"+-{together.doubt.weights:.0%}",
+        f"{together.seed}, of the facts' intervals, points +-{together.uncertainty.scores:g}, weights "
+        f"+-{together.uncertainty.weights:.0%}",
         head=("alternative", *(f"best, by {name}" for name in found), "mean rank", *ranks), rows=rows,
     )  # fmt: skip
-    flips = _lines(tell_flips(worked.weight_flips, worked.score_flips, worked.common))
+    flips = _lines(flips_text(worked.weight_flips, worked.score_flips, worked.common))
     tables = (table, _score_table(worked)) if worked.score_flips else (table,)
     return Chapter(anchor="sure", title="How sure that is", lines=flips, tables=tables)
 
 
-def _score_table(worked: WorkedOut) -> Table:
+def _score_table(worked: MatrixAnalysis) -> Table:
     changes = {(one.alternative, one.criterion): one.change for one in worked.score_flips}
     result = worked.overall
     rows = tuple(
@@ -219,7 +221,7 @@ def _score_table(worked: WorkedOut) -> Table:
     )  # fmt: skip
 
 
-def _ask(worked: WorkedOut) -> Chapter:
+def _ask(worked: MatrixAnalysis) -> Chapter:
     rows = tuple(
         (*words(one.sentence()), number(f"{one.p_change:.0%}"), number(f"{one.gain:.4f}")) for one in worked.missing
     )
@@ -231,19 +233,19 @@ def _ask(worked: WorkedOut) -> Chapter:
                    tables=(table,) if rows else ())  # fmt: skip
 
 
-def _changed(worked: WorkedOut) -> Chapter:
+def _changed(worked: MatrixAnalysis) -> Chapter:
     lines = worked.case.history or ("Nothing is noted; torquerig matrix FILE --before OLD shows what an edit did.",)
     return Chapter(anchor="history", title="What was changed before", lines=lines)
 
 
-def _findings(worked: WorkedOut) -> Chapter:
+def _findings(worked: MatrixAnalysis) -> Chapter:
     rows = tuple(words(one.lint, one.table, one.what, one.why, one.remedy) for one in worked.findings)
     table = Table(caption="What is wrong with the tables", head=("lint", "table", "what", "why", "remedy"), rows=rows)
     return Chapter(anchor="lints", title="Lints", lines=() if rows else ("Nothing found.",),
                    tables=(table,) if rows else ())  # fmt: skip
 
 
-def _traces(worked: WorkedOut) -> Chapter:
+def _traces(worked: MatrixAnalysis) -> Chapter:
     tables = tuple(
         Table(caption=f"{one.alternative}: {one.criterion}", head=("step", "what"),
               rows=tuple(words(label, text) for label, text in one.steps))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.whole_file import whole_file
 
 
-def write_matrix(worked: WorkedOut, path: Path) -> None:
+def write_matrix(worked: MatrixAnalysis, path: Path) -> None:
     """Write ``path`` as .html, .md, .xlsx or .yaml; what stood there is replaced when the new one is complete."""
     with whole_file(path) as partial:
         if path.suffix.lower() == ".xlsx":
@@ -19,7 +19,7 @@ def write_matrix(worked: WorkedOut, path: Path) -> None:
             partial.write_text(_text(worked, path.suffix.lower()), encoding="utf-8", newline="\n")
 
 
-def _text(worked: WorkedOut, ending: str) -> str:
+def _text(worked: MatrixAnalysis, ending: str) -> str:
     if ending == ".html":
         from torquerig.reporting.matrix.page import matrix_page
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.reporting.layout import Table
 from torquerig.reporting.matrix.chapters import chapters
 
 
-def matrix_markdown(worked: WorkedOut) -> str:
+def matrix_markdown(worked: MatrixAnalysis) -> str:
     """Return the whole decision as Markdown, without pictures; the same case gives the same text."""
     parts = [f"# {escaped(worked.case.matrix.name)}", f"**{escaped(worked.verdict.sentence())}**"]
     for chapter in chapters(worked):

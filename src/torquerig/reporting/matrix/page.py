@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.reporting.figures.picture import Picture, picture
 from torquerig.reporting.html import html
 from torquerig.reporting.matrix.chapters import chapters, trace_anchor
 
 
-def matrix_page(worked: WorkedOut) -> str:
+def matrix_page(worked: MatrixAnalysis) -> str:
     """Return the HTML of a decision: pictures inline, no script, no request to anywhere; each cell leads to its way."""
     matrix = worked.case.matrix
     content = {
@@ -26,7 +26,7 @@ def matrix_page(worked: WorkedOut) -> str:
     return html("matrix.html", content)
 
 
-def _pictures(worked: WorkedOut) -> dict[str, Picture]:
+def _pictures(worked: MatrixAnalysis) -> dict[str, Picture]:
     from torquerig.reporting.figures.strength_figure import strength_figure
     from torquerig.reporting.figures.value_profile import value_profile
 

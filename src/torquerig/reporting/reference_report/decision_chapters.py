@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from torquerig.decide.lints.finding import Finding
-from torquerig.decide.matrix_io.sheet import Method
+from torquerig.decide.matrix_io.matrix_table import Method
 from torquerig.decide.ranks import shown_rank
 from torquerig.reporting.layout import Cell, Table, number, span, words
 from torquerig.reporting.matrix.chapters import Chapter
@@ -177,13 +177,13 @@ def _named(decision: RedoneDecision, name: str) -> str:
 
 
 def _gearbox(decision: RedoneDecision, one: TableBeside, name: str) -> str:
-    if name == one.table.sheet.datum:
+    if name == one.table.sheet.baseline:
         return decision.plan.study.settings.present.gearbox
     return one.table.planned.gearbox_of(name)
 
 
 def _datum(one: TableBeside) -> tuple[str, ...]:
-    return (one.table.sheet.datum,) if one.table.sheet.datum else ()
+    return (one.table.sheet.baseline,) if one.table.sheet.baseline else ()
 
 
 def _finding(finding: Finding) -> str:

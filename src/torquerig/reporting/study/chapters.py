@@ -17,7 +17,9 @@ from torquerig.study.scoring import Decided
 
 def rule_text(criterion: Criterion) -> str:
     """Return the demand of a criterion as a formula."""
-    return criterion.name if criterion.demand is None else criterion.demand.rule(criterion.name, criterion.unit)
+    return (
+        criterion.name if criterion.requirement is None else criterion.requirement.rule(criterion.name, criterion.unit)
+    )
 
 
 def elimination_table(chart: SelectionChart, demands: DecisionMatrix) -> Table:
@@ -56,10 +58,10 @@ def pugh_table(decided: Decided, names: Sequence[str]) -> Table:
         rows.append((*words(name), *marks, *(number(str(counts[sign])) for sign in Sign), number(net),
                      number(shown_rank(best[place], worst[place]))))  # fmt: skip
     return Table(
-        caption=f"Pugh: each drive with its best filter against the present {result.datum}; beside the signs, how many "
-        "of each",
+        caption=f"Pugh: each drive with its best filter against the present {result.baseline}; beside the signs, how "
+        "many of each",
         head=("combination", *result.criteria, *(str(sign) for sign in Sign), "net (option)", "rank by net"),
-        rows=tuple(rows), emphasised=frozenset(place for place, name in enumerate(names) if name == result.datum),
+        rows=tuple(rows), emphasised=frozenset(place for place, name in enumerate(names) if name == result.baseline),
         note="Pugh counts the signs side by side; the net of pluses and minuses weighs every criterion the same and is "
         "only an option. A ? is never counted as the same. The rank is among all combinations, see matrices.xlsx.",
     )  # fmt: skip

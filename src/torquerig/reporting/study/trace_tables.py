@@ -66,7 +66,7 @@ def cells_table(one: TracedDrive) -> Table:
     """Return a row per criterion and demand: from which catalog values, how, which value, which points."""
     rows = tuple(
         (*words(trace.criterion), Cell(text=_catalog(trace), word="remark narrow"),
-         Cell(text="; ".join(trace.told("metric")), word="remark narrow"),
+         Cell(text="; ".join(trace.texts("metric")), word="remark narrow"),
          *words(_value(trace)), Cell(text=_judged(trace), word="remark narrow"),
          *words(_before(trace, "points", ", on the scale"), _after(trace, "weight", ": adds ").removesuffix(" to T")))
         for trace in (*one.criteria, *one.demands)
@@ -93,24 +93,24 @@ def values_table(one: TracedDrive) -> Table:
 
 
 def _catalog(trace: CellTrace) -> str:
-    told = trace.told("catalog")
+    told = trace.texts("catalog")
     if len(told) > FEW:
         return f"{len(told)} values of motor, gearbox, sensor and coupling, listed below"
     return "; ".join(told) or "none"
 
 
 def _value(trace: CellTrace) -> str:
-    missing = (f"missing: {text}" for text in trace.told("missing"))
-    return "; ".join((*(text.partition(", from ")[0] for text in trace.told("value")), *missing))
+    missing = (f"missing: {text}" for text in trace.texts("missing"))
+    return "; ".join((*(text.partition(", from ")[0] for text in trace.texts("value")), *missing))
 
 
 def _judged(trace: CellTrace) -> str:
-    return "; ".join(trace.told("demand")) or _before(trace, "Pugh", " against ")
+    return "; ".join(trace.texts("requirement")) or _before(trace, "Pugh", " against ")
 
 
 def _before(trace: CellTrace, label: str, end: str) -> str:
-    return "; ".join(text.partition(end)[0] for text in trace.told(label))
+    return "; ".join(text.partition(end)[0] for text in trace.texts(label))
 
 
 def _after(trace: CellTrace, label: str, start: str) -> str:
-    return "; ".join(text.partition(start)[2] for text in trace.told(label))
+    return "; ".join(text.partition(start)[2] for text in trace.texts(label))

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from torquerig.decide.lints.finding import Finding
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.matrix_analysis import MatrixAnalysis
 
 Looks = dict[str, Any]
 
 
-def write_answers(sheet: Any, looks: Looks, worked: WorkedOut) -> None:
+def write_answers(sheet: Any, looks: Looks, worked: MatrixAnalysis) -> None:
     """Write the verdict, how often each alternative takes each rank, and the ratings of the S-diagram."""
     sheet.set_column(0, 0, 34)
     sheet.set_column(1, 12, 13)
@@ -33,7 +33,7 @@ def write_answers(sheet: Any, looks: Looks, worked: WorkedOut) -> None:
             _row(sheet, line + row, [name, *(float(one[row - 1]) for one in numbers), word], looks["three"])
 
 
-def write_ask(sheet: Any, looks: Looks, worked: WorkedOut) -> None:
+def write_ask(sheet: Any, looks: Looks, worked: MatrixAnalysis) -> None:
     """Write what to ask for, the most useful first."""
     _row(sheet, 0, ["what to ask for", "changes the winner in", "worth in T/T_max", "why"], looks["head"])
     sheet.set_column(0, 0, 50)

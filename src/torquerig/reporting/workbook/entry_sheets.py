@@ -8,7 +8,7 @@ from typing import Any
 from torquerig.decide.case import MatrixCase
 from torquerig.decide.cell import Cell
 from torquerig.decide.criterion import YES_NO, Criterion
-from torquerig.decide.matrix_io import sheet_layout as layout
+from torquerig.decide.matrix_io import excel_layout as layout
 
 Looks = dict[str, Any]
 Entry = str | float | int | None
@@ -69,10 +69,10 @@ def write_facts(sheet: Any, looks: Looks, case: MatrixCase) -> None:
 
 
 def write_settings(sheet: Any, looks: Looks, case: MatrixCase) -> None:
-    """Write what else a case has, a setting per row in the order of ``sheet_layout.SETTING_KEYS``."""
+    """Write what else a case has, a setting per row in the order of ``excel_layout.SETTING_KEYS``."""
     held: tuple[Entry, ...] = (
-        case.matrix.name, case.datum, case.profile.p_min, case.profile.p_max, case.goal, ", ".join(case.goal_words),
-        case.draws, case.seed, case.doubt.scores, case.doubt.weights,
+        case.matrix.name, case.baseline, case.profile.p_min, case.profile.p_max, case.goal, ", ".join(case.goal_words),
+        case.draws, case.seed, case.uncertainty.scores, case.uncertainty.weights,
         case.cost.criterion if case.cost else None, case.cost.permissible if case.cost else None,
     )  # fmt: skip
     rows: list[Mapping[str, Entry]] = [
@@ -93,16 +93,16 @@ def write_sources(sheet: Any, looks: Looks, case: MatrixCase) -> None:
 
 
 def _criterion(one: Criterion) -> dict[str, Entry]:
-    demand, band, same = one.demand, one.band, one.indifference
+    limits, band, same = one.requirement, one.band, one.indifference
     return {
         "criterion": one.name,
         "unit": one.unit,
         "better": str(one.better),
         "weight": one.weight,
         "kind": str(one.kind),
-        "demand min": demand.low if demand else None,
-        "demand max": demand.high if demand else None,
-        "in question": demand.in_question if demand else "",
+        "requirement min": limits.low if limits else None,
+        "requirement max": limits.high if limits else None,
+        "in question": limits.in_question if limits else "",
         "band low": band[0] if band else None,
         "band high": band[1] if band else None,
         "same within": same.absolute or None,

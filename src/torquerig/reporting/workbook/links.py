@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from torquerig.decide.criterion import YES_NO, Criterion
-from torquerig.decide.matrix_io import sheet_layout as layout
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.matrix_analysis import MatrixAnalysis
+from torquerig.decide.matrix_io import excel_layout as layout
 from torquerig.reporting.workbook.entry_sheets import criterion_heads, fact_heads, source_rows
 from torquerig.reporting.workbook.kesselring_sheet import Links
 
@@ -17,7 +17,7 @@ HINT = (
 )
 
 
-def links_of(worked: WorkedOut) -> Links:
+def links_of(worked: MatrixAnalysis) -> Links:
     """Return the formulas of the sheet Kesselring for a case."""
     case, result = worked.case, worked.overall
     heads, facts, sources = criterion_heads(case), fact_heads(case), source_rows(case)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from torquerig.decide.matrix_io.sheet_layout import CRITERIA, FACTS, SETTINGS, SOURCES
-from torquerig.decide.working import WorkedOut
+from torquerig.decide.matrix_analysis import MatrixAnalysis
+from torquerig.decide.matrix_io.excel_layout import CRITERIA, FACTS, SETTINGS, SOURCES
 from torquerig.reporting.workbook import entry_sheets as entries
 from torquerig.reporting.workbook.answer_sheets import write_answers, write_ask, write_findings
 from torquerig.reporting.workbook.kesselring_sheet import write_kesselring
@@ -15,7 +15,7 @@ from torquerig.reporting.workbook.sheets import write_elimination, write_pugh
 from torquerig.reporting.workbook.study_workbook import CREATED, formats
 
 
-def write_matrix_workbook(path: Path, worked: WorkedOut) -> None:
+def write_matrix_workbook(path: Path, worked: MatrixAnalysis) -> None:
     """Write the four sheets that a person fills in, and those that follow from them.
 
     Criteria, Facts, Settings and Sources are entries, coloured; ``torquerig matrix FILE.xlsx`` reads them back. On the

@@ -86,9 +86,9 @@ def write_pugh(sheet: Any, looks: Looks, result: PughResult) -> None:
     width = len(result.criteria)
     counted = [f"count {sign}" for sign in Sign]
     net = ["net low (option)", "net high (option)", "best rank by net", "worst rank by net"]
-    write_head(sheet, looks, [f"against {result.datum}", *result.criteria, *counted, *net], wide={0: 46})
+    write_head(sheet, looks, [f"against {result.baseline}", *result.criteria, *counted, *net], wide={0: 46})
     for row, name in enumerate(result.alternatives, start=1):
-        sheet.write_string(row, 0, name, looks["bold"] if name == result.datum else None)
+        sheet.write_string(row, 0, name, looks["bold"] if name == result.baseline else None)
         for column, sign in enumerate(result.signs(name), start=1):
             sheet.write_string(row, column, str(sign), looks[str(sign)])
         signs = xl_range(row, 1, row, width)

@@ -11,7 +11,7 @@ from torquerig.study.trace import TracedDrive
 
 Looks = dict[str, Any]
 STEPS = (
-    "metric", "value", "missing", "demand", "Pugh", "value function", "points", "weight", "total", "decision",
+    "metric", "value", "missing", "requirement", "Pugh", "value function", "points", "weight", "total", "decision",
 )  # fmt: skip
 """The steps of a trace, a column each; the catalog values stand on their own sheet."""
 
@@ -50,6 +50,6 @@ def write_catalog_values(sheet: Any, looks: Looks, traced: Sequence[TracedDrive]
 def _cell_row(sheet: Any, row: int, trace: CellTrace) -> None:
     sheet.write_string(row, 0, trace.alternative)
     sheet.write_string(row, 1, trace.criterion)
-    sheet.write_number(row, 2, len(trace.told("catalog")))
+    sheet.write_number(row, 2, len(trace.texts("catalog")))
     for column, label in enumerate(STEPS, start=3):
-        sheet.write_string(row, column, "; ".join(trace.told(label)))
+        sheet.write_string(row, column, "; ".join(trace.texts(label)))

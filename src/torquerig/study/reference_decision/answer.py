@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from torquerig.decide.eliminate import eliminate
 from torquerig.decide.kesselring import Profile, kesselring
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_io.sheet import Method
+from torquerig.decide.matrix_io.matrix_table import Method
 from torquerig.decide.robustness import robustness
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
 from torquerig.study.rated_drives import left_over, rated_drives
@@ -64,7 +64,7 @@ class Answer:
             action = f"if what a demand still asks is answered well ({'; '.join(self.conditions)}), {action}"
         return (
             f"The report buys {self.published} ({self.published_text}).",
-            (f"Computed: {action}. The verdict is {self.overall.word}: best in {_chance(self.overall)}. In "
+            (f"Computed: {action}. The verdict is {self.overall.certainty}: best in {_chance(self.overall)}. In "
             f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox."),
             self._bought_sentence(),
             *(f"{name}: {_told(one)}" for name, one in self.table.items()),
@@ -79,7 +79,7 @@ class Answer:
         rival = f", before {self.bought.runner_up.replace(' | ', ' with ')}" if self.bought.runner_up else ""
         return (
             f"Where a new motor is bought all the same, in front is {winners}{named}. The verdict is "
-            f"{self.bought.word}: best of the new ones in {_chance(self.bought)}{rival}."
+            f"{self.bought.certainty}: best of the new ones in {_chance(self.bought)}{rival}."
         )
 
 
@@ -100,7 +100,7 @@ def answer(plan: Plan, tables: tuple[TableBeside, ...], decided: Decided) -> Ans
         published_text=text,
         chosen=chosen.replace(" | ", " with the filter "),
         keeps=motors.get(chosen) == present,
-        keeps_chance=sum(every.combinations["together"].chance(name) for name in names if name not in new)
+        keeps_chance=sum(every.combinations["together"].best_share(name) for name in names if name not in new)
         if every
         else 0.0,
         overall=overall,
@@ -154,11 +154,11 @@ def _published(plan: Plan, rated: list[TableBeside]) -> tuple[str, str]:
 
 
 def _told(verdict: MatrixVerdict) -> str:
-    return f"{' and '.join(verdict.winners)} in front, {verdict.word}, best in {_chance(verdict)}."
+    return f"{' and '.join(verdict.winners)} in front, {verdict.certainty}, best in {_chance(verdict)}."
 
 
 def _chance(verdict: MatrixVerdict) -> str:
-    if not verdict.chances:
+    if not verdict.best_shares:
         return "no draw"
-    alone = ", ".join(f"{one:.0%} over {name}" for name, one in verdict.chances.items() if name != "together")
-    return f"{verdict.chances['together']:.0%} of joint draws ({alone})"
+    alone = ", ".join(f"{one:.0%} over {name}" for name, one in verdict.best_shares.items() if name != "together")
+    return f"{verdict.best_shares['together']:.0%} of joint draws ({alone})"

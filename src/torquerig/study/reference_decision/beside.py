@@ -12,8 +12,8 @@ from torquerig.decide.lints.audit import audit
 from torquerig.decide.lints.finding import Finding
 from torquerig.decide.lints.polarity import polarity_unclear
 from torquerig.decide.matrix import DecisionMatrix
+from torquerig.decide.matrix_io.matrix_table import Entry, Method, TableSet
 from torquerig.decide.matrix_io.recompute import undeciding_rows
-from torquerig.decide.matrix_io.sheet import Book, Entry, Method
 from torquerig.decide.pugh import pugh
 from torquerig.decide.ranks import shown_rank
 from torquerig.metrics.figure import Figure
@@ -71,7 +71,7 @@ class TableBeside:
         return tuple(cell for cell in self.cells if cell.reason.sentence)
 
 
-def table_beside(table: ComputedTable, book: Book, *, agree_within: float) -> TableBeside:
+def table_beside(table: ComputedTable, book: TableSet, *, agree_within: float) -> TableBeside:
     """Return a computed table beside the published one."""
     findings = tuple(one for one in audit(book) if one.table == table.sheet.name)
     unclear = {row.criterion for row in table.sheet.rows if _is_unclear(table, row.criterion, book)}
@@ -116,9 +116,9 @@ def _decisions(table: ComputedTable, without: set[str]) -> tuple[str, ...]:
 
 def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
     sheet, cells = table.sheet, []
-    result = pugh(table.matrix, sheet.datum)
-    same = pugh(table.same_gearbox, sheet.datum) if table.same_gearbox else result
-    others = pugh(table.otherwise, sheet.datum) if table.otherwise else None
+    result = pugh(table.matrix, sheet.baseline)
+    same = pugh(table.same_gearbox, sheet.baseline) if table.same_gearbox else result
+    others = pugh(table.otherwise, sheet.baseline) if table.otherwise else None
     signs = {name: signs_of(result, name) for name in sheet.alternatives}
     for row in sheet.rows:
         column = [signs[name][row.criterion] for name in sheet.alternatives]
@@ -129,7 +129,7 @@ def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
             other = signs_of(others, name).get(row.criterion, "") if others else ""
             compared = replace(
                 _compared(table, key, said, signs[name][row.criterion], other),
-                datum=table.figures[sheet.datum, row.criterion], polarity=turned,
+                datum=table.figures[sheet.baseline, row.criterion], polarity=turned,
                 same_gearbox=signs_of(same, name)[row.criterion],
             )  # fmt: skip
             cells.append(_cell(table, key, said, signs[name][row.criterion], reason_of_sign(compared)))
@@ -140,7 +140,7 @@ def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
         "printed sum": _printed(sheet.sums),
         "computed net, ? either way": tuple(f"{low}" if low == high else f"{low}..{high}" for low, high in nets),
         "printed rank": _printed(sheet.ranks),
-        f"computed rank, {sheet.datum} among them": tuple(
+        f"computed rank, {sheet.baseline} among them": tuple(
             shown_rank(int(best[place]), int(worst[place])) for place in places
         ),
     }
@@ -208,7 +208,7 @@ def _cell(table: ComputedTable, key: tuple[str, str], said: Entry, computed: str
     )
 
 
-def _is_unclear(table: ComputedTable, row: str, book: Book) -> bool:
+def _is_unclear(table: ComputedTable, row: str, book: TableSet) -> bool:
     """Whether a lint says that the row's name leaves open which way is better."""
     return any(repr(row) in finding.what for finding in polarity_unclear(table.sheet, book))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from torquerig.decide.criterion import Better, Criterion, Demand, Indifference, Kind, ValueFunction
+from torquerig.decide.criterion import Better, Criterion, Indifference, Kind, Requirement, ValueFunction
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_io.sheet import Method, Row, Sheet
+from torquerig.decide.matrix_io.matrix_table import MatrixTable, Method, Row
 from torquerig.metrics.figure import Figure
 from torquerig.study.reference_decision.figures import Known
 from torquerig.study.reference_decision.plan import Plan, PlannedTable, Reading
@@ -22,7 +22,7 @@ class ComputedTable:
 
     Parameters
     ----------
-    sheet : Sheet
+    sheet : MatrixTable
         As published.
     planned : PlannedTable
     matrix : DecisionMatrix
@@ -36,7 +36,7 @@ class ComputedTable:
         With the datum on the table's own gearbox (Pugh).
     """
 
-    sheet: Sheet
+    sheet: MatrixTable
     planned: PlannedTable
     matrix: DecisionMatrix
     figures: Figures
@@ -47,11 +47,11 @@ class ComputedTable:
 
 def computed_table(plan: Plan, name: str, known: Known) -> ComputedTable:
     """Return one published table with every cell computed."""
-    sheet, planned = plan.book.sheet(name), plan.tables[name]
+    sheet, planned = plan.book.table(name), plan.tables[name]
     present = plan.study.settings.present
     boxes = {one: planned.gearbox_of(one) for one in (*sheet.alternatives, *planned.also)}
     if sheet.method is Method.PUGH:
-        boxes = {sheet.datum: present.gearbox, **boxes}
+        boxes = {sheet.baseline: present.gearbox, **boxes}
     readings: dict[str, Reading] = {**planned.rows, **planned.missing}
     criteria = [criterion_of(one, readings[one], _printed(sheet, one)) for one in readings]
     if planned.missing:
@@ -68,7 +68,8 @@ def computed_table(plan: Plan, name: str, known: Known) -> ComputedTable:
     same = None
     if sheet.method is Method.PUGH:
         moved = {
-            (sheet.datum, row): known.figure(sheet.datum, planned.gearbox, readings[row].metric) for row in readings
+            (sheet.baseline, row): known.figure(sheet.baseline, planned.gearbox, readings[row].metric)
+            for row in readings
         }
         same = _matrix(name, tuple(boxes), tuple(criteria), {**figures, **moved})
     return ComputedTable(
@@ -94,7 +95,7 @@ def criterion_of(name: str, reading: Reading, printed: Row | None) -> Criterion:
         unit=reading.unit,
         better=Better(reading.better),
         band=reading.band,
-        demand=Demand(low=reading.min, high=reading.max) if limited else None,
+        requirement=Requirement(low=reading.min, high=reading.max) if limited else None,
         indifference=Indifference(absolute=reading.same_within.absolute, relative=reading.same_within.relative),
         value=ValueFunction(tuple(sorted(reading.points.items()))) if reading.points else None,
         weight=(printed.weight or 0.0) if printed is not None else 0.0,
@@ -103,7 +104,7 @@ def criterion_of(name: str, reading: Reading, printed: Row | None) -> Criterion:
     )
 
 
-def _printed(sheet: Sheet, name: str) -> Row | None:
+def _printed(sheet: MatrixTable, name: str) -> Row | None:
     return next((row for row in sheet.rows if row.criterion == name), None)
 
 

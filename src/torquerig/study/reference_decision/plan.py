@@ -10,8 +10,8 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, model_validator
 
 from torquerig.catalog.reading import Catalog
+from torquerig.decide.matrix_io.matrix_table import Method, TableSet
 from torquerig.decide.matrix_io.published_tables import read_tables
-from torquerig.decide.matrix_io.sheet import Book, Method
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.metrics.motor_facts import FACT_UNITS
@@ -100,7 +100,7 @@ class Plan:
     """
 
     document: Document
-    book: Book
+    book: TableSet
     study: Study
     tables: Mapping[str, PlannedTable]
     agree_within: float
@@ -119,9 +119,9 @@ def read_plan(document: Document, catalog: Catalog, *, draws: int | None = None)
     book = read_tables(folder / text.published)
     study = open_study(read_document(folder / text.scenario), catalog)
     _check_tables(document, book, text.tables, catalog)
-    simulated = [name for name in text.tables if book.sheet(name).method is not Method.ELIMINATION]
+    simulated = [name for name in text.tables if book.table(name).method is not Method.ELIMINATION]
     motors = [study.settings.present.motor]
-    motors += [name for table in simulated for name in (*book.sheet(table).alternatives, *text.tables[table].also)]
+    motors += [name for table in simulated for name in (*book.table(table).alternatives, *text.tables[table].also)]
     real = dict.fromkeys(real_name(catalog, name) for name in motors)
     boxes = dict.fromkeys(
         (study.settings.present.gearbox, *(box for table in simulated for box in _boxes(text.tables[table])))
@@ -142,7 +142,7 @@ def _boxes(table: PlannedTable) -> tuple[str, ...]:
     return (table.gearbox, *table.gearboxes.values())
 
 
-def _check_tables(document: Document, book: Book, tables: Mapping[str, PlannedTable], catalog: Catalog) -> None:
+def _check_tables(document: Document, book: TableSet, tables: Mapping[str, PlannedTable], catalog: Catalog) -> None:
     known = [sheet.name for sheet in book.audited]
     for name, table in tables.items():
         here = ("tables", name)
@@ -150,7 +150,7 @@ def _check_tables(document: Document, book: Book, tables: Mapping[str, PlannedTa
             raise InputError(
                 f"{document.place(here)}: there is no published table {name!r}; {did_you_mean(name, known)}"
             )
-        sheet = book.sheet(name)
+        sheet = book.table(name)
         _look_up(document, (*here, "gearbox"), _boxes(table), catalog.gearbox)
         _look_up(document, (*here, "also"), (*sheet.alternatives, *table.also, *table.gearboxes), catalog.motor)
         printed = [row.criterion for row in sheet.rows]

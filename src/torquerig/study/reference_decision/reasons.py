@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from torquerig.decide.criterion import Better, Criterion
 from torquerig.decide.kesselring import KesselringResult
-from torquerig.decide.matrix_io.sheet import Entry, canonical
+from torquerig.decide.matrix_io.matrix_table import Entry, canonical
 from torquerig.decide.pugh import PughResult, Sign
 from torquerig.metrics.figure import Figure
 
@@ -80,7 +80,11 @@ def reason_of_demand(cell: Compared) -> Reason:
     """Return why an elimination's mark differs."""
     if cell.published == cell.computed:
         return AGREED
-    rule = cell.criterion.demand.rule("it", cell.criterion.unit).removeprefix("it ") if cell.criterion.demand else ""
+    rule = (
+        cell.criterion.requirement.rule("it", cell.criterion.unit).removeprefix("it ")
+        if cell.criterion.requirement
+        else ""
+    )
     if cell.computed == "?":
         told = "Not known" if cell.figure.unknown else f"It is {cell.shown}, and asked is {rule}"
         return Reason(Cause.MISSING, f"{told}: nobody can say without {_missing(cell.figure)}.")

@@ -1,4 +1,4 @@
-"""A filled-in table as its readers see it: names, marks or points, and what somebody printed under them."""
+"""Printed or calculated table of a decision: names, marks or points, and the sums and ranks below them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Entry = str | float
 
 
 class Method(Enum):
-    """Which of the three matrices a sheet is."""
+    """The method of a table."""
 
     ELIMINATION = "elimination"
     PUGH = "pugh"
@@ -26,7 +26,7 @@ class Method(Enum):
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
-    """One criterion of a sheet.
+    """One criterion of a table.
 
     Parameters
     ----------
@@ -35,17 +35,17 @@ class Row:
     entries : tuple of str or float
         One per alternative: a mark as printed (``+ - 0 S ? !``), points, or ``?``.
     place : str
-        ``file:line: key`` where the row stands, for findings; empty if it was computed.
+        ``file:line: key`` of the row, for findings; empty if it was calculated.
     weight : float or None
         As printed (Kesselring).
     products : tuple of float or None
         Weight times points as printed, one per alternative; empty if none are.
     kind : Kind
         Technical or economic.
-    datum_has : bool
-        The datum itself has the asked property, so that nobody can be better.
+    baseline_has : bool
+        The baseline has the property, so that no alternative can be better.
     follows_rating : bool
-        The answer follows from the rating, so that equal ratings must get equal marks.
+        The mark follows from the rating, so that equal ratings must get equal marks.
     better : Better or None
         Which values are wanted, where that is stated.
     purpose, note : str
@@ -57,7 +57,7 @@ class Row:
     weight: float | None = None
     products: tuple[float | None, ...] = ()
     kind: Kind = Kind.TECHNICAL
-    datum_has: bool = False
+    baseline_has: bool = False
     follows_rating: bool = False
     better: Better | None = None
     purpose: str = ""
@@ -65,17 +65,17 @@ class Row:
 
     @property
     def numbers(self) -> tuple[float | None, ...]:
-        """The entries as numbers: points, or +1, 0, -1 for marks; None where unknown or not yet asked."""
+        """The entries as numbers: points, or +1, 0, -1 for marks; None where unknown or not tested."""
         return tuple(_SIGN.get(entry) if isinstance(entry, str) else entry for entry in self.entries)
 
     @property
     def varies(self) -> bool:
-        """Whether at least two alternatives are judged differently."""
+        """Whether at least two alternatives have different entries."""
         return len({canonical(entry) for entry in self.entries}) > 1
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sheet:
+class MatrixTable:
     """One table.
 
     Parameters
@@ -83,22 +83,22 @@ class Sheet:
     name, title, section, place : str
     method : Method
     alternatives : tuple of str
-        As printed, without the datum and the ideal column.
+        As printed, without the baseline and the ideal column.
     rows : tuple of Row
-    datum : str
+    baseline : str
         The reference column (Pugh).
     sums, ranks, passed : tuples, one per alternative, or empty
         What was printed under the table; ``passed`` is the decision of an elimination.
     spare_sums : tuple of float
-        Printed sums that no column claims.
+        Printed sums that belong to no column.
     ideal_sum : float or None
         The printed sum of the ideal column.
     profile : Profile
         The points scale (Kesselring).
     reading_of : str
-        The table that this sheet is a proposed reading of; such a sheet is shown but not blamed.
+        The table of which this one is a proposed reading; the lints skip such a table.
     printed : str
-        The table as it stands in the source, where columns moved.
+        The table as printed in the source, where columns moved.
     note : str
     """
 
@@ -109,7 +109,7 @@ class Sheet:
     title: str = ""
     section: str = ""
     place: str = ""
-    datum: str = ""
+    baseline: str = ""
     sums: tuple[float | None, ...] = ()
     ranks: tuple[int | None, ...] = ()
     passed: tuple[bool | None, ...] = ()
@@ -141,23 +141,23 @@ class Alias:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Book:
-    """All tables of one decision, with what they were made for.
+class TableSet:
+    """All tables of one decision, with its goal.
 
     Parameters
     ----------
-    sheets : tuple of Sheet
+    tables : tuple of MatrixTable
     goal : str
         The stated goal; empty if none is stated.
     goal_words : tuple of str
-        A row whose name holds one of these (any case) asks for the goal.
+        A row whose name has one of these words (any case) rates the goal.
     ratings : mapping of str to str
         Rated power or the like of each alternative, as text; equal texts are equal ratings.
     aliases : tuple of Alias
     source : str
     """
 
-    sheets: tuple[Sheet, ...]
+    tables: tuple[MatrixTable, ...]
     goal: str = ""
     goal_words: tuple[str, ...] = ()
     ratings: Mapping[str, str] = field(default_factory=dict)
@@ -165,15 +165,15 @@ class Book:
     source: str = ""
 
     @property
-    def audited(self) -> tuple[Sheet, ...]:
-        """The sheets that are somebody's work, without the proposed readings."""
-        return tuple(sheet for sheet in self.sheets if not sheet.reading_of)
+    def audited(self) -> tuple[MatrixTable, ...]:
+        """The published or calculated tables, without the proposed readings."""
+        return tuple(table for table in self.tables if not table.reading_of)
 
-    def sheet(self, name: str) -> Sheet:
-        """Return the sheet of this name."""
-        return next(sheet for sheet in self.sheets if sheet.name == name)
+    def table(self, name: str) -> MatrixTable:
+        """Return the table of this name."""
+        return next(table for table in self.tables if table.name == name)
 
 
 def canonical(entry: Entry) -> Entry:
-    """Return the entry with the spellings of "same" made one: ``0`` and ``S`` are ``S``."""
+    """Return the entry with one spelling of "same": ``0`` and ``S`` become ``S``."""
     return "S" if entry in SAME else entry

@@ -1,4 +1,4 @@
-"""Everything that is worked out of a case, once, for all that tell it: text, page, workbook."""
+"""All results of one matrix: elimination, Pugh, Kesselring, Monte Carlo shares, verdict and lints."""
 
 from __future__ import annotations
 
@@ -14,33 +14,34 @@ from torquerig.decide.kesselring import KesselringResult, kesselring
 from torquerig.decide.lints.audit import audit
 from torquerig.decide.lints.finding import Finding
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_io.computed_sheets import computed_book, survivors
-from torquerig.decide.missing import MissingFact, missing_facts
+from torquerig.decide.matrix_io.computed_tables import computed_tables, survivors
 from torquerig.decide.near_miss import NearMiss, near_misses
 from torquerig.decide.pareto import Dominance, dominance
-from torquerig.decide.pugh import DatumSweep, PughResult, pugh, sweep_datums
-from torquerig.decide.robustness import Acceptability, robustness
+from torquerig.decide.pugh import BaselineSweep, PughResult, pugh, sweep_baselines
+from torquerig.decide.robustness import RankAcceptability, robustness
 from torquerig.decide.strength import Strength, strength, strength_from_cost
+from torquerig.decide.value_of_information import MissingFact, missing_facts
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
 
 
 @dataclass(frozen=True, kw_only=True)
-class WorkedOut:
-    """The three methods on one matrix, and how sure the answer is.
+class MatrixAnalysis:
+    """The results of the three methods on one matrix, and how certain the answer is.
 
     Parameters
     ----------
     chart, near
-        Elimination, and who failed it by a hair.
+        Elimination, and the alternatives that failed it narrowly.
     rated : DecisionMatrix
-        Those that no demand eliminates (all, where that would leave nobody); what follows is of these, except Pugh.
+        The alternatives that no requirement eliminates (all, if that would leave none). All results below except Pugh
+        are of these.
     pareto : Dominance
-    pugh, convergence, sweep, circles
-        Against the stated datum, until a datum stands, against every datum, and wins that run round.
+    pugh, convergence, sweep, cycles
+        Against the stated baseline, until a baseline is stable, against every baseline, and cycles of wins.
     overall : KesselringResult
     strength : Strength or None
-        Where technical criteria are weighed, and economic ones too or costs are stated.
-    acceptability : mapping of str to Acceptability
+        Where technical criteria have weights, and economic ones have weights or costs are stated.
+    acceptability : mapping of str to RankAcceptability
     weight_flips, score_flips, common
         Empty or None where there is one alternative.
     missing : tuple of MissingFact
@@ -55,11 +56,11 @@ class WorkedOut:
     pareto: Dominance
     pugh: PughResult
     convergence: Convergence
-    sweep: DatumSweep
-    circles: tuple[tuple[str, ...], ...]
+    sweep: BaselineSweep
+    cycles: tuple[tuple[str, ...], ...]
     overall: KesselringResult
     strength: Strength | None
-    acceptability: Mapping[str, Acceptability]
+    acceptability: Mapping[str, RankAcceptability]
     weight_flips: tuple[FlipWeight, ...]
     score_flips: tuple[FlipScore, ...]
     common: CommonFlip | None
@@ -69,37 +70,40 @@ class WorkedOut:
 
     @property
     def eliminated(self) -> tuple[str, ...]:
-        """Those that a demand takes out of the rating."""
+        """The alternatives that a requirement eliminates."""
         return tuple(name for name in self.case.matrix.alternatives if name not in self.rated.alternatives)
 
 
-def work_out(case: MatrixCase) -> WorkedOut:
+def analyse_matrix(case: MatrixCase) -> MatrixAnalysis:
     """Return elimination, Pugh and Kesselring of a case with verdict, open questions and lints."""
     matrix, rated = case.matrix, survivors(case.matrix)
-    chart, sweep = eliminate(matrix), sweep_datums(matrix)
+    chart, sweep = eliminate(matrix), sweep_baselines(matrix)
     overall = kesselring(rated, profile=case.profile)
-    found = robustness(rated, profile=case.profile, doubt=case.doubt, draws=case.draws, seed=case.seed)
-    nobody = len(chart.with_decision(Decision.ELIMINATE)) == len(matrix.alternatives)
-    rivals = len(rated.alternatives) > 1
-    return WorkedOut(
+    found = robustness(rated, profile=case.profile, uncertainty=case.uncertainty, draws=case.draws, seed=case.seed)
+    none_meets = len(chart.with_decision(Decision.ELIMINATE)) == len(matrix.alternatives)
+    missing = missing_facts(matrix, profile=case.profile)
+    several = len(rated.alternatives) > 1
+    return MatrixAnalysis(
         case=case,
         chart=chart,
         near=near_misses(chart),
         rated=rated,
         pareto=dominance(rated),
-        pugh=pugh(matrix, case.datum),
-        convergence=converge(matrix, case.datum),
+        pugh=pugh(matrix, case.baseline),
+        convergence=converge(matrix, case.baseline),
         sweep=sweep,
-        circles=cycles(sweep),
+        cycles=cycles(sweep),
         overall=overall,
         strength=_strength(rated, case),
         acceptability=found,
-        weight_flips=nearest_flips(overall) if rivals else (),
-        score_flips=flip_scores(overall) if rivals else (),
-        common=common_flip(overall) if rivals else None,
-        missing=missing_facts(matrix, profile=case.profile),
-        verdict=verdict_of(chart, None if nobody else overall, found),
-        findings=audit(computed_book(case)),
+        weight_flips=nearest_flips(overall) if several else (),
+        score_flips=flip_scores(overall) if several else (),
+        common=common_flip(overall) if several else None,
+        missing=missing,
+        verdict=verdict_of(
+            chart, None if none_meets else overall, found, facts=tuple(one.fact for one in missing if one.decisive)
+        ),
+        findings=audit(computed_tables(case)),
     )
 
 

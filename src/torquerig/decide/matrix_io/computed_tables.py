@@ -1,4 +1,4 @@
-"""The three computed tables of a case as sheets, so that the lints of printed tables run over them."""
+"""The results of a case in the form of printed tables, so that the same lints check them."""
 
 from __future__ import annotations
 
@@ -6,37 +6,37 @@ from torquerig.decide.case import MatrixCase
 from torquerig.decide.eliminate import Decision, Mark, SelectionChart, eliminate
 from torquerig.decide.kesselring import KesselringResult, kesselring
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.matrix_io.sheet import Book, Entry, Method, Row, Sheet
+from torquerig.decide.matrix_io.matrix_table import Entry, MatrixTable, Method, Row, TableSet
 from torquerig.decide.pugh import PughResult, pugh
 
 
 def survivors(matrix: DecisionMatrix) -> DecisionMatrix:
-    """Return the matrix without the eliminated alternatives; the whole of it where the demands leave nobody."""
-    out = set(eliminate(matrix).with_decision(Decision.ELIMINATE))
-    left = [name for name in matrix.alternatives if name not in out]
-    return matrix.only(alternatives=left) if left else matrix
+    """Return the matrix without the eliminated alternatives; all of it where the requirements eliminate every one."""
+    eliminated = set(eliminate(matrix).with_decision(Decision.ELIMINATE))
+    kept = [name for name in matrix.alternatives if name not in eliminated]
+    return matrix.only(alternatives=kept) if kept else matrix
 
 
-def computed_book(case: MatrixCase) -> Book:
+def computed_tables(case: MatrixCase) -> TableSet:
     """Return elimination, Pugh and Kesselring of a case, with its goal and aliases."""
     matrix = case.matrix
-    sheets = (
-        _chart_sheet(eliminate(matrix), case),
-        _pugh_sheet(pugh(matrix, case.datum), case),
-        _points_sheet(kesselring(survivors(matrix), profile=case.profile), case),
+    tables = (
+        _chart_table(eliminate(matrix), case),
+        _pugh_table(pugh(matrix, case.baseline), case),
+        _points_table(kesselring(survivors(matrix), profile=case.profile), case),
     )
-    return Book(
-        sheets=tuple(sheet for sheet in sheets if sheet.rows and sheet.alternatives),
+    return TableSet(
+        tables=tuple(table for table in tables if table.rows and table.alternatives),
         goal=case.goal,
         goal_words=case.goal_words,
         aliases=case.aliases,
     )
 
 
-def _chart_sheet(chart: SelectionChart, case: MatrixCase) -> Sheet:
+def _chart_table(chart: SelectionChart, case: MatrixCase) -> MatrixTable:
     names = tuple(row.alternative for row in chart.rows)
     passed = {Decision.PURSUE: True, Decision.ELIMINATE: False}
-    return Sheet(
+    return MatrixTable(
         name="Elimination",
         method=Method.ELIMINATION,
         alternatives=names,
@@ -49,14 +49,14 @@ def _chart_sheet(chart: SelectionChart, case: MatrixCase) -> Sheet:
     )
 
 
-def _pugh_sheet(result: PughResult, case: MatrixCase) -> Sheet:
-    names = tuple(name for name in result.alternatives if name != result.datum)
+def _pugh_table(result: PughResult, case: MatrixCase) -> MatrixTable:
+    names = tuple(name for name in result.alternatives if name != result.baseline)
     signs = {name: result.signs(name) for name in names}
-    return Sheet(
+    return MatrixTable(
         name="Pugh",
         method=Method.PUGH,
         alternatives=names,
-        datum=result.datum,
+        baseline=result.baseline,
         rows=tuple(
             _row(case, criterion, tuple(str(signs[name][place]) for name in names))
             for place, criterion in enumerate(result.criteria)
@@ -64,10 +64,10 @@ def _pugh_sheet(result: PughResult, case: MatrixCase) -> Sheet:
     )
 
 
-def _points_sheet(result: KesselringResult, case: MatrixCase) -> Sheet:
-    """Return the points as a sheet: the middle of an interval, and ``?`` where the whole scale is open."""
+def _points_table(result: KesselringResult, case: MatrixCase) -> MatrixTable:
+    """Return the points as a table: the middle of an interval, and ``?`` where the whole scale is open."""
     open_cells = result.high - result.low >= result.profile.p_max - result.profile.p_min
-    return Sheet(
+    return MatrixTable(
         name="Kesselring",
         method=Method.KESSELRING,
         alternatives=result.alternatives,

@@ -1,4 +1,4 @@
-"""Which missing datum to get next: what each would change if it were known, the most useful first."""
+"""Value of information: how much each missing fact would improve the choice, the most useful first."""
 
 from __future__ import annotations
 
@@ -9,27 +9,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.decide.criterion import YES_NO, Criterion
-from torquerig.decide.draws import points_at, value_at
 from torquerig.decide.eliminate import Decision, eliminate
 from torquerig.decide.kesselring import TEACHING, KesselringResult, Profile, kesselring
 from torquerig.decide.matrix import Cell, DecisionMatrix
+from torquerig.decide.monte_carlo import points_at, value_at
 from torquerig.decide.ranks import TIE
 
-STEPS = 1000  # values that an open fact is given in turn; the law is exact between the knots of its value function
+STEPS = 1000  # values of an open fact over its interval; a share below 0.1 % of the interval is not resolved
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Turn:
-    """From where to where in its interval a fact makes another one win.
+class DecisiveRange:
+    """The part of the interval of a fact in which another alternative wins.
 
     Parameters
     ----------
     winner : str
-        Empty where nobody would be left.
+        Empty where no alternative would meet the requirements.
     low, high : float
-        Ends of the stretch, in the first of the fact's cells [unit of the criterion; points where nothing is known].
+        Ends of this part, in the first of the fact's cells [unit of the criterion; points where nothing is known].
     """
 
     winner: str
@@ -39,24 +39,24 @@ class Turn:
 
 @dataclass(frozen=True, kw_only=True)
 class MissingFact:
-    """One fact that nobody has stated, and what it is worth to know it.
+    """One missing fact, and the value of knowing it.
 
     Parameters
     ----------
     fact : str
-        What to ask for.
+        Name of the fact.
     cells : tuple of (alternative, criterion)
-        The cells that rest on it.
+        The cells that depend on it.
     unit : str
-        The unit of the turns; ``points`` where nothing is known of the value.
+        The unit of the ranges; ``points`` where nothing is known of the value.
     p_change : float
-        How often the winner is another one when the fact is drawn from its interval and all else is held [1].
+        Probability that the winner changes when the fact is sampled from its interval and all else is held [1].
     gain : float
-        By how much the choice then improves on average, in T/T_max [1]: the expected value of perfect information.
-    turns : tuple of Turn
-        The stretches of its interval in which the winner is another one.
+        Mean improvement of the choice, in T/T_max [1]: the expected value of perfect information.
+    ranges : tuple of DecisiveRange
+        The parts of its interval in which another alternative wins.
     rule : str
-        The demand that it answers, where nothing is known of it and it gives no points: a question with yes or no.
+        The requirement that the fact decides, where nothing is known of it and it gives no points.
     """
 
     fact: str
@@ -64,7 +64,7 @@ class MissingFact:
     unit: str
     p_change: float
     gain: float
-    turns: tuple[Turn, ...]
+    ranges: tuple[DecisiveRange, ...]
     rule: str = ""
 
     @property
@@ -73,57 +73,58 @@ class MissingFact:
         return self.p_change > 0
 
     def sentence(self) -> str:
-        """Return what to ask, and why, as one sentence."""
-        asked = f"ask the maker {'' if self.fact.startswith('whether ') else 'for the '}{self.fact}"
-        if not self.turns:
-            return f"{asked}: alone it cannot change the winner"
+        """Return the question to the maker, and its effect, as one sentence."""
+        question = f"ask the maker {'' if self.fact.startswith('whether ') else 'for the '}{self.fact}"
+        if not self.ranges:
+            return f"{question}: alone it cannot change the winner"
         if self.rule:
-            broken = "if not" if self.fact.startswith("whether ") else f"if it breaks the demand ({self.rule})"
-            return f"{asked}: {broken}, {self.turns[0].winner or 'nobody'} wins"
-        told = ", ".join(
-            f"{one.winner or 'nobody'} wins {_stretch(one, self.unit)}".replace("  ", " ") for one in self.turns
+            broken = "if not" if self.fact.startswith("whether ") else f"if it breaks the requirement ({self.rule})"
+            return f"{question}: {broken}, {self.ranges[0].winner or 'no alternative'} wins"
+        winners = ", ".join(
+            f"{one.winner or 'no alternative'} wins {_range_text(one, self.unit)}".replace("  ", " ")
+            for one in self.ranges
         )
-        return f"{asked}: {told} ({self.p_change:.0%} of its range)"
+        return f"{question}: {winners} ({self.p_change:.0%} of its range)"
 
 
 def missing_facts(matrix: DecisionMatrix, *, profile: Profile = TEACHING) -> tuple[MissingFact, ...]:
     """Return every open fact of a matrix, those first that improve the choice most.
 
-    One fact is given every value of its interval in turn while all others keep their middle; those that rest on several
-    cells move together. A demand that the value would break takes the alternative out (as worth nothing), and where
-    nothing is known of a demanded value, it is met in the better half of all cases. The gain is the mean of
-    ``max T - T of the present winner`` over these values, the expected value of partial perfect information (Howard,
-    Information value theory, IEEE Transactions on Systems Science and Cybernetics 2 (1966) 22-26). Two facts that only
-    together change the winner get no gain here.
+    One fact takes every value of its interval in turn while all others keep their middle; the cells that depend on it
+    move together. A value that violates a requirement eliminates the alternative (T = 0). Where nothing is known of a
+    required value, it meets the requirement in half of all cases. The gain is the mean of ``max T - T of the present
+    winner`` over these values, the expected value of partial perfect information (Howard, Information value theory,
+    IEEE Transactions on Systems Science and Cybernetics 2 (1966) 22-26). Two facts that change the winner only together
+    have no gain here.
     """
     chart = eliminate(matrix)
     out = set(chart.with_decision(Decision.ELIMINATE))
-    left = [name for name in matrix.alternatives if name not in out]
-    if not left:
+    remaining = [name for name in matrix.alternatives if name not in out]
+    if not remaining:
         return ()
-    rest = matrix.only(alternatives=left)
-    result = kesselring(rest, profile=profile)
-    found = [_weighed(rest, result, name, cells) for name, cells in _open(rest).items()]
+    kept = matrix.only(alternatives=remaining)
+    result = kesselring(kept, profile=profile)
+    found = [_missing_fact(kept, result, name, cells) for name, cells in _open_facts(kept).items()]
     return tuple(sorted(found, key=lambda one: (-one.gain, -one.p_change, one.fact)))
 
 
-def _open(matrix: DecisionMatrix) -> dict[str, list[tuple[int, Criterion]]]:
+def _open_facts(matrix: DecisionMatrix) -> dict[str, list[tuple[int, Criterion]]]:
     facts: dict[str, list[tuple[int, Criterion]]] = {}
     for row, alternative in enumerate(matrix.alternatives):
         for criterion in matrix.criteria:
             cell = matrix.cell(alternative, criterion.name)
-            asked = criterion.weight > 0 or not criterion.wish
-            if asked and not cell.known and cell.points_by_hand is None:
+            matters = criterion.weight > 0 or not criterion.wish
+            if matters and not cell.known and cell.points_by_hand is None:
                 facts.setdefault(fact_of(cell, alternative, criterion), []).append((row, criterion))
     return facts
 
 
 def fact_of(cell: Cell, alternative: str, criterion: Criterion) -> str:
-    """Return what to ask for where a cell is open, in words that follow "the"."""
+    """Return the name of the missing fact of an open cell, in words that follow "the"."""
     return (cell.fact or cell.unknown_reason or f"{criterion.name} of {alternative}").removeprefix("the ")
 
 
-def _weighed(
+def _missing_fact(
     matrix: DecisionMatrix, result: KesselringResult, name: str, cells: list[tuple[int, Criterion]]
 ) -> MissingFact:
     totals = np.repeat(result.total[:, None], STEPS, axis=1)
@@ -143,33 +144,36 @@ def _weighed(
     best = np.where(allowed.any(axis=0), best, -1)
     first, shown = cells[0]
     cell = matrix.cell(matrix.alternatives[first], shown.name)
-    asks = cell.unknown and shown.demand is not None and not any(criterion.weight > 0 for _, criterion in cells)
+    asks = cell.unknown and shown.requirement is not None and not any(criterion.weight > 0 for _, criterion in cells)
     return MissingFact(
         fact=name,
         cells=tuple((matrix.alternatives[row], criterion.name) for row, criterion in cells),
         unit="points" if cell.unknown else shown.unit,
         p_change=float((best != base).mean()),
         gain=float((totals.max(axis=0) - totals[base]).mean()) / result.ideal,
-        turns=_turns(result, best, base, cell),
-        rule=shown.demand.rule(shown.name, shown.unit) if asks and shown.demand is not None else "",
+        ranges=_ranges(result, best, base, cell),
+        rule=shown.requirement.rule(shown.name, shown.unit) if asks and shown.requirement is not None else "",
     )
 
 
 def _meets(cell: Cell, criterion: Criterion, shares: Array) -> NDArray[np.bool_]:
-    demand = criterion.demand
-    if demand is None or demand.in_question:
+    requirement = criterion.requirement
+    if requirement is None or requirement.in_question:
         return np.ones(shares.size, np.bool_)
     if cell.unknown:
         return np.asarray(shares >= 0.5)
     values = np.array([value_at(cell, share) for share in shares.tolist()])
-    low, high = (-np.inf if demand.low is None else demand.low), (np.inf if demand.high is None else demand.high)
+    low, high = (
+        (-np.inf if requirement.low is None else requirement.low),
+        (np.inf if requirement.high is None else requirement.high),
+    )
     return np.asarray((values >= low) & (values <= high))
 
 
-def _turns(result: KesselringResult, best: NDArray[np.int64], base: int, cell: Cell) -> tuple[Turn, ...]:
-    """Return the stretches with one and the same other winner."""
+def _ranges(result: KesselringResult, best: NDArray[np.int64], base: int, cell: Cell) -> tuple[DecisiveRange, ...]:
+    """Return the parts of the interval with one and the same other winner."""
     edges = [0, *(np.flatnonzero(np.diff(best)) + 1).tolist(), best.size]
-    turns = []
+    ranges = []
     for start, stop in pairwise(edges):
         if best[start] == base:
             continue
@@ -179,12 +183,12 @@ def _turns(result: KesselringResult, best: NDArray[np.int64], base: int, cell: C
         else:
             low, high = (value_at(cell, edge / STEPS) for edge in (start, stop))
         winner = "" if best[start] < 0 else result.alternatives[int(best[start])]
-        turns.append(Turn(winner=winner, low=low, high=high))
-    return tuple(turns)
+        ranges.append(DecisiveRange(winner=winner, low=low, high=high))
+    return tuple(ranges)
 
 
-def _stretch(turn: Turn, unit: str) -> str:
+def _range_text(found: DecisiveRange, unit: str) -> str:
     if unit == YES_NO:
         return ""
     suffix = "" if unit == "1" else f" {unit}"
-    return f"from {turn.low:.3g} to {turn.high:.3g}{suffix}"
+    return f"from {found.low:.3g} to {found.high:.3g}{suffix}"

@@ -1,25 +1,25 @@
-"""A filled-in Excel sheet read as the document of a matrix: the same checks as for YAML, with cells as places."""
+"""A matrix read from an Excel workbook: the same checks as for YAML, with cells as places."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from torquerig.decide.criterion import YES_NO
-from torquerig.decide.matrix_io import sheet_layout as layout
+from torquerig.decide.matrix_io import excel_layout as layout
 from torquerig.decide.matrix_io.workbook_tables import SheetTable, needed_table, refuse_unknown, sheet_tables
-from torquerig.document import Document
+from torquerig.document import Document, give_notice
 from torquerig.errors import InputError, did_you_mean
 
 Keys = tuple[str | int, ...]
 
 
 @dataclass(frozen=True)
-class SheetDocument(Document):
+class ExcelDocument(Document):
     """A workbook that has been read: its data as a matrix file has them, and the cell of every entry."""
 
     cells: Mapping[Keys, str] = field(default_factory=dict)
@@ -32,21 +32,23 @@ class SheetDocument(Document):
         return f"{self.path}: {self.cells[near]}" if near in self.cells else str(self.path)
 
 
-def read_matrix_sheet(path: Path) -> SheetDocument:
-    """Read the sheets that a person fills in; what the file works out by formulas is left alone.
+def read_excel_matrix(path: Path) -> ExcelDocument:
+    """Read the sheets that a person fills in; the calculated sheets are ignored.
 
-    A formula among the entries counts with the value that the spreadsheet program stored beside it. Aliases and the
-    history of a matrix stand in YAML only.
+    A formula among the entries counts with the value that the spreadsheet program stored with it. Aliases and the
+    history of a matrix are in YAML only.
 
     Raises
     ------
     InputError
         Where the file is missing or no workbook, a sheet or a needed column is missing, a head is unknown, a name
-        stands twice, or a formula has no stored value.
+        occurs twice, or a formula has no stored value.
     """
     book = sheet_tables(path, (layout.SETTINGS, layout.CRITERIA, layout.FACTS, layout.SOURCES))
     cells: dict[Keys, str] = {}
     data: dict[str, Any] = {}
+    if layout.CRITERIA in book:
+        book[layout.CRITERIA] = _with_new_heads(path, book[layout.CRITERIA])
     if layout.SETTINGS in book:
         _settings(path, book[layout.SETTINGS], data, cells)
     data["criteria"] = _criteria(path, needed_table(path, book, layout.CRITERIA, layout.NEEDED_OF_CRITERIA), cells)
@@ -54,25 +56,29 @@ def read_matrix_sheet(path: Path) -> SheetDocument:
     data["alternatives"] = _facts(path, facts, data["criteria"], cells)
     if layout.SOURCES in book:
         _sources(path, needed_table(path, book, layout.SOURCES, layout.NEEDED_OF_SOURCES), data, cells)
-    return SheetDocument(path, data, yaml.ScalarNode("", ""), cells)
+    return ExcelDocument(path, data, yaml.ScalarNode("", ""), cells)
 
 
 def _settings(path: Path, table: SheetTable, data: dict[str, Any], cells: dict[Keys, str]) -> None:
     targets: dict[str, tuple[str, ...]] = {
-        "name": ("name",), "datum": ("datum",), "scale min": ("scale", "min"), "scale max": ("scale", "max"),
+        "name": ("name",), "baseline": ("baseline",), "scale min": ("scale", "min"), "scale max": ("scale", "max"),
         "goal": ("goal", "name"), "goal words": ("goal", "words"), "draws": ("draws",), "seed": ("seed",),
-        "doubt scores": ("doubt", "scores"), "doubt weights": ("doubt", "weights"),
+        "uncertainty scores": ("uncertainty", "scores"), "uncertainty weights": ("uncertainty", "weights"),
         "cost criterion": ("cost", "criterion"), "permissible cost": ("cost", "permissible"),
     }  # fmt: skip
+    used: dict[str, str] = {}
     for number, row in table.rows:
         key, value = str(row[0] or "").strip(), row[1] if len(row) > 1 else None
         if not key or value in (None, ""):
             continue
+        if key in layout.OLD_NAMES:
+            used[key] = layout.OLD_NAMES[key]
+            key = used[key]
         if key not in targets:
             raise InputError(f"{path}: sheet {table.name!r}, cell A{number}: unknown setting; "
                              f"{did_you_mean(key, targets)}")  # fmt: skip
         keys = targets[key]
-        held: Any = _text(value) if key in ("name", "datum", "goal", "cost criterion") else _plain(value)
+        held: Any = _text(value) if key in ("name", "baseline", "goal", "cost criterion") else _plain(value)
         held = [word.strip() for word in str(value).split(",")] if key == "goal words" else held
         cells[keys] = f"sheet {table.name!r}, cell B{number}"
         if len(keys) == 1:
@@ -80,6 +86,14 @@ def _settings(path: Path, table: SheetTable, data: dict[str, Any], cells: dict[K
         else:
             data.setdefault(keys[0], {})[keys[1]] = held
             cells.setdefault(keys[:1], cells[keys])
+    give_notice(f"{path}: sheet {table.name!r}", used)
+
+
+def _with_new_heads(path: Path, table: SheetTable) -> SheetTable:
+    """Return the table with the heads of earlier versions under their new names."""
+    used = {old: new for old, new in layout.OLD_NAMES.items() if old in table.heads and new not in table.heads}
+    give_notice(f"{path}: sheet {table.name!r}", used)
+    return replace(table, heads={used.get(head, head): column for head, column in table.heads.items()})
 
 
 def _criteria(path: Path, table: SheetTable, cells: dict[Keys, str]) -> dict[str, Any]:
@@ -102,9 +116,9 @@ def _criterion(held: Mapping[str, Any], knots: Iterable[int]) -> dict[str, Any]:
     entry: dict[str, Any] = {key: _plain(held[key]) for key in ("better", "weight", "kind", "purpose") if key in held}
     entry |= {key: str(entry[key]) for key in ("purpose",) if key in entry}
     entry["unit"] = _text(held.get("unit", "1"))
-    demand = {"min": "demand min", "max": "demand max", "in_question": "in question"}
+    requirement = {"min": "requirement min", "max": "requirement max", "in_question": "in question"}
     same = {"absolute": "same within", "relative": "same within share"}
-    for key, heads in (("demand", demand), ("indifference", same)):
+    for key, heads in (("requirement", requirement), ("indifference", same)):
         part = {name: _plain(held[head]) for name, head in heads.items() if head in held}
         if part:
             entry[key] = part
@@ -179,7 +193,7 @@ def _name(where: str, held: Mapping[str, Any], head: str, seen: Mapping[str, Any
         raise InputError(f"{where}: the {head} has no name; write one, or clear the row")
     name = _text(held[head])
     if name in seen:
-        raise InputError(f"{where}: the {head} {name!r} stands twice; keep one of them")
+        raise InputError(f"{where}: the {head} {name!r} occurs twice; keep one of them")
     return name
 
 

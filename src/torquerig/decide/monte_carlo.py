@@ -1,4 +1,4 @@
-"""What is drawn, and how far: the catalog's intervals, the points and the weights of a matrix as arrays of a kernel."""
+"""Monte Carlo sampling of a matrix: intervals of values, points and weights as arrays for the compiled kernel."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.errors import InputError
 
 Array = NDArray[np.float64]
-WIDE = 5.0  # [1] high/low above which an interval is drawn evenly in its logarithm, as the catalog's rule has it
+WIDE = 5.0  # [1] high/low above which an interval is sampled log-uniformly, as the catalog does
 
 
 @dataclass(frozen=True, kw_only=True)
-class Doubt:
-    """How far what was written down may be wrong; a zero keeps it as it is.
+class Uncertainty:
+    """The uncertainty of the entries of a matrix; zero takes them as exact.
 
     Parameters
     ----------
     values : bool
-        Whether values are drawn from their intervals, and unknown cells over the whole scale.
+        Whether values are sampled from their intervals, and the points of unknown cells from the whole scale.
     scores : float
-        Half-width of an error of judgement in every cell's points [points].
+        Half-width of the rating error of every cell's points [points].
     weights : float
-        Half-width of the error of every raw weight, as a share of it [1], 0 <= weights <= 1.
+        Half-width of the error of every raw weight, relative to it [1], 0 <= weights <= 1.
     """
 
     values: bool = True
@@ -39,32 +39,32 @@ class Doubt:
 
     def __post_init__(self) -> None:
         if not isfinite(self.scores) or self.scores < 0:
-            raise InputError(f"the doubt about scores, {self.scores:g} points, must be a number of at least 0")
+            raise InputError(f"the uncertainty of scores, {self.scores:g} points, must be a number of at least 0")
         if not 0 <= self.weights <= 1:
-            raise InputError(f"the doubt about weights, {self.weights:g}, must lie between 0 and 1; 0.25 is 25 %")
+            raise InputError(f"the uncertainty of weights, {self.weights:g}, must lie between 0 and 1; 0.25 is 25 %")
 
 
-VALUES_ONLY = Doubt(scores=0.0, weights=0.0)
+VALUES_ONLY = Uncertainty(scores=0.0, weights=0.0)
 
 
-def sources(doubt: Doubt) -> dict[str, Doubt]:
-    """Return each doubt on its own, by name, and all of them together."""
+def separate_uncertainties(uncertainty: Uncertainty) -> dict[str, Uncertainty]:
+    """Return each source of uncertainty alone, by name, and all of them together."""
     return {
-        "intervals": replace(doubt, scores=0.0, weights=0.0),
-        "scores": replace(doubt, values=False, weights=0.0),
-        "weights": replace(doubt, values=False, scores=0.0),
-        "together": doubt,
+        "intervals": replace(uncertainty, scores=0.0, weights=0.0),
+        "scores": replace(uncertainty, values=False, weights=0.0),
+        "weights": replace(uncertainty, values=False, scores=0.0),
+        "together": uncertainty,
     }
 
 
 @dataclass(frozen=True, kw_only=True)
-class Draws:
-    """A matrix made ready to be drawn.
+class SamplingPlan:
+    """A matrix as arrays that the compiled kernel samples.
 
     Parameters
     ----------
     cells, weights : tuples of ndarray
-        As :func:`torquerig.decide.kernel.count_ranks` wants them.
+        In the form of :func:`torquerig.decide.kernel.count_ranks`.
     scale : ndarray, shape (2,)
     """
 
@@ -75,7 +75,7 @@ class Draws:
     scale: Array
 
     def totals(self, draws: int) -> Array:
-        """Return T of each alternative in each of ``draws`` joint draws, shape (alternatives, draws)."""
+        """Return T of each alternative in each of ``draws`` Monte Carlo samples, shape (alternatives, draws)."""
         from torquerig.decide.kernel import all_totals
 
         out = np.empty((len(self.alternatives), draws))
@@ -83,13 +83,13 @@ class Draws:
         return out
 
 
-def prepared(
-    matrix: DecisionMatrix, *, profile: Profile = TEACHING, doubt: Doubt = VALUES_ONLY, seed: int = 0
-) -> Draws:
-    """Return the streams and intervals of every cell and weight.
+def sampling_plan(
+    matrix: DecisionMatrix, *, profile: Profile = TEACHING, uncertainty: Uncertainty = VALUES_ONLY, seed: int = 0
+) -> SamplingPlan:
+    """Return the random streams and intervals of every cell and weight.
 
-    Each stream is keyed by seed and names, so that another alternative or criterion changes no draw of the others.
-    Cells under one criterion that rest on the same fact have one stream: what is missing is missing once.
+    Each stream is keyed by seed and names, so that another alternative or criterion changes no sample of the others.
+    Cells under one criterion that depend on the same fact share one stream, because that fact has one value.
     """
     rated = rated_criteria(matrix, profile)
     shape = (len(matrix.alternatives), len(rated))
@@ -101,7 +101,7 @@ def prepared(
         for column, criterion in enumerate(rated):
             at, cell = (row, column), matrix.cell(alternative, criterion.name)
             keys[at] = _key(seed, "cell", cell.fact or alternative, criterion.name)
-            span = _span(cell, profile) if doubt.values else None
+            span = _span(cell, profile) if uncertainty.values else None
             if span is None:
                 base[at] = points_of_cell(cell, criterion, profile)[2]
                 continue
@@ -114,17 +114,17 @@ def prepared(
             for bend, (knot, turn) in enumerate(inside):
                 knots[row, column, bend], turns[row, column, bend] = knot, turn
     weight_keys = np.array([_key(seed, "weight", criterion.name) for criterion in rated], np.uint64)
-    return Draws(
+    return SamplingPlan(
         alternatives=matrix.alternatives,
         profile=profile,
-        cells=(keys, start, width, logarithmic, base, slope, knots, turns, bends, np.full(shape, doubt.scores)),
-        weights=(np.array([one.weight for one in rated]), weight_keys, np.full(len(rated), doubt.weights)),
+        cells=(keys, start, width, logarithmic, base, slope, knots, turns, bends, np.full(shape, uncertainty.scores)),
+        weights=(np.array([one.weight for one in rated]), weight_keys, np.full(len(rated), uncertainty.weights)),
         scale=np.array([profile.p_min, profile.p_max], dtype=float),
     )
 
 
 def _span(cell: Cell, profile: Profile) -> tuple[float, float, bool] | None:
-    """Return start and width of what is drawn, and whether they are logarithms; None where nothing is open."""
+    """Return start and width of the sampled interval, and whether they are logarithms; None for an exact cell."""
     if cell.points_by_hand is not None:
         return None
     if cell.unknown:
@@ -136,7 +136,7 @@ def _span(cell: Cell, profile: Profile) -> tuple[float, float, bool] | None:
 
 
 def value_at(cell: Cell, share: float) -> float:
-    """Return the value below which ``share`` of the draws of an interval lie [unit of the criterion]."""
+    """Return the value below which ``share`` of the samples of an interval lie [unit of the criterion]."""
     low, high = cell.bounds
     if 0 < low * WIDE < high:
         return exp(log(low) + (log(high) - log(low)) * share)

@@ -1,4 +1,4 @@
-"""Charts, matrices and findings as plain text: no colour, nothing computed."""
+"""Selection chart, Pugh, Kesselring and findings as plain text."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from torquerig.decide.eliminate import SelectionChart
 from torquerig.decide.kesselring import KesselringResult
 from torquerig.decide.lints.finding import Finding
 from torquerig.decide.matrix import DecisionMatrix
-from torquerig.decide.pugh import DatumSweep, PughResult, Sign
+from torquerig.decide.pugh import BaselineSweep, PughResult, Sign
 from torquerig.decide.ranks import shown_rank
 from torquerig.plain_table import grid, wrapped
 
@@ -24,8 +24,8 @@ def span(low: float, high: float) -> str:
     return f"{low:.4g}" if abs(high - low) < 1e-9 else f"{low:.4g}..{high:.4g}"
 
 
-def tell_matrix(matrix: DecisionMatrix) -> str:
-    """Return what is known, one line per alternative, with units in the head."""
+def known_values_text(matrix: DecisionMatrix) -> str:
+    """Return the known values, one line per alternative, with units in the head."""
     head = ["", *(_with_unit(criterion) for criterion in matrix.criteria)]
     body = [
         [name, *(matrix.cell(name, criterion.name).shown() for criterion in matrix.criteria)]
@@ -34,26 +34,26 @@ def tell_matrix(matrix: DecisionMatrix) -> str:
     return grid([head, *body])
 
 
-def tell_chart(chart: SelectionChart, *, remarks: bool = True) -> str:
+def chart_text(chart: SelectionChart, *, remarks: bool = True) -> str:
     """Return the selection chart with its decisions, and under it a remark for every cell that is not ``+``."""
     head = ["", *chart.criteria, "decision"]
     body = [
         [row.alternative, *(str(row.marks.get(name, "")) for name in chart.criteria), str(row.decision)]
         for row in chart.rows
     ]
-    told = [
+    lines = [
         wrapped(f"{row.alternative}: {remark.sentence()}", rest="    ")
         for row in chart.rows
         for remark in (row.remarks if remarks else ())
     ]
-    return "\n".join([grid([head, *body]), *told])
+    return "\n".join([grid([head, *body]), *lines])
 
 
-def tell_pugh(result: PughResult) -> str:
-    """Return the signs with their counts side by side, and the net with its interval as an option."""
+def pugh_text(result: PughResult) -> str:
+    """Return the signs with their counts, and the net with its interval as an option."""
     best, worst = result.rank_range
     columns = {name: result.signs(name) for name in result.alternatives}
-    head = ["", *(f"{name} (datum)" if name == result.datum else name for name in result.alternatives)]
+    head = ["", *(f"{name} (baseline)" if name == result.baseline else name for name in result.alternatives)]
     body = [
         [criterion, *(str(columns[name][place]) for name in columns)] for place, criterion in enumerate(result.criteria)
     ]
@@ -63,19 +63,21 @@ def tell_pugh(result: PughResult) -> str:
     return grid([head, *body])
 
 
-def tell_sweep(sweep: DatumSweep) -> str:
-    """Return on how many criteria the row certainly beats the column, and who wins under which datum."""
+def sweep_text(sweep: BaselineSweep) -> str:
+    """Return on how many criteria the row certainly beats the column, and the winner under each baseline."""
     body = [
         [name, *(("." if name == other else str(count)) for other, count in zip(sweep.alternatives, row, strict=True))]
         for name, row in zip(sweep.alternatives, sweep.wins.tolist(), strict=True)
     ]
-    told = [f"datum {datum}: best net {', '.join(names)}" for datum, names in sweep.winners.items()]
+    lines = [f"baseline {baseline}: best net {', '.join(names)}" for baseline, names in sweep.winners.items()]
     winner = sweep.condorcet_winner
-    told.append(f"surely beats every other one: {winner}" if winner else "nobody surely beats every other one")
-    return "\n".join([grid([["row beats column on", *sweep.alternatives], *body]), *told])
+    lines.append(
+        f"certainly beats every other one: {winner}" if winner else "no alternative certainly beats every other one"
+    )
+    return "\n".join([grid([["row beats column on", *sweep.alternatives], *body]), *lines])
 
 
-def tell_kesselring(result: KesselringResult) -> str:
+def kesselring_text(result: KesselringResult) -> str:
     """Return points with raw and normalised weights, the ideal column, T, T/T_max, ranks and weak spots."""
     best, worst = result.rank_range
     head = ["", "weight", "normalised", "ideal", *result.alternatives]
@@ -99,28 +101,28 @@ def tell_kesselring(result: KesselringResult) -> str:
         ["T/T_max", "", "", "1", *(f"{span(round(low / ideal, 3), round(high / ideal, 3))}" for low, high in totals)]
     )
     body.append(["rank", "", "", "", *(shown_rank(*ends) for ends in zip(best.tolist(), worst.tolist(), strict=True))])
-    told = [f"warning: {result.warning}"] if result.warning else []
-    told += [f"* set by hand: {name}, {criterion!r}: {why}" for (name, criterion), why in result.by_hand.items()]
-    told += [
+    lines = [f"warning: {result.warning}"] if result.warning else []
+    lines += [f"* set by hand: {name}, {criterion!r}: {why}" for (name, criterion), why in result.by_hand.items()]
+    lines += [
         f"weak spot: {spot.alternative} gets at most {spot.points:g} for {spot.criterion!r}, "
         f"hidden by T/T_max = {spot.share:.2f}"
         for spot in result.weak_spots
     ]
-    return "\n".join([grid([head, *body]), *told])
+    return "\n".join([grid([head, *body]), *lines])
 
 
-def tell_findings(findings: Sequence[Finding]) -> str:
+def findings_text(findings: Sequence[Finding]) -> str:
     """Return the audit as a numbered list: what, why it matters, remedy, place."""
     if not findings:
         return "nothing found"
-    told = []
+    lines = []
     for number, finding in enumerate(findings, start=1):
-        told.append(wrapped(f"{number}. {finding.table}: {finding.lint}: {finding.what}.", rest="   "))
-        told.append(wrapped(f"why: {finding.why}.", first="   ", rest="   "))
-        told.append(wrapped(f"remedy: {finding.remedy}.", first="   ", rest="   "))
+        lines.append(wrapped(f"{number}. {finding.table}: {finding.lint}: {finding.what}.", rest="   "))
+        lines.append(wrapped(f"why: {finding.why}.", first="   ", rest="   "))
+        lines.append(wrapped(f"remedy: {finding.remedy}.", first="   ", rest="   "))
         if finding.place:
-            told.append(f"   at {finding.place}")
-    return "\n".join(told)
+            lines.append(f"   at {finding.place}")
+    return "\n".join(lines)
 
 
 def _with_unit(criterion: Criterion) -> str:

@@ -1,4 +1,4 @@
-"""What was changed between two versions of a matrix, and what that did to the ranking."""
+"""Edits between two versions of a matrix, and the changes of the ranking."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from torquerig.decide.case import MatrixCase
+from torquerig.decide.matrix_analysis import MatrixAnalysis
 from torquerig.decide.matrix_io.matrix_writing import case_data
-from torquerig.decide.working import WorkedOut
 
 
 @dataclass(frozen=True, kw_only=True)
 class Edit:
-    """One changed entry: where it stands in the file, and how it reads before and after; None where it is not there."""
+    """One changed entry: its key in the file, and its value before and after; None where it is absent."""
 
     key: str
     before: Any
@@ -21,8 +21,8 @@ class Edit:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Reordering:
-    """What the edits did.
+class RankingChanges:
+    """The changes of the ranking that follow from the edits.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class Reordering:
     ranks : mapping-like tuple of (alternative, rank before or None, rank after or None)
         Only those whose rank changed.
     reversed_pairs : tuple of (str, str)
-        Pairs of which the second now stands above the first, both rated before and after. When alternatives were only
+        Pairs of which the second now ranks above the first, both rated before and after. When alternatives were only
         added or removed there is none, because points do not depend on the others.
     """
 
@@ -43,7 +43,7 @@ class Reordering:
 
 
 def edits_between(before: MatrixCase, after: MatrixCase) -> tuple[Edit, ...]:
-    """Return every entry that differs: datum, scale, criteria, weights, limits, points and cells."""
+    """Return every entry that differs: baseline, scale, criteria, weights, limits, points and cells."""
     old, new = dict(_entries(case_data(before))), dict(_entries(case_data(after)))
     return tuple(
         Edit(key=key, before=old.get(key), after=new.get(key))
@@ -52,12 +52,12 @@ def edits_between(before: MatrixCase, after: MatrixCase) -> tuple[Edit, ...]:
     )
 
 
-def reordering(before: WorkedOut, after: WorkedOut) -> Reordering:
-    """Return the edits between two worked-out cases with the ranks that they changed."""
+def ranking_changes(before: MatrixAnalysis, after: MatrixAnalysis) -> RankingChanges:
+    """Return the edits between two analysed cases with the ranks that they changed."""
     ranks = [dict(zip(one.overall.alternatives, one.overall.ranks.tolist(), strict=True)) for one in (before, after)]
     names = dict.fromkeys((*before.case.matrix.alternatives, *after.case.matrix.alternatives))
     both = [name for name in names if name in ranks[0] and name in ranks[1]]
-    return Reordering(
+    return RankingChanges(
         edits=edits_between(before.case, after.case),
         winners_before=before.verdict.winners,
         winners_after=after.verdict.winners,

@@ -1,4 +1,4 @@
-"""Which lost cells would give a printed sum: an exhaustive search over the steps of the scale."""
+"""Values of lost cells that give a printed sum: an exhaustive search over the steps of the scale."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from torquerig.decide.kesselring import Profile
 ROUNDING = 0.005 + 1e-9
 
 
-def fillings(
+def lost_cell_values(
     points: Sequence[float | None],
     *,
     weights: Sequence[float],
@@ -32,9 +32,9 @@ def fillings(
     total : float
         The printed sum.
     profile : Profile
-        The scale that the cells come from, in steps of ``step``.
+        The scale of the cells, in steps of ``step``.
     rounding : float
-        How far the sum may lie from the printed one.
+        The largest difference between the sum and the printed one.
 
     Returns
     -------
@@ -44,9 +44,9 @@ def fillings(
     scale = np.arange(profile.p_min, profile.p_max + step / 2, step).tolist()
     lost = [place for place, one in enumerate(points) if one is None]
     found = []
-    for filling in product(scale, repeat=len(lost)):
+    for values in product(scale, repeat=len(lost)):
         full = [0.0 if one is None else float(one) for one in points]
-        for place, value in zip(lost, filling, strict=True):
+        for place, value in zip(lost, values, strict=True):
             full[place] = value
         if abs(float(np.dot(full, weights)) - total) <= rounding:
             found.append(tuple(full))
