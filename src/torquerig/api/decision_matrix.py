@@ -1,4 +1,4 @@
-"""``matrix``: elimination, Pugh and Kesselring of one's own decision matrix."""
+"""``matrix``: elimination, Pugh and Kesselring of a decision matrix."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from torquerig.api.result import Result, records
 from torquerig.api.values import folders
 from torquerig.catalog.search import catalog_for
 from torquerig.decide.eliminate import Decision
-from torquerig.decide.working import WorkedOut, work_out
+from torquerig.decide.matrix_analysis import MatrixAnalysis, analyse_matrix
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError
 
@@ -22,27 +22,27 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class MatrixResult(Result):
-    """The three methods on one matrix, and how sure the winner is.
+    """The three methods on one matrix, and how certain the winner is.
 
     Parameters
     ----------
-    worked_out : WorkedOut
+    analysis : MatrixAnalysis
         Selection chart, Pugh and Kesselring matrices, robustness, open facts, lints.
     """
 
-    worked_out: WorkedOut
+    analysis: MatrixAnalysis
 
     @property
     def verdict(self) -> str:
-        """One word for how sure the winner is."""
-        return str(self.worked_out.verdict.word)
+        """The certainty of the winner: robust, fragile, tie or open."""
+        return str(self.analysis.verdict.certainty)
 
     @property
     def ranking(self) -> pd.DataFrame:
         """One row per alternative that no requirement eliminates, the best first: points and share of the ideal."""
         import pandas as pd
 
-        found = self.worked_out.overall
+        found = self.analysis.overall
         best, worst = found.rank_range
         rows = [
             {
@@ -59,22 +59,22 @@ class MatrixResult(Result):
         """One row per alternative: its signs against the baseline, criterion by criterion."""
         import pandas as pd
 
-        found = self.worked_out.pugh
+        found = self.analysis.pugh
         rows = {name: [str(sign) for sign in found.signs(name)] for name in found.alternatives}
         return pd.DataFrame.from_dict(rows, orient="index", columns=list(found.criteria)).rename_axis("alternative")
 
     @property
     def elimination(self) -> pd.DataFrame:
-        """One row per alternative: whether the requirements keep it, eliminate it, or cannot tell yet."""
+        """One row per alternative: whether the requirements keep it, eliminate it, or leave it open."""
         import pandas as pd
 
-        chart = self.worked_out.chart
+        chart = self.analysis.chart
         rows = [(name, str(decision)) for decision in Decision for name in chart.with_decision(decision)]
         return pd.DataFrame(rows, columns=["alternative", "decision"])
 
     def summary(self) -> str:
         """Return the verdict in one sentence."""
-        return self.worked_out.verdict.sentence()
+        return self.analysis.verdict.sentence()
 
     def to_frame(self) -> pd.DataFrame:
         """Return the ranking."""
@@ -88,18 +88,18 @@ class MatrixResult(Result):
         """Return the value profile: points by criterion, weak spots marked."""
         from torquerig.reporting.figures.value_profile import value_profile
 
-        return value_profile(self.worked_out.overall)
+        return value_profile(self.analysis.overall)
 
     def write(self, path: str | Path) -> Path:
         """Write the matrix as .html, .md, .xlsx or .yaml, by the ending, and return the path."""
         from torquerig.reporting.matrix.files import write_matrix
 
-        write_matrix(self.worked_out, Path(path))
+        write_matrix(self.analysis, Path(path))
         return Path(path)
 
 
 def matrix(path: str | Path, *, catalogs: Sequence[str | Path] = ()) -> MatrixResult:
-    """Return elimination, Pugh and Kesselring of a decision matrix, and how sure the winner is.
+    """Return elimination, Pugh and Kesselring of a decision matrix, and how certain the winner is.
 
     Parameters
     ----------
@@ -132,17 +132,17 @@ def matrix(path: str | Path, *, catalogs: Sequence[str | Path] = ()) -> MatrixRe
     document = _document(scenario_file(path))
     wants_motors = isinstance(document.data, dict) and document.data.get("motors")
     catalog = catalog_for(document.path, folders(catalogs)) if wants_motors else None
-    return MatrixResult(worked_out=work_out(matrix_from(document, catalog=catalog)))
+    return MatrixResult(analysis=analyse_matrix(matrix_from(document, catalog=catalog)))
 
 
 def _document(file: Path) -> Document:
     if file.suffix.lower() == ".xlsx":
-        from torquerig.decide.matrix_io.matrix_sheet import read_matrix_sheet
+        from torquerig.decide.matrix_io.excel_matrix import read_excel_matrix
 
-        return read_matrix_sheet(file)
+        return read_excel_matrix(file)
     document = read_document(file)
     if isinstance(document.data, dict) and "rig" in document.data:
-        raise InputError(f"{file}: is the scenario of a rig, not a matrix; torquerig.compare works its matrices out")
+        raise InputError(f"{file}: is the scenario of a rig, not a matrix; use torquerig.compare")
     if isinstance(document.data, dict) and "tables" in document.data:
         raise InputError(f"{file}: holds published tables; the command torquerig matrix checks them")
     return document
