@@ -14,6 +14,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.reporting.figures.picture import new_figure, write_picture
+from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
 from torquerig.scenario.overrides import overridden
@@ -26,7 +27,7 @@ for motor in ("bldc-12n14p", "HDS6A-0104A"):
     settings = ["motor.ripple=from_phase_level", f"motor.catalog={motor}"]
     rig = read_scenario(overridden(document, settings), catalog, seed=1).rig
     (phases,) = rig.parts_of(MotorPhases)
-    waves = rig.part("motor.commutation").drive_ripple("motor", rig)
+    waves = waves_of(rig.part("motor.commutation").changes_in_host(rig), DriveRipple)
     angle = np.linspace(0, 2 * np.pi / phases.pole_pairs, 2000)
     factor = 1 + sum(wave.amplitude * np.cos(wave.order * angle + (wave.phase or 0.0)) for wave in waves)
     axes.plot(angle * phases.pole_pairs * 180 / np.pi, steady_torque(rig, "motor") * factor, label=motor)

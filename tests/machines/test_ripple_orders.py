@@ -16,6 +16,7 @@ from torquerig.machines.shaft import ImposedSpeed
 from torquerig.machines.six_step import SixStep
 from torquerig.mechanisms import CommutationRipple
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, waves_of
 
 
 def machine(back_emf):
@@ -45,9 +46,12 @@ def test_commutation_ripple_of_the_lines_is_the_phase_level_torque(back_emf, con
     waves = [
         wave
         for line in found.lines
-        for wave in CommutationRipple(
-            name=f"order {line.order_motor}", order_motor=line.order_motor, depth=line.depth, phase=line.phase
-        ).drive_ripple("motor", Rig(()))
+        for wave in waves_of(
+            CommutationRipple(
+                name=f"order {line.order_motor}", order_motor=line.order_motor, depth=line.depth, phase=line.phase
+            ).changes_in_host(Rig(())),
+            DriveRipple,
+        )
     ]
     angle = run.angle[-1000:]
     factor = 1 + sum(wave.amplitude * np.cos(wave.order * angle + wave.phase) for wave in waves)

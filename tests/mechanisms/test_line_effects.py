@@ -20,6 +20,7 @@ from torquerig.mechanisms import (
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import KinematicError, waves_of
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.simulation.linear import spring_response
@@ -184,7 +185,7 @@ def test_the_misalignment_is_the_first_term_of_the_cardan_joints_error() -> None
     ratio = cos(b) / (1 - np.sin(b) ** 2 * np.cos(theta) ** 2)
     slopes = np.abs(np.fft.rfft(ratio - 1)) * 2 / theta.size
     bent = Misalignment(name="it", angle=b)
-    (wave,) = bent.kinematic_error("coupling", driven(bent, speed_rpm=600.0))
+    (wave,) = waves_of(bent.changes_in_host(driven(bent, speed_rpm=600.0)), KinematicError)
     assert wave.order == 2.0
     assert wave.amplitude == pytest.approx(slopes[2] / 2, rel=1e-9)
     assert slopes[4] / 4 == pytest.approx(wave.amplitude**2 / 2, rel=1e-9)  # what is left out

@@ -32,6 +32,7 @@ from torquerig.mechanisms import (
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, KinematicError, waves_of
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.rig.terms import AppliedTorque, Term
@@ -163,14 +164,14 @@ def test_commutation_ripple_is_a_share_of_the_motor_torque(speed_rpm: float) -> 
 
 def test_harmonics_of_a_commutation_ripple_are_lines_of_their_own_depth() -> None:
     ripple = CommutationRipple(name="it", order_motor=7, depth=0.1, harmonics=(0.0, 0.02))
-    waves = {wave.order: wave.amplitude for wave in ripple.drive_ripple("motor", shaft(ripple))}
+    waves = {wave.order: wave.amplitude for wave in waves_of(ripple.changes_in_host(shaft(ripple)), DriveRipple)}
     assert waves == {7: 0.1, 21: 0.02}
 
 
 def test_planet_modulation_puts_side_lines_at_the_planet_order() -> None:
     """Amplitude modulation m = 0.5 gives m/2 at z - n and z + n; the transfer changes little from 81 to 87."""
     mesh = GearMesh(name="it", order_output=84, transmission_error=(5e-5,), planets=3, planet_modulation=0.5)
-    waves = {wave.order: wave.amplitude for wave in mesh.kinematic_error("gearbox", shaft(mesh))}
+    waves = {wave.order: wave.amplitude for wave in waves_of(mesh.changes_in_host(shaft(mesh)), KinematicError)}
     assert waves == pytest.approx({84: 5e-5, 81: 1.25e-5, 87: 1.25e-5})
     made = simulate(shaft(mesh), duration=1.0, seed=3)
     assert line(made, 16.2) > 10 * line(made, 15.5)

@@ -29,6 +29,7 @@ from torquerig.mechanisms import (
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, EncoderAngleError, waves_of
 from torquerig.rig.part import Part
 from torquerig.rig.parts import (
     Body,
@@ -138,13 +139,13 @@ def waves(effect: Part, rig: Rig) -> dict[float, complex]:
     def add(wave: Wave, share: float) -> None:
         found[wave.order] = found.get(wave.order, 0) + share * wave.amplitude * np.exp(1j * (wave.phase or 0.0))
 
-    for wave in effect.drive_ripple("motor", rig):
+    for wave in waves_of(effect.changes_in_host(rig), DriveRipple):
         add(wave, 1.0)
     for term in effect.terms(rig):
         assert isinstance(term, HarmonicTorque)
         for wave in term.waves:
             add(wave, 1 / torque)
-    for wave in effect.encoder_error("motor", rig):
+    for wave in waves_of(effect.changes_in_host(rig), EncoderAngleError):
         add(replace(wave, amplitude=wave.amplitude * answered(rig, wave.order)), 1 / torque)
     return found
 
@@ -199,7 +200,7 @@ def test_an_effect_without_a_motor_or_its_phases_is_refused(name: str) -> None:
     effect = WRITTEN[name][1]
     rig = driven(effect, speed_rpm=600.0).without("phases")
     if name == "EncoderError":
-        assert effect.encoder_error("motor", rig)  # needs no phases, only the loop
+        assert waves_of(effect.changes_in_host(rig), EncoderAngleError)  # needs no phases, only the loop
         return
     with pytest.raises(InputError, match="add a part of kind motor_phases"):
         effect.terms(rig)
@@ -300,7 +301,7 @@ def test_extra_inductance_is_the_negative_sequence_of_its_drop() -> None:
 
 def test_equal_extras_of_all_phases_make_no_line() -> None:
     rig = driven(PhaseUnbalance(name="it", extra_resistance=(0.1, 0.1, 0.1)), speed_rpm=600.0)
-    (wave,) = rig.part("it").drive_ripple("motor", rig) or (Wave(order=14.0, amplitude=0.0),)
+    (wave,) = waves_of(rig.part("it").changes_in_host(rig), DriveRipple) or (Wave(order=14.0, amplitude=0.0),)
     assert wave.amplitude < 1e-12
 
 
@@ -402,7 +403,7 @@ def test_a_misplaced_current_vector_leaves_the_cosine_by_bessel_functions() -> N
     from scipy.special import jv
 
     error = EncoderError(name="it", amplitudes={1: 0.5 / 7})
-    found = {w.order: w.amplitude for w in error.drive_ripple("motor", driven(error, speed_rpm=600.0))}
+    found = {w.order: w.amplitude for w in waves_of(error.changes_in_host(driven(error, speed_rpm=600.0)), DriveRipple)}
     assert found == pytest.approx({2.0 * n: 2 * abs(jv(2 * n, 0.5) / jv(0, 0.5)) for n in (1, 2, 3)}, rel=1e-3)
 
 

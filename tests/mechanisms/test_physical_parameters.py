@@ -11,6 +11,7 @@ from torquerig.errors import InputError
 from torquerig.mechanisms import BearingDefect, BeltLines, BendingCrosstalk, Eccentricity, ParallelOffset
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import KinematicError, waves_of
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Body, Coupling, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.sensor_stages.crosstalk import Crosstalk
@@ -97,7 +98,7 @@ def test_belt_lines_take_their_orders_from_the_belt_they_live_in(speed_rpm: floa
     )
     rig = belt_rig(lines, speed_rpm=speed_rpm)
     radius = 50 * 5e-3 / (2 * pi)
-    found = {wave.order: wave.amplitude for wave in lines.kinematic_error("gearbox", rig)}
+    found = {wave.order: wave.amplitude for wave in waves_of(lines.changes_in_host(rig), KinematicError)}
     assert found == pytest.approx({0.5: 5e-4, 50.0: 2e-5, 1.0: 3e-5 / radius, 2.5: 2e-5 / radius})
     made = simulate(rig, duration=2.0, seed=1)
     angle = made.channels["true_motor_angle_rad"].values / 2.5
@@ -138,7 +139,7 @@ def test_belt_lines_in_a_gear_or_on_a_smooth_belt_say_what_lacks() -> None:
     with pytest.raises(InputError, match="is a smooth belt; leave tooth_error out"):
         belt_rig(BeltLines(name="it", tooth_error=1e-5), gear=smooth).terms()
     rig = belt_rig(BeltLines(name="it", belt_error=(1e-4,)), gear=smooth)
-    (wave,) = rig.part("it").kinematic_error("gearbox", rig)
+    (wave,) = waves_of(rig.part("it").changes_in_host(rig), KinematicError)
     assert wave.order == pytest.approx(pi * 0.1 / 0.6)  # pi D f / L, handbook 3.7
     with pytest.raises(ValueError, match="belong together"):
         BeltLines(name="it", pinion=20)

@@ -25,6 +25,7 @@ from torquerig.mechanisms import (
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import AmplifierCutoff
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
@@ -143,7 +144,9 @@ def test_there_is_one_low_pass_at_the_lowest_cutoff() -> None:
 
 
 def test_the_cutoff_of_one_sensor_leaves_another_alone() -> None:
-    assert SensorBandwidth(name="slow", sensor="other", cutoff=400.0).amplifier_cutoff("torque_sensor") is None
+    slow = SensorBandwidth(name="slow", sensor="other", cutoff=400.0)
+    assert sensed(slow).changes_in("torque_sensor") == ()
+    assert sensed(slow).changes_in("other") == (AmplifierCutoff(400.0),)
 
 
 @SPEEDS

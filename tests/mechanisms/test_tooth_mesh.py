@@ -14,6 +14,7 @@ from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import KinematicError, StiffnessVariation, waves_of
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, ImposedMotion, Motor, SpeedController, TorqueSensor
 from torquerig.simulation.linear import spring_response
@@ -43,7 +44,7 @@ def geared(teeth: Planetary | Spur, *effects: Part, speed_rpm: float = 1000.0) -
 
 def errors(teeth: Planetary | Spur, mesh: ToothMesh) -> dict[float, float]:
     """Angle error [rad] by output order."""
-    return {wave.order: wave.amplitude for wave in mesh.kinematic_error("gearbox", geared(teeth, mesh))}
+    return {wave.order: wave.amplitude for wave in waves_of(mesh.changes_in_host(geared(teeth, mesh)), KinematicError)}
 
 
 def largest(made: Recording) -> float:
@@ -217,8 +218,10 @@ def test_a_mesh_at_twice_a_mode_drives_itself(off: float, variation: float) -> N
 def test_planets_cancel_the_stiffness_variation_as_they_cancel_the_error() -> None:
     mesh = ToothMesh(name="mesh", module=1e-3, stiffness_variation=(0.04, 0.02, 0.01))
     rig = geared(SEQUENTIAL, mesh)
-    assert {wave.order: wave.amplitude for wave in mesh.stiffness_waves("gearbox", rig)} == pytest.approx({186: 0.01})
-    assert mesh.stiffness_waves("sensor", rig) == ()
+    assert {
+        wave.order: wave.amplitude for wave in waves_of(mesh.changes_in_host(rig), StiffnessVariation)
+    } == pytest.approx({186: 0.01})
+    assert rig.changes_in("sensor") == ()
 
 
 @pytest.mark.parametrize(

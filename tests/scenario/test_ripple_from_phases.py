@@ -11,6 +11,7 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import parse_document, read_document
 from torquerig.errors import InputError
 from torquerig.mechanisms import CommutationRipple, FieldOrientedControl, SixStepCommutation
+from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
 from torquerig.scenario.from_catalog import copy_of
@@ -30,7 +31,7 @@ def scenario(motor, *settings, seed=1):
 def depths(made):
     """The commutation's lines relative to the torque, by order over the pole pairs."""
     pairs = made.rig.part("motor.phases").pole_pairs
-    waves = made.rig.part("motor.commutation").drive_ripple("motor", made.rig)
+    waves = waves_of(made.rig.part("motor.commutation").changes_in_host(made.rig), DriveRipple)
     return {wave.order / pairs: wave.amplitude for wave in waves}
 
 
@@ -51,8 +52,8 @@ def test_a_servo_has_what_its_back_emf_has_and_no_more():
     bare = made.rig.changed(MotorPhases(**{**made.rig.part("motor.phases").__dict__, "emf_harmonics": {}})).changed(
         FieldOrientedControl(name="motor.commutation")
     )
-    assert made.rig.part("motor.commutation").drive_ripple("motor", made.rig)
-    assert bare.part("motor.commutation").drive_ripple("motor", bare) == ()
+    assert waves_of(made.rig.part("motor.commutation").changes_in_host(made.rig), DriveRipple)
+    assert waves_of(bare.part("motor.commutation").changes_in_host(bare), DriveRipple) == ()
 
 
 @pytest.mark.parametrize(

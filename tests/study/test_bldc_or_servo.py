@@ -6,6 +6,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.mechanisms import FieldOrientedControl, SixStepCommutation
+from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import open_study
@@ -24,7 +25,7 @@ def test_each_candidate_has_the_commutation_of_its_kind_and_the_brushless_one_th
             brushless = CATALOG.motor(candidate.motor).kind == "bldc"
             assert isinstance(commutation, SixStepCommutation if brushless else FieldOrientedControl)
             (phases,) = rig.parts_of(MotorPhases)
-            waves = {wave.order: wave.amplitude for wave in commutation.drive_ripple("motor", rig)}
+            waves = {wave.order: wave.amplitude for wave in waves_of(commutation.changes_in_host(rig), DriveRipple)}
             depth[candidate.name] = waves.get(6.0 * phases.pole_pairs, 0.0)
         for ratio in ("2.5:1", "5:1"):
             brushless = depth.pop(f"bldc-12n14p {ratio}")

@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
@@ -59,12 +60,11 @@ class BackEmfHarmonics(Part):
                 waves.append(Wave(order=float(six * phases.pole_pairs), amplitude=abs(line), phase=phase(line)))
         return (HarmonicTorque(name=self.name, on=node, angle=node, waves=tuple(waves)),)
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return what grows with the torque, if ``motor`` is the one it lives in."""
-        if motor != self.at:
-            return ()
-        pairs = phases_of(rig, motor).pole_pairs
-        return tuple(
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple that grows with the torque."""
+        pairs = phases_of(rig, self.at).pole_pairs
+        waves = (
             Wave(order=float(six * pairs), amplitude=abs(share), phase=0.0 if share > 0 else pi)
             for six, share in self.differences().items()
         )
+        return (DriveRipple(tuple(waves)),)

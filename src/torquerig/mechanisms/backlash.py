@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import ExtraGap, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Link
 from torquerig.rig.parts.gear_stage import gear_stage
@@ -32,6 +33,6 @@ class Backlash(Part):
             gear_stage(rig, self.gear, owner=self.name)
         return ()
 
-    def extra_gap(self, gear: str) -> float:
-        """Return the gap if ``gear`` is the one it lives in."""
-        return self.gap if gear == self.gear else 0.0
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the gap."""
+        return (ExtraGap(self.gap),)

@@ -10,6 +10,7 @@ from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import HostChange, KinematicError
 from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage
 from torquerig.rig.parts.gear_stage import gear_stage
@@ -93,16 +94,15 @@ class BeltLines(Part):
         ]
         return tuple(line for line in named if line[2] > 0)
 
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the error waves if ``gear`` is the stage it lives in."""
-        if gear != self.gear:
-            return ()
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the kinematic error of the stage."""
         stage = gear_stage(rig, self.gear, owner=self.name)
         radius = stage.wheel_radius if isinstance(stage, BeltStage) else inf
-        return tuple(
+        waves = (
             Wave(order=order, amplitude=error, phase_key=f"{self.name}.{cause}")
             for cause, order, error in self.lines(self.belt(rig), radius)
         )
+        return (KinematicError(tuple(waves)),)
 
     def _own(self) -> Belt | None:
         if self.pinion is None or self.wheel is None or self.belt_teeth is None:

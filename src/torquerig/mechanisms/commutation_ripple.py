@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 from torquerig.rig.terms import Term, Wave
@@ -38,13 +39,11 @@ class CommutationRipple(Part):
             raise InputError(f"{self.name}: at: {self.at!r} is no motor; name one")
         return ()
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the ripple if ``motor`` is the one it lives in."""
-        if motor != self.at:
-            return ()
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple of the motor's torque."""
         first = Wave(order=self.order_motor, amplitude=self.depth, phase=self.phase, phase_key=self.name)
         others = [
             Wave(order=multiple * self.order_motor, amplitude=depth, phase_key=f"{self.name}.{multiple}")
             for multiple, depth in enumerate(self.harmonics, start=2)
         ]
-        return tuple(wave for wave in (first, *others) if wave.amplitude > 0)
+        return (DriveRipple(tuple(wave for wave in (first, *others) if wave.amplitude > 0)),)

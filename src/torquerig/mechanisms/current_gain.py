@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 from torquerig.rig.terms import Term, Wave
@@ -40,10 +41,11 @@ class CurrentGain(Part):
             raise InputError(f"{self.name}: at: {self.at!r} is no motor; name one")
         return ()
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the ripple if ``motor`` is the one it lives in."""
-        if motor != self.at or self.mismatch == 0:
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple of the motor's torque; none where the gains are alike."""
+        if self.mismatch == 0:
             return ()
+        depth = self.mismatch / sqrt(3)
         return (
-            Wave(order=2 * self.pole_pairs, amplitude=self.mismatch / sqrt(3), phase=self.phase, phase_key=self.name),
+            DriveRipple((Wave(order=2 * self.pole_pairs, amplitude=depth, phase=self.phase, phase_key=self.name),)),
         )

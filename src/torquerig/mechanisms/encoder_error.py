@@ -11,6 +11,7 @@ import numpy as np
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, EncoderAngleError, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 from torquerig.rig.terms import Term, Wave
@@ -52,19 +53,20 @@ class EncoderError(Part):
         self._motor(rig)
         return ()
 
-    def encoder_error(self, shaft: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the error waves if ``shaft`` is the motor's; the constant offset moves no speed."""
-        if shaft != rig.node(self.at):
-            return ()
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the error of the reading and the ripple of the misplaced current vector."""
+        return EncoderAngleError(self._error()), DriveRipple(self._ripple(self._motor(rig).pole_pairs))
+
+    def _error(self) -> tuple[Wave, ...]:
+        """Return the error waves [rad]; the constant offset moves no speed."""
         return tuple(
             Wave(order=float(order), amplitude=angle, phase=self.phases.get(order, 0.0) - pi / 2)
             for order, angle in self.amplitudes.items()
             if angle
         )
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
+    def _ripple(self, pairs: int | None) -> tuple[Wave, ...]:
         """Return what the misplaced current vector leaves, relative to its mean; none where no pole pairs are known."""
-        pairs = self._motor(rig).pole_pairs if motor == self.at else None
         if not pairs or not any(self.amplitudes.values()):
             return ()
         theta = 2 * pi * np.arange(STEPS) / STEPS

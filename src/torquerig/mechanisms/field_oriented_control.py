@@ -7,10 +7,11 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.phase_level import as_waves, lines_at_set_point
-from torquerig.rig.terms import Term, Wave
+from torquerig.rig.terms import Term
 
 Offset = Annotated[float, Parameter("A", "offset of a current sensor")]
 Gain = Annotated[float, Parameter("1", "relative gain error of a current sensor", above=-1)]
@@ -40,10 +41,8 @@ class FieldOrientedControl(Part):
         phases_of(rig, self.at)
         return ()
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the ripple if ``motor`` is the one it lives in."""
-        if motor != self.at:
-            return ()
-        phases = phases_of(rig, motor)
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple of the motor's torque."""
+        phases = phases_of(rig, self.at)
         errors = {name: getattr(self, name) for name in ("dead_time", "current_offset", "current_gain")}
-        return as_waves(lines_at_set_point(rig, phases, phases.field_oriented(**errors)))
+        return (DriveRipple(as_waves(lines_at_set_point(rig, phases, phases.field_oriented(**errors)))),)

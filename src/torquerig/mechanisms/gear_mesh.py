@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import HostChange, KinematicError
 from torquerig.rig.part import Part
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.terms import Term, Wave
@@ -37,10 +38,8 @@ class GearMesh(Part):
         gear_stage(rig, self.gear, owner=self.name)
         return ()
 
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the error waves if ``gear`` is the one it lives in; the modulation as its two side lines."""
-        if gear != self.gear:
-            return ()
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the kinematic error of the gear; the modulation as its two side lines."""
         waves = []
         for harmonic, amplitude in enumerate(self.transmission_error, start=1):
             order = harmonic * self.order_output
@@ -50,4 +49,4 @@ class GearMesh(Part):
                 if share > 0:
                     key = f"{self.name}.{harmonic}"
                     waves.append(Wave(order=order + shift, amplitude=share, phase=phase, phase_key=key))
-        return tuple(waves)
+        return (KinematicError(tuple(waves)),)

@@ -8,10 +8,11 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.phase_level import as_waves, lines_at_set_point
-from torquerig.rig.terms import Term, Wave
+from torquerig.rig.terms import Term
 
 Angle = Annotated[float, Parameter("rad", "electrical angle", low=-pi / 6, high=pi / 6)]
 
@@ -40,11 +41,12 @@ class HallMisplacement(Part):
         phases_of(rig, self.at).six_step(hall_shift=self.shift, hall_width=self.width)
         return ()
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the difference that the misplacement makes, if ``motor`` is the one it lives in."""
-        if motor != self.at or not any((*self.shift, *self.width)):
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple with the misplacement less that without it."""
+        if not any((*self.shift, *self.width)):
             return ()
-        phases = phases_of(rig, motor)
+        phases = phases_of(rig, self.at)
         right = lines_at_set_point(rig, phases, phases.six_step())
         wrong = lines_at_set_point(rig, phases, phases.six_step(hall_shift=self.shift, hall_width=self.width))
-        return as_waves({order: wrong.get(order, 0) - right.get(order, 0) for order in {*right, *wrong}})
+        added = {order: wrong.get(order, 0) - right.get(order, 0) for order in {*right, *wrong}}
+        return (DriveRipple(as_waves(added)),)

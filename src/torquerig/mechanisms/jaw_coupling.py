@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import HostChange, KinematicError
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Coupling
 from torquerig.rig.terms import Term, Wave
@@ -41,11 +42,10 @@ class JawCoupling(Part):
             raise InputError(f"{self.name}: coupling: {self.coupling!r} is no coupling; name one")
         return ()
 
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the errors if ``gear`` is the coupling it lives in."""
-        if gear != self.coupling:
-            return ()
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the kinematic error of the coupling."""
         lines = ((self.jaws, self.jaw_error), (2 * self.jaws, self.leg_error))
-        return tuple(
+        waves = (
             Wave(order=order, amplitude=error, phase_key=f"{self.name}.{order}") for order, error in lines if error > 0
         )
+        return (KinematicError(tuple(waves)),)

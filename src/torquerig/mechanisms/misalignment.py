@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import HostChange, KinematicError
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Coupling
 from torquerig.rig.terms import Term, Wave
@@ -37,8 +38,9 @@ class Misalignment(Part):
             raise InputError(f"{self.name}: coupling: {self.coupling!r} is no coupling; name one")
         return ()
 
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the error if ``gear`` is the coupling it lives in."""
-        if gear != self.coupling or self.angle == 0:
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the kinematic error of the coupling; none where the shafts meet at no angle."""
+        if self.angle == 0:
             return ()
-        return (Wave(order=2.0, amplitude=tan(0.5 * self.angle) ** 2, phase=self.phase, phase_key=self.name),)
+        twice = Wave(order=2.0, amplitude=tan(0.5 * self.angle) ** 2, phase=self.phase, phase_key=self.name)
+        return (KinematicError((twice,)),)

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import HostChange, KinematicError
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Coupling
 from torquerig.rig.terms import Term, Wave
@@ -59,11 +60,10 @@ class ParallelOffset(Part):
         lines = {h: (1.0 if h % self.jaws == 0 else rest) * slim**h / h for h in range(1, HARMONICS + 1)}
         return {order: error for order, error in lines.items() if error > 0}
 
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the errors if ``gear`` is the coupling it lives in."""
-        if gear != self.coupling:
-            return ()
-        return tuple(
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the kinematic error of the coupling."""
+        waves = (
             Wave(order=order, amplitude=error, phase_key=f"{self.name}.{order}")
             for order, error in self.amplitudes().items()
         )
+        return (KinematicError(tuple(waves)),)

@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.terms import Term, Wave
@@ -48,9 +49,9 @@ class PhaseUnbalance(Part):
         unequal = sum((r + 1j * electrical * l) * exp(-4j * pi * x / 3) for x, (r, l) in enumerate(drops))
         return complex(phases.admittance(electrical / pi) * unequal / 3)
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the ripple if ``motor`` is the one it lives in."""
-        if motor != self.at or not any((*self.extra_resistance, *self.extra_inductance)):
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple of the motor's torque; none where the phases are alike."""
+        if not any((*self.extra_resistance, *self.extra_inductance)):
             return ()
-        line, order = self.line(rig), 2.0 * phases_of(rig, motor).pole_pairs
-        return (Wave(order=order, amplitude=abs(line), phase=phase(line)),) if line else ()
+        line, order = self.line(rig), 2.0 * phases_of(rig, self.at).pole_pairs
+        return (DriveRipple((Wave(order=order, amplitude=abs(line), phase=phase(line)),)),) if line else ()

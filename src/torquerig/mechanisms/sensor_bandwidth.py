@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import AmplifierCutoff, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.terms import Term
@@ -32,6 +33,6 @@ class SensorBandwidth(Part):
             raise InputError(f"{self.name}: sensor: {self.sensor!r} is no torque sensor; name one")
         return ()
 
-    def amplifier_cutoff(self, sensor: str) -> float | None:
-        """Return the cutoff if ``sensor`` is the one it lives in."""
-        return self.cutoff if sensor == self.sensor else None
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the cutoff of the sensor's amplifier."""
+        return (AmplifierCutoff(self.cutoff),)

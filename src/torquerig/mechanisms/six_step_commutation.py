@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.phase_level import as_waves, lines_at_set_point
-from torquerig.rig.terms import Term, Wave
+from torquerig.rig.terms import Term
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,9 +32,7 @@ class SixStepCommutation(Part):
         phases_of(rig, self.at)
         return ()
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the ripple if ``motor`` is the one it lives in."""
-        if motor != self.at:
-            return ()
-        phases = phases_of(rig, motor)
-        return as_waves(lines_at_set_point(rig, phases, phases.six_step()))
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the ripple of the motor's torque."""
+        phases = phases_of(rig, self.at)
+        return (DriveRipple(as_waves(lines_at_set_point(rig, phases, phases.six_step()))),)

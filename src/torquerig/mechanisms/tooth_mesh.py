@@ -11,6 +11,7 @@ from torquerig.errors import InputError
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import HostChange, KinematicError, StiffnessVariation
 from torquerig.rig.part import Part
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.terms import Term, Wave
@@ -83,21 +84,20 @@ class ToothMesh(Part):
             raise InputError(f"{self.name}: {self.gear} has no planets; leave planet_shares out")
         return ()
 
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the error waves if ``gear`` is the one it lives in."""
-        if gear != self.gear:
-            return ()
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return the kinematic error of the gear and how its stiffness varies."""
         teeth = self._teeth(rig)
+        return KinematicError(self._error(teeth)), StiffnessVariation(self._stiffness(teeth))
+
+    def _error(self, teeth: Planetary | Spur) -> tuple[Wave, ...]:
+        """Return the waves of the error in the twist [rad]."""
         lever = 0.5 * self.module * cos(self.pressure_angle) * teeth.lever_teeth
         return tuple(
             Wave(order=line.order, amplitude=line.size / lever, phase_key=line.key) for line in self.lines(teeth)
         )
 
-    def stiffness_waves(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return what the planets leave of the varying of the mesh stiffness if ``gear`` is the one it lives in."""
-        if gear != self.gear:
-            return ()
-        teeth = self._teeth(rig)
+    def _stiffness(self, teeth: Planetary | Spur) -> tuple[Wave, ...]:
+        """Return what the planets leave of the varying of the mesh stiffness [1]."""
         waves = []
         for harmonic, share in enumerate(self.stiffness_variation, start=1):
             order = harmonic * int(teeth.mesh_order_out)

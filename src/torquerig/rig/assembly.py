@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.recordings.run import Run
 from torquerig.recordings.stage import Stage
+from torquerig.rig.host_changes import HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.terms import Inertia, Spring, Term
 
@@ -95,13 +96,34 @@ class Rig:
         """Tell whether a part moves in a line, or sits on one that does: its numbers are then in kg, N and m."""
         return part.in_a_line or any(one.in_a_line for one in self.parts if one.name == part.host)
 
+    def changes_of(self, part: Part) -> tuple[HostChange, ...]:
+        """Return what one of the rig's effects changes inside its host."""
+        if part.name not in self._changes_by_part:
+            self._changes_by_part[part.name] = part.changes_in_host(self)
+        return self._changes_by_part[part.name]
+
+    @cached_property
+    def _changes_by_part(self) -> dict[str, tuple[HostChange, ...]]:
+        return {}
+
+    def changes_in(self, host: str) -> tuple[HostChange, ...]:
+        """Return what all effects change inside the part ``host``, in the order of the effects."""
+        return tuple(change for part in self.parts if part.host == host for change in self.changes_of(part))
+
     def terms(self) -> tuple[Term, ...]:
-        """Return the physics of all parts; InputError where a node has no inertia."""
+        """Return the physics of all parts.
+
+        Raises
+        ------
+        InputError
+            Where a node has no inertia, or an effect changes what its host does not have.
+        """
         return self._terms
 
     @cached_property
     def _terms(self) -> tuple[Term, ...]:
         terms = tuple(term for part in self.parts for term in self._terms_of(part))
+        refuse_misplaced(self)
         carried = {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
         for term in terms:
             if isinstance(term, Spring):
@@ -152,3 +174,17 @@ class Rig:
                             f"turn {turned:g} and {ratios[end]:g} times as fast as {reference}"
                         )
         return ratios
+
+
+def refuse_misplaced(rig: Rig) -> None:
+    """Raise InputError for the first effect whose host has no place for what it changes, and would leave it out."""
+    for part in rig.parts:
+        for change in rig.changes_of(part):
+            host = None if part.host is None else rig.part(part.host)
+            if host is None or not isinstance(change, host.takes):
+                fit = sorted(one.name for one in rig.parts if isinstance(change, one.takes))
+                where = "no part" if host is None else f"{host.name!r}, a {host.kind},"
+                raise InputError(
+                    f"{part.name}: {change.what} has no place in {where}; "
+                    + (f"name one of {', '.join(fit)}" if fit else "add a part that has one")
+                )

@@ -7,7 +7,8 @@ from math import pi
 
 from torquerig.errors import InputError
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts.encoder import MotorEncoder
+from torquerig.rig.host_changes import DriveRipple, waves_of
+from torquerig.rig.parts.encoder import MotorEncoder, encoder_errors
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.terms import Drive, Sensing, Signal
 
@@ -42,7 +43,7 @@ def motor_drive(
         ki=ki,
         torque_limit=part.torque_limit,
         lag=1 / (2 * pi * part.current_loop_bandwidth),
-        ripple=tuple(wave for one in rig.parts for wave in one.drive_ripple(motor, rig)),
+        ripple=waves_of(rig.changes_in(motor), DriveRipple),
         torque=torque,
         demand=demand,
         sensing=_sensing(rig, name, motor),
@@ -54,7 +55,7 @@ def _sensing(rig: Rig, controller: str, motor: str) -> Sensing:
     if len(encoders) > 1:
         names = " and ".join(part.name for part in encoders)
         raise InputError(f"{controller}: {names} both feed it; leave controller: out of one")
-    added = {part.name: part.encoder_error(rig.node(motor), rig) for part in rig.parts}
+    added = encoder_errors(rig, rig.node(motor))
     for part in rig.parts_of(MotorEncoder):
         for name in [name for name, waves in added.items() if waves and part.controller in ("", controller)]:
             if any(part.angle_error.values()):

@@ -5,10 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
+from torquerig.rig.host_changes import HostChange
+
 if TYPE_CHECKING:
     from torquerig.recordings.stage import Stage
     from torquerig.rig.assembly import Rig
-    from torquerig.rig.terms import Term, Wave
+    from torquerig.rig.terms import Term
+
+
+HOST_FIELDS = ("at", "gear", "coupling", "sensor")  # by which an effect names its host
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,39 +71,22 @@ class Part:
     in_a_line: ClassVar[bool] = False
     """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
 
+    takes: ClassVar[tuple[type[HostChange], ...]] = ()
+    """What effects may change inside this part; it collects each of these by ``rig.changes_in(self.name)``."""
+
     @property
     def host(self) -> str | None:
-        """The part that an effect sits on and moves with: ``at`` or ``gear``, and of a branch ``after``."""
-        at: str | None = getattr(self, "at", getattr(self, "gear", None))
+        """The part that an effect sits in and moves with, by one of ``HOST_FIELDS``; of a branch ``after``."""
+        at = next((getattr(self, name) for name in HOST_FIELDS if hasattr(self, name)), None)
         return self.after if at is None and self.ends_shaft else at
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the physics that this part adds to the shafts."""
         return ()
 
-    def drive_ripple(self, motor: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the ripple in proportion to the torque of the motor ``motor``; none for most parts."""
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return what this effect changes inside its ``host``: ripple, errors, a gap, a cutoff; nothing for parts."""
         return ()
-
-    def kinematic_error(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the kinematic error [rad] that this part gives to the gear or coupling ``gear``; mostly none."""
-        return ()
-
-    def stiffness_waves(self, gear: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return by how much of its mean [1] this part lets the stiffness of the gear or coupling ``gear`` vary."""
-        return ()
-
-    def encoder_error(self, shaft: str, rig: Rig) -> tuple[Wave, ...]:
-        """Return the angle error [rad] that this part gives to an encoder on the node ``shaft``; none for most."""
-        return ()
-
-    def extra_gap(self, gear: str) -> float:
-        """Return the gap [rad] that this part adds to the gear ``gear``; none for most parts."""
-        return 0.0
-
-    def amplifier_cutoff(self, sensor: str) -> float | None:
-        """Return the cutoff [Hz] that this part leaves to the amplifier of ``sensor``; None: its own."""
-        return None
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return what this part does to the signal on its way to the file."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import KinematicError, StiffnessVariation, total_gap, waves_of
 from torquerig.rig.terms import Spring
 
 
@@ -15,21 +16,22 @@ def stage_spring(
     Parameters
     ----------
     rig : Rig
-        Whose parts are asked for their ``kinematic_error``, ``stiffness_waves`` and ``extra_gap``.
+        Whose effects in the part are collected, all of ``host_changes.IN_A_SPRING``.
     stiffness, damping, gap
         At the output [N m/rad], [N m s/rad], [rad].
     ratio, efficiency
         As in :class:`torquerig.rig.terms.Spring`.
     """
+    changes = rig.changes_in(name)
     return Spring(
         name=name,
         a=rig.upstream(name),
         b=rig.node(name),
         stiffness=stiffness,
         damping=damping,
-        gap=gap + sum(part.extra_gap(name) for part in rig.parts),
+        gap=gap + total_gap(changes),
         ratio=ratio,
         efficiency=efficiency,
-        error=tuple(wave for part in rig.parts for wave in part.kinematic_error(name, rig)),
-        stiffness_waves=tuple(wave for part in rig.parts for wave in part.stiffness_waves(name, rig)),
+        error=waves_of(changes, KinematicError),
+        stiffness_waves=waves_of(changes, StiffnessVariation),
     )

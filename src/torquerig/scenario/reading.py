@@ -17,7 +17,7 @@ from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig import parts
 from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.part import HOST_FIELDS, Part
 from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.model import Scenario
@@ -182,7 +182,7 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
 
 def _host(cls: type[Part], data: Mapping[str, Any]) -> Any:
     """Return the name of the part that an effect is going to sit on, as ``Part.host`` does once it is read."""
-    stated = [data.get(key, getattr(cls, key, None)) for key in ("at", "gear")]
+    stated = [data.get(key, getattr(cls, key, None)) for key in HOST_FIELDS]
     return next((one for one in stated if one is not None), data.get("after") if cls.ends_shaft else None)
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.transfer import Response, on_grid
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import lowest_cutoff
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.steady import steady_torque_in
 from torquerig.rig.terms import GROUND, BladeTorque, Drive, HarmonicTorque, Load, Spring, Term
@@ -119,8 +120,7 @@ class Twin:
         sensor = self.rig.part(self.rig.measured)
         if not isinstance(sensor, TorqueSensor):
             return float("inf")
-        stated = (part.amplifier_cutoff(sensor.name) for part in self.rig.parts)
-        return min((sensor.bandwidth, *(cutoff for cutoff in stated if cutoff is not None)))
+        return lowest_cutoff(sensor.bandwidth, self.rig.changes_in(sensor.name))
 
     def amplifier(self, frequencies: Floats) -> Response:
         """Return the sensor's second-order Butterworth low-pass [1]."""

@@ -10,6 +10,7 @@ from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
@@ -29,6 +30,7 @@ class BeltStage(Part):
 
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
+    takes: ClassVar[tuple[type[HostChange], ...]] = IN_A_SPRING
 
     kind: Literal["belt"] = "belt"
     pinion_teeth: int | None = None

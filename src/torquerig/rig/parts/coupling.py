@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
@@ -18,6 +19,7 @@ class Coupling(Part):
 
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
+    takes: ClassVar[tuple[type[HostChange], ...]] = IN_A_SPRING
 
     kind: Literal["coupling"] = "coupling"
     stiffness: Annotated[float, Parameter("N*m/rad", "torsional stiffness", above=0)]

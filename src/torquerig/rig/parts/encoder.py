@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import EncoderAngleError, waves_of
 from torquerig.rig.part import Part, PlacedStage
 from torquerig.rig.terms import Drive, ImposedMotion, Sensing, Wave
 from torquerig.sensor_stages.encoder import Encoder
@@ -51,11 +52,17 @@ class MotorEncoder(Part):
         terms = rig.terms()
         shafts = [term.on for term in terms if isinstance(term, Drive) and self.controller in ("", term.name)]
         shafts += [term.on for term in terms if isinstance(term, ImposedMotion)]
-        for part in rig.parts if shafts else ():
-            yield from part.encoder_error(shafts[0], rig)
+        for waves in encoder_errors(rig, shafts[0]).values() if shafts else ():
+            yield from waves
 
     def _error(self) -> tuple[Wave, ...]:
         return tuple(
             Wave(order=order, amplitude=amplitude, phase=self.phases.get(order, 0.0))
             for order, amplitude in self.angle_error.items()
         )
+
+
+def encoder_errors(rig: Rig, shaft: str) -> dict[str, tuple[Wave, ...]]:
+    """Return by the names of the effects the angle errors [rad] of an encoder on the node ``shaft``."""
+    hosts = {part.name for part in rig.parts if rig.node(part.name) == shaft}
+    return {part.name: waves_of(rig.changes_of(part), EncoderAngleError) for part in rig.parts if part.host in hosts}

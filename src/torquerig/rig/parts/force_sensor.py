@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import IN_A_SENSOR, IN_A_SPRING, HostChange, lowest_cutoff
 from torquerig.rig.part import Part, PlacedStage
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
@@ -22,6 +23,7 @@ class ForceSensor(Part):
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
     in_a_line: ClassVar[bool] = True
+    takes: ClassVar[tuple[type[HostChange], ...]] = (*IN_A_SPRING, *IN_A_SENSOR)
 
     kind: Literal["force_sensor"] = "force_sensor"
     stiffness: Annotated[float, Parameter("N/m", "stiffness", above=0)]
@@ -40,8 +42,7 @@ class ForceSensor(Part):
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return amplifier, noise and converter."""
-        lowered = (part.amplifier_cutoff(self.name) for part in rig.parts)
-        cutoff = min((self.bandwidth, *(stated for stated in lowered if stated is not None)))
+        cutoff = lowest_cutoff(self.bandwidth, rig.changes_in(self.name))
         converter = Converter(range_V=self.converter_range, bits=self.converter_bits)
         return (
             PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=cutoff)),

@@ -11,6 +11,7 @@ from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.orders.kinematics.teeth_reading import TeethList
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
@@ -34,6 +35,7 @@ class Gear(Part):
 
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
+    takes: ClassVar[tuple[type[HostChange], ...]] = IN_A_SPRING
 
     kind: Literal["gear", "planetary_gear", "fixed_axis_gear"] = "gear"
     ratio: Annotated[float, Parameter("1", "input turns per output turn; 0: the teeth say")] = 0.0

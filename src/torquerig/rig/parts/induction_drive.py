@@ -10,6 +10,7 @@ from torquerig.errors import InputError
 from torquerig.machines.induction import InductionMachine, induction_from_rating
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.part import Part
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.terms import Drive, Term
@@ -70,6 +71,6 @@ class InductionDrive(Part):
                 torque_limit=self.breakdown_torque,
                 lag=1 / (machine.breakdown_slip * 2 * pi * self.rated_frequency),
                 breakdown=breakdown,
-                ripple=tuple(wave for part in rig.parts for wave in part.drive_ripple(self.motor, rig)),
+                ripple=waves_of(rig.changes_in(self.motor), DriveRipple),
             ),
         )

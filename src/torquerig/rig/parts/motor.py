@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar, Literal
 from torquerig.machines.winding import has_winding, no_winding
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import IN_A_MOTOR, HostChange
 from torquerig.rig.part import Part
 from torquerig.rig.terms import Friction, Inertia, Term
 
@@ -22,6 +23,7 @@ class Motor(Part):
     """
 
     on_shaft: ClassVar[bool] = True
+    takes: ClassVar[tuple[type[HostChange], ...]] = IN_A_MOTOR
 
     kind: Literal["motor"] = "motor"
     model: str = ""

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import IN_A_SENSOR, HostChange, lowest_cutoff
 from torquerig.rig.part import Part, PlacedStage
 from torquerig.rig.terms import Inertia, Spring, Term
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
@@ -24,6 +25,7 @@ class TorqueSensor(Part):
 
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
+    takes: ClassVar[tuple[type[HostChange], ...]] = IN_A_SENSOR
 
     kind: Literal["torque_sensor"] = "torque_sensor"
     stiffness: Annotated[float, Parameter("N*m/rad", "torsional stiffness", above=0)]
@@ -46,8 +48,7 @@ class TorqueSensor(Part):
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return amplifier, noise and converter."""
-        lowered = (part.amplifier_cutoff(self.name) for part in rig.parts)
-        cutoff = min((self.bandwidth, *(stated for stated in lowered if stated is not None)))
+        cutoff = lowest_cutoff(self.bandwidth, rig.changes_in(self.name))
         return (
             PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=cutoff)),
             PlacedStage(position=PlacedStage.NOISE, stage=WhiteNoise(rms=self.noise_rms, colour=self.noise_colour)),

@@ -10,6 +10,7 @@ import numpy as np
 
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.rig.assembly import Rig
+from torquerig.rig.host_changes import DriveRipple, KinematicError, StiffnessVariation, waves_of
 from torquerig.rig.terms import BladeTorque, HarmonicTorque
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.twin.operating_point import OperatingPoint
@@ -78,7 +79,8 @@ def _errors(rig: Rig, lowered: Lowered, turns: dict[str, float]) -> list[OrderLi
         OrderLine(part.name, wave.order * turns[rig.node(spring)], f"error of {spring}", wave.amplitude)
         for part in rig.parts
         for spring in lowered.spring_names
-        for wave in part.kinematic_error(spring, rig)
+        if part.host == spring
+        for wave in waves_of(rig.changes_of(part), KinematicError)
         if wave.amplitude and rig.node(spring) in turns
     ]
 
@@ -90,7 +92,8 @@ def _varying(rig: Rig, lowered: Lowered, point: OperatingPoint, turns: dict[str,
         OrderLine(part.name, wave.order * turns[rig.node(spring)], f"error of {spring}", wave.amplitude * float(twist))
         for part in rig.parts
         for spring, twist in twists.items()
-        for wave in part.stiffness_waves(spring, rig)
+        if part.host == spring
+        for wave in waves_of(rig.changes_of(part), StiffnessVariation)
         if wave.amplitude and rig.node(spring) in turns
     ]
 
@@ -101,7 +104,8 @@ def _ripple(rig: Rig, lowered: Lowered, point: OperatingPoint) -> list[OrderLine
     return [
         OrderLine(part.name, wave.order, f"torque on {motor}", wave.amplitude * torque)
         for part in rig.parts
-        for wave in part.drive_ripple(motor, rig)
+        if part.host == motor
+        for wave in waves_of(rig.changes_of(part), DriveRipple)
         if wave.amplitude
     ]
 
