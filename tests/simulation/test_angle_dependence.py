@@ -116,7 +116,7 @@ def test_turning_stiffness_and_error_do_no_work_of_their_own() -> None:
             error=(Wave(order=9.0, amplitude=0.004, phase=0.0),), stiffness_waves=(Wave(order=11.0, amplitude=0.3),)),
         duration=1.0, seed=4, settling=0.0, substeps=8)  # fmt: skip
     lowered = lower(rig(stiffness_waves=(Wave(order=11.0, amplitude=0.3),)), 4)
-    phase = np.arctan2(lowered.varied.s[0], lowered.varied.c[0])
+    phase = np.arctan2(lowered.arrays.varied.s[0], lowered.arrays.varied.c[0])
     first, second = truth(made, "motor_speed_rad_s"), truth(made, "output_speed_rad_s")
     angle = np.concatenate([[0.0], np.cumsum(0.5 * (second[1:] + second[:-1]))]) / made.sample_rate
     stiffness = K * (1 + 0.3 * np.cos(11 * angle + phase))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import copysign, exp
+from math import copysign
 from typing import NamedTuple
 
 from torquerig.rig.assembly import Rig
@@ -12,21 +12,7 @@ from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.torque_controller import TorqueController
-from torquerig.rig.terms import (
-    GROUND,
-    AngleLoad,
-    AppliedTorque,
-    BladeTorque,
-    BristleFriction,
-    Friction,
-    Inertia,
-    Load,
-    Signal,
-    Spring,
-    Term,
-)
-
-BLADE_MEAN = 0.25  # mean of max(0, cos)^2 over a turn
+from torquerig.rig.terms import Inertia, Load, ShaftMotion, Spring, Term
 
 
 class Place(NamedTuple):
@@ -34,15 +20,6 @@ class Place(NamedTuple):
 
     ratio: float
     efficiency: float
-
-
-class _Motion(NamedTuple):
-    """Of a node: speed [rad/s], acceleration [rad/s^2], direction (1, 0, -1), share of Stribeck's peak that counts."""
-
-    speed: float
-    acceleration: float
-    way: float
-    peak: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,13 +60,13 @@ class DriveTrain:
         friction counts): a motion that passes through rest has it for a moment only.
         """
         share = 1.0 if load is None or self.mean_load == 0 else load / self.mean_load
-        return self._asked(_Motion(speed, acceleration, way, 0.0), share)
+        return self._needed(ShaftMotion(speed, acceleration, way, 0.0, share))
 
     def steady_torque(self, speed: float) -> float:
         """Return the motor torque [N m] at a constant speed [rad/s], with what is left of Stribeck's peak at it."""
-        return self._asked(_Motion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0), 1.0)
+        return self._needed(ShaftMotion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0, 1.0))
 
-    def _asked(self, motion: _Motion, share: float) -> float:
+    def _needed(self, motion: ShaftMotion) -> float:
         by_efficiency: dict[float, float] = {}
         for node, (ratio, efficiency) in self.places.items():
             here = motion._replace(
@@ -97,7 +74,7 @@ class DriveTrain:
                 acceleration=motion.acceleration * ratio,
                 way=copysign(1.0, ratio) * motion.way,
             )
-            needed = sum(_needed(one, here, share) for one in self.terms if _acts_on(one) == node)
+            needed = sum(one.needed_torque(node, here) for one in self.terms)
             by_efficiency[efficiency] = by_efficiency.get(efficiency, 0.0) + needed * ratio
         heading = motion.way or copysign(1.0, motion.acceleration)
         return sum(
@@ -148,38 +125,3 @@ def places_from(start: str, springs: Sequence[Spring]) -> dict[str, Place]:
                     places[far] = Place(place.ratio * turns, place.efficiency * spring.efficiency)
                     waiting.append(far)
     return places
-
-
-def _acts_on(one: Term) -> str | None:
-    if isinstance(one, Inertia):
-        return one.node
-    opposing = Friction | BristleFriction | Load | AngleLoad | BladeTorque | AppliedTorque
-    return one.on if isinstance(one, opposing) else None
-
-
-def _needed(one: Term, motion: _Motion, share: float) -> float:
-    """Return the torque [N m] in its node's positive direction that one term needs."""
-    if isinstance(one, Inertia):
-        return one.inertia * motion.acceleration
-    if isinstance(one, Friction | BristleFriction):
-        return _friction(one, motion) if one.against == GROUND else 0.0
-    if isinstance(one, Load | AngleLoad):
-        return motion.way * one.process.mean * (share if isinstance(one, Load) else 1.0)
-    if isinstance(one, BladeTorque):
-        return (1.0 if one.one_way else motion.way) * BLADE_MEAN * one.amplitude
-    if isinstance(one, AppliedTorque) and not isinstance(one.process, Signal):
-        return -one.process.mean
-    return 0.0
-
-
-def _friction(one: Friction | BristleFriction, motion: _Motion) -> float:
-    speed, forwards = motion.speed, motion.way > 0
-    dry = one.coulomb_forward if forwards else one.coulomb_backward
-    static = one.static_forward if forwards else one.static_backward
-    dry += motion.peak * (static - dry) * exp(-((speed / one.stribeck) ** 2))
-    torque = motion.way * dry + one.viscous * speed
-    if isinstance(one, Friction):
-        if one.viscous_backward is not None and speed < 0:
-            torque += (one.viscous_backward - one.viscous) * speed
-        torque += one.quadratic * speed * abs(speed)
-    return torque

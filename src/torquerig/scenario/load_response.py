@@ -32,7 +32,7 @@ def load_response(rig: Rig) -> LoadResponse:
         raise InputError("the rig has no load whose torque could be read back; add one, such as a particle_load")
     frequencies = np.geomspace(LOWEST, HIGHEST, POINTS)
     cause = load_input(twin.lowered, rows[0])
-    worn = twin.lowered.nodes[int(twin.lowered.loads.on[rows[0]])]
+    worn = twin.lowered.nodes[int(twin.lowered.arrays.loads.on[rows[0]])]
     system = twin.closed_loop.only(inputs=[cause], outputs=[twin.sensor, f"opposing torque on {worn}"])
     read, opposing = system.response(frequencies)[:, :, 0].T
     for stage in rig.stages():

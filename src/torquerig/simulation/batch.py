@@ -20,9 +20,9 @@ from torquerig.simulation.lower import lower
 from torquerig.simulation.outputs import as_arrays, outputs_of
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, recorded, stepped
+from torquerig.simulation.term_kinds import KINDS
 
 WORTHWHILE = 2  # rigs from which on a step of all lanes (76 ns) takes less time than one step of each (50 ns)
-DECIDING = {"half_gap", "inverse_smoothing", "breakdown", "step", "filter_time"}  # where 0 means another law
 
 
 def simulate_batch(
@@ -77,16 +77,18 @@ def simulate_batch(
 def _likeness(rig: Rig, span: Span) -> Hashable:
     """Return what rigs must have in common to be stepped together: every whole number, and which laws they follow."""
     lowered = held_while_settling(lower(rig, span.seed), span)
-    groups = [group for group in vars(lowered).values() if hasattr(group, "_fields")]
-    arrays = [(name, array) for group in groups for name, array in group._asdict().items()]
-    shared = tuple((array.shape, _shared(name, array).tobytes()) for name, array in arrays)
+    arrays = [(array, False) for array in lowered.arrays.waves]
+    for kind in KINDS:
+        rows = getattr(lowered.arrays, kind.field)
+        arrays += [(array, name in kind.deciding) for name, array in rows._asdict().items()]
+    shared = tuple((array.shape, _shared(array, decides=decides).tobytes()) for array, decides in arrays)
     return lowered.nodes, outputs_of(rig, lowered), shared
 
 
-def _shared(name: str, array: NDArray[Any]) -> NDArray[Any]:
+def _shared(array: NDArray[Any], *, decides: bool) -> NDArray[Any]:
     if array.dtype != np.float64:
         return array
-    return array == 0 if name in DECIDING else array[:0]
+    return array == 0 if decides else array[:0]
 
 
 def _parts(likeness: Sequence[Hashable]) -> list[list[int]]:

@@ -8,9 +8,9 @@ import numpy as np
 
 from torquerig.errors import TorquerigError
 from torquerig.rig.assembly import Rig
-from torquerig.simulation.arrays import Terms
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.step_choice import STABLE_ANGLE, rates
+from torquerig.simulation.term_kinds import Terms
 from torquerig.simulation.twin.linear_twin import Twin, twin_of
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from torquerig.recordings.recording import random_for
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import AppliedTorque, Drive, ImposedMotion, Load, Signal
-from torquerig.simulation import rows
-from torquerig.simulation.arrays import Imposed, Terms
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.profile import loads_as_planned, set_point
+from torquerig.simulation.term_kinds import Terms
+from torquerig.simulation.term_kinds.imposed import Imposed
 
 NEVER = np.iinfo(np.int64).max
 
@@ -47,9 +47,7 @@ def held_while_settling(lowered: Lowered, span: Span) -> Lowered:
     held = any(drive.holds_speed for drive in lowered.drive_terms) or lowered.imposed_terms
     if held or span.settling == 0:
         return lowered
-    hold = (ImposedMotion(name="settling", on=lowered.leader(), released=True),)
-    number = {name: row for row, name in enumerate(lowered.nodes)}
-    return replace(lowered, imposed_terms=hold, imposed=rows.imposed_of(hold, number, lowered.inertia))
+    return lowered.imposing(ImposedMotion(name="settling", on=lowered.leader(), released=True))
 
 
 def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
@@ -58,22 +56,12 @@ def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
     reference = _set_point(rig, span)
     demands = [_demand(rig, drive, span, time) for drive in lowered.drive_terms]
     loads = given_torques(rig, lowered.load_terms, span)
-    return Terms(
-        inverse_inertia=np.append(1 / lowered.inertia, 0.0),
-        waves=lowered.waves,
-        springs=lowered.springs,
-        harmonics=lowered.harmonics,
-        frictions=lowered.frictions,
-        loads=lowered.loads._replace(samples=_stacked(loads, time.size)),
-        blades=lowered.blades,
-        drives=lowered.drives._replace(
+    return lowered.arrays._replace(
+        loads=lowered.arrays.loads._replace(samples=_stacked(loads, time.size)),
+        drives=lowered.arrays.drives._replace(
             reference=np.tile(reference, (len(demands), 1)), demand=_stacked(demands, time.size)
         ),
-        sensings=lowered.sensings,
         imposed=_imposed(lowered, span, reference),
-        varied=lowered.varied,
-        bristles=lowered.bristles,
-        angle_loads=lowered.angle_loads,
     )
 
 
@@ -133,7 +121,7 @@ def _imposed(lowered: Lowered, span: Span, reference: NDArray[np.float64]) -> Im
             angle, speed = term.motion.at(time)
         angles.append(angle)
         speeds.append(speed)
-    return lowered.imposed._replace(
+    return lowered.arrays.imposed._replace(
         release=np.array([span.settling if term.released else NEVER for term in lowered.imposed_terms], dtype=np.int64),
         angle=_stacked(angles, time.size),
         speed=_stacked(speeds, time.size),

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.simulation.lower import Lowered
+from torquerig.simulation.term_kinds import KINDS
 
 
 @dataclass(frozen=True)
@@ -43,26 +44,13 @@ def matrices(lowered: Lowered, *, stiffest: bool = False) -> Matrices:
     n = len(lowered.nodes)
     mass = np.diag(lowered.inertia)
     damping, stiffness = np.zeros((n + 1, n + 1)), np.zeros((n + 1, n + 1))
-    springs = lowered.springs
-    highest = springs.stiffness * (1 + lowered.swings()) if stiffest else springs.stiffness
-    for a, b, k, c, r in zip(springs.a, springs.b, highest, springs.damping, springs.inverse_ratio, strict=True):
-        twist = np.zeros(n + 1)
-        twist[a] += r
-        twist[b] -= 1.0
-        stiffness += k * np.outer(twist, twist)
-        damping += c * np.outer(twist, twist)
-    frictions = lowered.frictions
-    for on, against, viscous in zip(frictions.on, frictions.against, frictions.viscous, strict=True):
-        slide = np.zeros(n + 1)
-        slide[on] += 1.0
-        slide[against] -= 1.0
-        damping += viscous * np.outer(slide, slide)
-    for on, against, k, c, viscous in zip(*lowered.bristles[:4], lowered.bristles.viscous, strict=True):
-        slide = np.zeros(n + 1)
-        slide[on] += 1.0
-        slide[against] -= 1.0
-        damping += (viscous + c if stiffest else viscous) * np.outer(slide, slide)
-        stiffness += (k if stiffest else 0.0) * np.outer(slide, slide)
+    for kind in KINDS:
+        for link in kind.links(getattr(lowered.arrays, kind.field), stiffest=stiffest):
+            lean = np.zeros(n + 1)
+            lean[link.on] += link.lever
+            lean[link.against] -= 1.0
+            stiffness += link.stiffness * np.outer(lean, lean)
+            damping += link.damping * np.outer(lean, lean)
     return Matrices(lowered.nodes, mass, damping[:n, :n], stiffness[:n, :n])
 
 
@@ -83,12 +71,12 @@ def spring_response(
     s = 2j * np.pi * frequencies[:, None, None]
     dynamic = s**2 * system.mass + s * system.damping + system.stiffness
     if speed_loop:
-        drives = lowered.drives
+        drives = lowered.arrays.drives
         for on, kp, ki, lag in zip(drives.on, drives.kp, drives.ki, drives.inverse_lag, strict=True):
             gain = (kp + ki / s[:, 0, 0]) / (1 + s[:, 0, 0] / lag)
             dynamic[:, on, on] += s[:, 0, 0] * gain
     angles = np.linalg.inv(dynamic)
-    a, b, r = lowered.springs.a[row], lowered.springs.b[row], lowered.springs.inverse_ratio[row]
+    a, b, r = lowered.arrays.springs.a[row], lowered.arrays.springs.b[row], lowered.arrays.springs.inverse_ratio[row]
     twist = angles[:, a, :] * r - angles[:, b, :]
-    torque = (lowered.springs.stiffness[row] + s[:, 0] * lowered.springs.damping[row]) * twist
+    torque = (lowered.arrays.springs.stiffness[row] + s[:, 0] * lowered.arrays.springs.damping[row]) * twist
     return {name: torque[:, column] for column, name in enumerate(lowered.nodes)}

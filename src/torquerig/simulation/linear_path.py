@@ -132,24 +132,26 @@ def _steady_opposing(path: LinearPath, node: int) -> float:
     lowered, point = path.lowered, path.point
     total = float(point.friction_torques[sliding(lowered).on == node].sum())
     means = mean_torques(lowered)
-    for term, on, way, mean in zip(lowered.load_terms, lowered.loads.on, point.load_directions, means, strict=True):
+    for term, on, way, mean in zip(
+        lowered.load_terms, lowered.arrays.loads.on, point.load_directions, means, strict=True
+    ):
         if on == node and isinstance(term, Load):
             total += way * mean
-    pulses = HALF_WAVE_SQUARED_MEAN * lowered.blades.amplitude * point.blade_directions
-    return total + float(pulses[lowered.blades.on == node].sum())
+    pulses = HALF_WAVE_SQUARED_MEAN * lowered.arrays.blades.amplitude * point.blade_directions
+    return total + float(pulses[lowered.arrays.blades.on == node].sum())
 
 
 def _watched(path: LinearPath) -> list[int]:
     """Return the outputs that tell whether the run stayed linear: torques of gapped springs, then the commands."""
     lowered, system = path.lowered, path.system
-    gapped = [f"torque in {lowered.spring_names[row]}" for row in np.flatnonzero(lowered.springs.half_gap)]
+    gapped = [f"torque in {lowered.spring_names[row]}" for row in np.flatnonzero(lowered.arrays.springs.half_gap)]
     return [system.output(name) for name in (*gapped, *(f"command of {one}" for one in lowered.drive_names))]
 
 
 def _check(path: LinearPath, values: Floats, *, rate: float) -> None:
     """Refuse a run that left what it was linear about."""
     lowered, point = path.lowered, path.point
-    gapped = np.flatnonzero(lowered.springs.half_gap)
+    gapped = np.flatnonzero(lowered.arrays.springs.half_gap)
     beyond = "the start of the recording, where the rig is no longer linear; use simulate"
     for at, row in enumerate(gapped):
         torque = point.spring_torques[row] + values[at]
@@ -157,7 +159,7 @@ def _check(path: LinearPath, values: Floats, *, rate: float) -> None:
             name = lowered.spring_names[row]
             raise SimulationError(f"the gap of {name!r} opens {opens[0] / rate:.4f} s after {beyond}")
     for at, name in enumerate(lowered.drive_names):
-        limit = lowered.drives.limit[at]
+        limit = lowered.arrays.drives.limit[at]
         if (meets := np.flatnonzero(np.abs(point.drive_torque + values[gapped.size + at]) > limit)).size:
             after = f"{meets[0] / rate:.4f} s after {beyond}"
             raise SimulationError(f"{name!r} asks for more than the limit of {limit:.4g} N m {after}")

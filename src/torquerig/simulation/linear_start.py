@@ -70,20 +70,20 @@ def prepared(rig: Rig, seed: int, *, rate: float) -> LinearPath:
 def _start(lowered: Lowered, point: OperatingPoint, system: LinearSystem) -> Floats:
     """Return the deviation at the start: all at the set-point's speed, angles 0, springs and motor without torque."""
     start = np.zeros(len(system.states))
-    n, d = len(lowered.nodes), lowered.drives.on.size
+    n, d = len(lowered.nodes), lowered.arrays.drives.on.size
     start[:n] = -point.angles
-    if d and point.speeds[int(lowered.drives.on[0])]:
-        turns = point.speeds[:n] / point.speeds[int(lowered.drives.on[0])]
+    if d and point.speeds[int(lowered.arrays.drives.on[0])]:
+        turns = point.speeds[:n] / point.speeds[int(lowered.arrays.drives.on[0])]
         start[n : 2 * n] = turns * wanted_speed(lowered, point) - point.speeds[:n]
     start[2 * n : 2 * n + d] = -point.drive_torque
-    for row, ki in enumerate(lowered.drives.ki):
+    for row, ki in enumerate(lowered.arrays.drives.ki):
         start[2 * n + d + row] = -point.drive_torque / ki if ki else 0.0
     return start
 
 
 def wanted_speed(lowered: Lowered, point: OperatingPoint) -> float:
     """Return the constant set-point that an operating point belongs to [rad/s]."""
-    drive, speed = lowered.drive_terms[0], float(point.speeds[int(lowered.drives.on[0])])
+    drive, speed = lowered.drive_terms[0], float(point.speeds[int(lowered.arrays.drives.on[0])])
     return speed if drive.ki else speed + point.drive_torque / drive.kp
 
 
@@ -93,11 +93,11 @@ def _lag(lowered: Lowered, point: OperatingPoint, system: LinearSystem, start: F
     It is the part of ``start`` along free turning, by the left eigenvector of the root 1.
     """
     n = len(lowered.nodes)
-    driven = point.speeds[int(lowered.drives.on[0])] if lowered.drives.on.size else 0.0
+    driven = point.speeds[int(lowered.arrays.drives.on[0])] if lowered.arrays.drives.on.size else 0.0
     if not driven:
         return np.zeros(n)
     # an integral that nothing reads has a root 1 of its own
-    kept = np.arange(start.size - int((lowered.drives.ki == 0).sum()))
+    kept = np.arange(start.size - int((lowered.arrays.drives.ki == 0).sum()))
     free = np.zeros(kept.size)
     free[:n] = point.speeds[:n] / driven
     held = np.linalg.svd(system.A[np.ix_(kept, kept)].T - np.eye(kept.size))[2][-1]

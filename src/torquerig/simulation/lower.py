@@ -2,95 +2,92 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 from torquerig.rig.assembly import Rig
-from torquerig.rig.terms import (
-    GROUND,
-    AngleLoad,
-    AppliedTorque,
-    BladeTorque,
-    BristleFriction,
-    Drive,
-    Friction,
-    HarmonicTorque,
-    ImposedMotion,
-    Inertia,
-    Load,
-    Spring,
-    Term,
-    Wave,
-)
-from torquerig.simulation import rows
-from torquerig.simulation.arrays import (
-    AngleLoads,
-    Blades,
-    Bristles,
-    Drives,
-    Frictions,
-    Harmonics,
-    Imposed,
-    Loads,
-    Sensings,
-    Springs,
-    Varied,
-    Waves,
-)
-from torquerig.simulation.rows import phase_of
+from torquerig.rig.terms import GROUND, AngleLoad, AppliedTorque, Drive, ImposedMotion, Inertia, Load, Term
+from torquerig.simulation.term_kinds import KINDS, Lowering, Terms
+from torquerig.simulation.term_kinds.imposed import IMPOSED
 from torquerig.simulation.waves import WaveTable
 
-__all__ = ["Lowered", "lower", "lower_terms", "phase_of"]
-Kind = TypeVar("Kind", bound=Term)
-NODES = ("a", "b", "on", "against", "angle")  # the fields by which terms name nodes
+__all__ = ["Lowered", "lower", "lower_terms"]
 
 
 @dataclass(frozen=True)
 class Lowered:
-    """A rig as arrays. ``nodes`` names the rows; the ground comes after the last one."""
+    """A rig as arrays.
+
+    Parameters
+    ----------
+    nodes : tuple of str
+        The rows of nodes; the ground comes after the last one.
+    inertia : ndarray, shape (nodes,)
+        [kg m^2]; of the nodes without the ground.
+    rows_of : mapping of str to tuple of terms
+        By the field of each kind in ``Terms``, the terms that its rows stand for.
+    arrays : Terms
+        Set-points, demands, samples and motions are still empty: the run fills them.
+    """
 
     nodes: tuple[str, ...]
-    spring_names: tuple[str, ...]
-    drive_names: tuple[str, ...]
-    load_terms: tuple[Load | AppliedTorque, ...]
-    drive_terms: tuple[Drive, ...]
-    imposed_terms: tuple[ImposedMotion, ...]
-    angle_load_terms: tuple[AngleLoad, ...]
     inertia: NDArray[np.float64]
-    waves: Waves
-    springs: Springs
-    harmonics: Harmonics
-    frictions: Frictions
-    blades: Blades
-    drives: Drives  # reference and demand still empty: the run fills them
-    loads: Loads  # samples still empty: the run fills them
-    imposed: Imposed  # motion still empty: the run fills it
-    sensings: Sensings
-    varied: Varied
-    bristles: Bristles
-    angle_loads: AngleLoads
+    rows_of: Mapping[str, tuple[Any, ...]]
+    arrays: Terms
+
+    @property
+    def spring_names(self) -> tuple[str, ...]:
+        """The names of the springs, in the order of their rows."""
+        return tuple(term.name for term in self.rows_of["springs"])
+
+    @property
+    def drive_names(self) -> tuple[str, ...]:
+        """The names of the drives, in the order of their rows."""
+        return tuple(term.name for term in self.drive_terms)
+
+    @property
+    def drive_terms(self) -> tuple[Drive, ...]:
+        """The drives, in the order of their rows."""
+        return self.rows_of["drives"]
+
+    @property
+    def load_terms(self) -> tuple[Load | AppliedTorque, ...]:
+        """Loads and applied torques, in the order of their rows."""
+        return self.rows_of["loads"]
+
+    @property
+    def imposed_terms(self) -> tuple[ImposedMotion, ...]:
+        """Imposed motions, in the order of their rows."""
+        return self.rows_of["imposed"]
+
+    @property
+    def angle_load_terms(self) -> tuple[AngleLoad, ...]:
+        """Loads over the angle, in the order of their rows."""
+        return self.rows_of["angle_loads"]
 
     def node(self, name: str) -> int:
         """Return the row of a node; the ground is the last."""
         return len(self.nodes) if name == GROUND else self.nodes.index(name)
 
-    def swings(self) -> NDArray[np.float64]:
-        """Return by how much of its mean the stiffness of each spring can vary at most, shape (springs,) [1]."""
-        swings = np.zeros(len(self.spring_names))
-        sizes = np.hypot(self.varied.c, self.varied.s)
-        for row, start, end in zip(self.varied.spring, self.varied.first, self.varied.first[1:], strict=False):
-            swings[row] = sizes[start:end].sum()
-        return swings
-
     def leader(self) -> str:
         """Return the node that the run's speed belongs to: the first driven, else the first imposed, else the first."""
         led = [term.on for term in self.drive_terms] + [term.on for term in self.imposed_terms]
         return led[0] if led else self.nodes[0]
+
+    def imposing(self, motion: ImposedMotion) -> Lowered:
+        """Return the same with ``motion`` as the one imposed motion."""
+        lowering = Lowering(number=_numbers(self.nodes), inertia=self.inertia, table=WaveTable(), seed=0)
+        imposed = IMPOSED.rows((motion,), lowering)
+        return replace(
+            self,
+            rows_of={**self.rows_of, IMPOSED.field: (motion,)},
+            arrays=self.arrays._replace(imposed=imposed),
+        )
 
 
 def lower(rig: Rig, seed: int) -> Lowered:
@@ -101,76 +98,34 @@ def lower(rig: Rig, seed: int) -> Lowered:
 def lower_terms(terms: Sequence[Term], seed: int) -> Lowered:
     """Return the same from a rig's physics, without the rig: what asks for matrices alone leaves its waves out."""
     nodes, inertia = _nodes(terms)
-    number = {name: row for row, name in enumerate(nodes)} | {GROUND: len(nodes)}
-    # a wave of no amplitude must not change how the others are multiplied together
-    springs = tuple(
-        replace(spring, error=_sounding(spring.error), stiffness_waves=_sounding(spring.stiffness_waves))
-        for spring in _of(terms, Spring)
-    )
-    harmonics = tuple(replace(term, waves=_sounding(term.waves)) for term in _of(terms, HarmonicTorque))
-    drives = tuple(replace(drive, ripple=_sounding(drive.ripple)) for drive in _of(terms, Drive))
-    blades = tuple(blade for blade in _of(terms, BladeTorque) if blade.amplitude)
-    loads: tuple[Load | AppliedTorque, ...] = (*_of(terms, Load), *_of(terms, AppliedTorque))
-    imposed, angle_loads = _of(terms, ImposedMotion), _of(terms, AngleLoad)
-    _refuse_two_on_a_node(imposed)
-    table = WaveTable.of(
-        [(number[s.b], w.order) for s in springs for w in (*s.error, *s.stiffness_waves)]
-        + [(number[h.angle], w.order) for h in harmonics for w in h.waves]
-        + [(number[d.on], w.order) for d in drives for w in d.ripple]
-        + [(number[b.on], b.order) for b in blades]
-    )
+    number = _numbers(nodes)
+    rows_of = {kind.field: kind.chosen(terms) for kind in KINDS}
+    wanted = [(number[node], order) for kind in KINDS for node, order in kind.orders(rows_of[kind.field])]
+    lowering = Lowering(number=number, inertia=inertia, table=WaveTable.of(wanted), seed=seed)
+    arrays = {kind.field: kind.rows(rows_of[kind.field], lowering) for kind in KINDS}
+    inverse = np.append(1 / inertia, 0.0)
     return Lowered(
         nodes=nodes,
-        spring_names=tuple(spring.name for spring in springs),
-        drive_names=tuple(drive.name for drive in drives),
-        load_terms=loads,
-        drive_terms=drives,
-        imposed_terms=imposed,
-        angle_load_terms=angle_loads,
         inertia=inertia,
-        waves=table.lowered(),
-        springs=rows.springs_of(springs, number, table, seed),
-        harmonics=rows.harmonics_of(harmonics, number, table, seed),
-        frictions=rows.frictions_of(rows.merged(_of(terms, Friction)), number),
-        blades=rows.blades_of(blades, number, table, seed),
-        drives=rows.drives_of(drives, number, table, seed),
-        loads=rows.loads_of(loads, number),
-        imposed=rows.imposed_of(imposed, number, inertia),
-        sensings=rows.sensings_of(drives, number, seed),
-        varied=rows.varied_of(springs, number, table, seed),
-        bristles=rows.bristles_of(_of(terms, BristleFriction), number),
-        angle_loads=rows.angle_loads_of(angle_loads, number, seed),
+        rows_of=rows_of,
+        arrays=Terms(inverse_inertia=inverse, waves=lowering.table.lowered(), **arrays),
     )
 
 
 def _nodes(terms: Sequence[Term]) -> tuple[tuple[str, ...], NDArray[np.float64]]:
     """Return the nodes and what inertia sits on each; InputError where a term names a node without any."""
     carried: dict[str, float] = {}
-    for one in _of(terms, Inertia):
-        if one.inertia > 0:
+    for one in terms:
+        if isinstance(one, Inertia) and one.inertia > 0:
             carried[one.node] = carried.get(one.node, 0.0) + one.inertia
     if not carried:
         raise InputError("the rig has no inertia at all; add a motor or a body")
     for term in terms:
-        for name in (getattr(term, field) for field in NODES if hasattr(term, field)):
+        for name in term.nodes:
             if name not in carried and name != GROUND:
                 raise InputError(f"{name}: no inertia sits on this shaft; give the part one or fix it to one that has")
     return tuple(carried), np.array(list(carried.values()))
 
 
-def _refuse_two_on_a_node(imposed: Sequence[ImposedMotion]) -> None:
-    first: dict[str, str] = {}
-    for term in imposed:
-        if term.on in first:
-            raise InputError(
-                f"{term.name}: the motion of {term.on!r} is imposed by {first[term.on]!r} already; drop one of the two"
-            )
-        first[term.on] = term.name
-
-
-def _sounding(waves: Sequence[Wave]) -> tuple[Wave, ...]:
-    return tuple(wave for wave in waves if wave.amplitude)
-
-
-def _of(terms: Sequence[Term], kind: type[Kind]) -> tuple[Kind, ...]:
-    return tuple(term for term in terms if isinstance(term, kind))
+def _numbers(nodes: Sequence[str]) -> dict[str, int]:
+    return {name: row for row, name in enumerate(nodes)} | {GROUND: len(nodes)}

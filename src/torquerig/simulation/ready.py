@@ -8,12 +8,13 @@ from typing import Any
 
 from torquerig.errors import InputError, SimulationError
 from torquerig.rig.assembly import Rig
-from torquerig.simulation.arrays import Floats, Terms
+from torquerig.simulation.arrays import Floats
 from torquerig.simulation.failure import why_it_failed
 from torquerig.simulation.inputs import Span, filled, held_while_settling, start
 from torquerig.simulation.lower import Lowered, lower
 from torquerig.simulation.outputs import Output, outputs_of
 from torquerig.simulation.step_choice import step_choice
+from torquerig.simulation.term_kinds import Terms
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,9 @@ from math import ceil, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.rig.terms import Load
-from torquerig.simulation.arrays import Terms
 from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import Lowered
+from torquerig.simulation.term_kinds import KINDS, Terms
 from torquerig.simulation.twin.shapes import strain_shares
 
 Floats = NDArray[np.float64]
@@ -72,7 +71,7 @@ def rates(lowered: Lowered, terms: Terms) -> tuple[Rate, ...]:
     """Return everything that asks for a short step."""
     drives = [
         Rate(float(rate), f"the current lag of {name!r}")
-        for name, rate in zip(lowered.drive_names, lowered.drives.inverse_lag, strict=True)
+        for name, rate in zip(lowered.drive_names, lowered.arrays.drives.inverse_lag, strict=True)
     ]
     return (*_modes(lowered), *drives, *_events(lowered, terms))
 
@@ -98,27 +97,12 @@ def _events(lowered: Lowered, terms: Terms) -> list[Rate]:
     """
     slowest, light = _slowest(lowered, terms), np.append(1 / lowered.inertia, 0.0)
     light[[lowered.node(term.on) for term in lowered.imposed_terms if not term.released]] = 0.0
-    found, frictions, loads = [], lowered.frictions, lowered.loads
-    for row in range(frictions.on.size):
-        on, against = int(frictions.on[row]), int(frictions.against[row])
-        smooth = float(frictions.inverse_smoothing[row])
-        grip = float((frictions.coulomb[row] + np.maximum(0.0, frictions.excess[row])).max())
-        if grip and max(slowest[on], slowest[against]) * smooth < CREEPS:
-            rate = grip * smooth * (light[on] + light[against])
-            found.append(
-                Rate(float(rate), f"the dry friction on {lowered.nodes[on]!r} as it changes direction", EVENT_ANGLE)
-            )
-    for row, term in enumerate(lowered.load_terms):
-        on, smooth = int(loads.on[row]), float(loads.inverse_smoothing[row])
-        if isinstance(term, Load) and slowest[on] * smooth < CREEPS:
-            rate = float(np.abs(terms.loads.samples[row]).max()) * smooth * light[on]
-            found.append(Rate(float(rate), f"the load {term.name!r} as it changes direction", EVENT_ANGLE))
-    for row, bed in enumerate(lowered.angle_load_terms):
-        on, smooth = int(lowered.angle_loads.on[row]), float(lowered.angle_loads.inverse_smoothing[row])
-        if slowest[on] * smooth < CREEPS:
-            grid = lowered.angle_loads.values[lowered.angle_loads.first[row] : lowered.angle_loads.first[row + 1]]
-            rate = float(np.abs(grid).max()) * smooth * light[on]
-            found.append(Rate(float(rate), f"the load {bed.name!r} as it changes direction", EVENT_ANGLE))
+    found = []
+    for kind in KINDS:
+        for each in kind.reversals(lowered.rows_of[kind.field], getattr(terms, kind.field)):
+            if max(slowest[each.on], slowest[each.against]) * each.inverse_smoothing < CREEPS:
+                rate = each.torque * each.inverse_smoothing * (light[each.on] + light[each.against])
+                found.append(Rate(float(rate), f"{each.what} as it changes direction", EVENT_ANGLE))
     return found
 
 
@@ -127,7 +111,7 @@ def _slowest(lowered: Lowered, terms: Terms) -> Floats:
     found = np.zeros(len(lowered.nodes) + 1)
     if not lowered.drive_terms or not lowered.drive_terms[0].holds_speed:
         return found
-    turns = _turns(lowered, int(lowered.drives.on[0]))
+    turns = _turns(lowered, int(lowered.arrays.drives.on[0]))
     reference = terms.drives.reference[0]
     crosses = bool(reference.min() <= 0.0 <= reference.max())
     return found if crosses else np.abs(turns) * float(np.abs(reference).min())
@@ -137,7 +121,7 @@ def _turns(lowered: Lowered, leader: int) -> Floats:
     """Return how fast each node turns per turn of the leader, by the springs between; 0 where none leads there."""
     turns = np.zeros(len(lowered.nodes) + 1)
     turns[leader] = 1.0
-    springs = lowered.springs
+    springs = lowered.arrays.springs
     for _ in range(springs.a.size):
         for a, b, r in zip(springs.a, springs.b, springs.inverse_ratio, strict=True):
             turns[b] = turns[b] or turns[a] * r

@@ -17,9 +17,9 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedController
 from torquerig.rig.terms import AppliedTorque, BristleFriction, Sensing, Term
-from torquerig.simulation.arrays import Terms
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.simulator import simulate
+from torquerig.simulation.term_kinds import Terms
 from torquerig.simulation.twin.crossings import nearest_to
 from torquerig.simulation.twin.friction_slope import dry_friction
 from torquerig.simulation.twin.linear_twin import twin_of

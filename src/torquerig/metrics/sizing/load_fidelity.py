@@ -78,7 +78,7 @@ def reading_per_load(rig: Rig, frequencies: np.ndarray, *, closed: bool) -> np.n
     """Return the torque in the sensor per torque that opposes the wear part, complex, shape (frequencies,)."""
     twin = twin_of(rig)
     row = next(row for row, term in enumerate(twin.lowered.load_terms) if isinstance(term, Load))
-    worn = twin.lowered.nodes[int(twin.lowered.loads.on[row])]
+    worn = twin.lowered.nodes[int(twin.lowered.arrays.loads.on[row])]
     system = twin.closed_loop if closed else twin.open_loop
     outputs = [twin.sensor, f"opposing torque on {worn}"]
     read, opposing = (

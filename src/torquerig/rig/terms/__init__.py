@@ -5,8 +5,10 @@ resistance   friction, bristles, loads over time and over angle       drives   d
 
 Each torque acts between two nodes, equal and opposite; ``GROUND`` is the frame. A node is a place on a shaft with one
 angle; a term names nodes by the parts that open them. A rig that moves in a line uses the same terms with kg, N, m.
-A new term is a reasoned change here, in ``simulation/arrays.py``, ``simulation/rows.py``, ``simulation/kernel/`` and
-``simulation/linear.py``; everything else comes for free.
+term   what all have in common
+
+A new term is a reasoned change of three places: its class here (equation, nodes, mean torque), its kind in
+``simulation/term_kinds/`` (arrays, share of the linear matrices), its torque in ``simulation/kernel/``.
 
 Sign convention: positive torque on a node speeds it up in the positive direction; the torque of a spring is positive
 when ``a`` runs ahead of ``b``, which is how a driving motor loads the sensor.
@@ -16,9 +18,7 @@ from torquerig.rig.terms.drives import AppliedTorque, Drive, HarmonicTorque, Sen
 from torquerig.rig.terms.inputs import AngleProcess, LoadProcess, Motion, Signal
 from torquerig.rig.terms.resistance import AngleLoad, BladeTorque, BristleFriction, Friction, Load
 from torquerig.rig.terms.shafts import GROUND, ImposedMotion, Inertia, Spring, Wave
-
-Resistance = Friction | BristleFriction | Load | AngleLoad | BladeTorque
-Term = Inertia | Spring | ImposedMotion | HarmonicTorque | AppliedTorque | Drive | Resistance
+from torquerig.rig.terms.term import ShaftMotion, Term
 
 __all__ = [
     "GROUND",
@@ -35,8 +35,8 @@ __all__ = [
     "Load",
     "LoadProcess",
     "Motion",
-    "Resistance",
     "Sensing",
+    "ShaftMotion",
     "Signal",
     "Spring",
     "Term",

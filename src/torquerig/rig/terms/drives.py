@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 from torquerig.rig.terms.inputs import LoadProcess, Signal
 from torquerig.rig.terms.shafts import GROUND, Wave
+from torquerig.rig.terms.term import ShaftMotion, Term
 
 
 @dataclass(frozen=True, kw_only=True)
-class HarmonicTorque:
+class HarmonicTorque(Term):
     """A torque [N m] that is periodic in the angle of the node ``angle``: lines at that shaft's orders."""
 
     name: str
@@ -18,14 +19,28 @@ class HarmonicTorque:
     waves: tuple[Wave, ...]
     against: str = GROUND
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """The pair that it acts between, and the node whose angle it follows."""
+        return self.on, self.against, self.angle
+
 
 @dataclass(frozen=True, kw_only=True)
-class AppliedTorque:
+class AppliedTorque(Term):
     """A torque from outside, positive speeding ``on`` up: a test input, or a measured torque that is replayed."""
 
     name: str
     on: str
     process: LoadProcess | Signal
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """What it turns."""
+        return (self.on,)
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return the mean, which helps [N m]; none of a replayed torque, whose mean nobody states."""
+        return 0.0 if node != self.on or isinstance(self.process, Signal) else -self.process.mean
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,7 +75,7 @@ class Sensing:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Drive:
+class Drive(Term):
     """A motor torque: sampled PI on the speed and a demand beside it, limit, current loop, ripple in proportion.
 
     ``command = clip(demand + kp (reference - w) + ki integral, +-limit)``, the integrator holds while limited;
@@ -93,6 +108,11 @@ class Drive:
     demand: Signal | None = None
     breakdown: float = 0.0
     sensing: Sensing = field(default_factory=Sensing)
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """The pair that it acts between."""
+        return self.on, self.against
 
     @property
     def holds_speed(self) -> bool:

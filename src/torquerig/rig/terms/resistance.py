@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import exp
 
 from torquerig.rig.terms.inputs import AngleProcess, LoadProcess
 from torquerig.rig.terms.shafts import GROUND
+from torquerig.rig.terms.term import ShaftMotion, Term
+
+BLADE_MEAN = 0.25  # mean of max(0, cos)^2 over a turn
 
 
 @dataclass(frozen=True, kw_only=True)
-class Friction:
+class Friction(Term):
     """What opposes the relative motion of two nodes: Coulomb, Stribeck, viscous and quadratic, by direction.
 
     ``T = (Tc + (Ts - Tc) exp(-(w/ws)^2)) tanh(w / smoothing) + viscous w + quadratic w |w|``, w the relative speed
@@ -30,9 +34,24 @@ class Friction:
     quadratic: float = 0.0
     smoothing: float = 0.02
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """The pair that it acts between."""
+        return self.on, self.against
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return what overcomes it against the frame [N m]; friction between two shafts is left out."""
+        return self._steady(motion) if node == self.on and self.against == GROUND else 0.0
+
+    def _steady(self, motion: ShaftMotion) -> float:
+        torque = _sliding(self, motion)
+        if self.viscous_backward is not None and motion.speed < 0:
+            torque += (self.viscous_backward - self.viscous) * motion.speed
+        return torque + self.quadratic * motion.speed * abs(motion.speed)
+
 
 @dataclass(frozen=True, kw_only=True)
-class BristleFriction:
+class BristleFriction(Term):
     """Dry friction that bends before it slides: the LuGre model.
 
     ``z' = w - s0 |w| z / g(w)``; ``T = s0 z + s1 z' + viscous w``; ``g(w) = Tc + (Ts - Tc) exp(-(w/ws)^2)`` by the
@@ -64,9 +83,18 @@ class BristleFriction:
     stribeck: float = 1.0
     viscous: float = 0.0
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """The pair that it acts between."""
+        return self.on, self.against
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return what overcomes it against the frame [N m]; friction between two shafts is left out."""
+        return _sliding(self, motion) if node == self.on and self.against == GROUND else 0.0
+
 
 @dataclass(frozen=True, kw_only=True)
-class AngleLoad:
+class AngleLoad(Term):
     """A torque that depends on where a node stands: ``process(theta) tanh(w / smoothing)``, opposing its motion.
 
     The same trace over the angle whatever the speed, so its energy per turn does not depend on the speed either: the
@@ -81,9 +109,18 @@ class AngleLoad:
     process: AngleProcess
     smoothing: float = 0.02
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """What it opposes."""
+        return (self.on,)
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return what overcomes its mean [N m]."""
+        return motion.way * self.process.mean if node == self.on else 0.0
+
 
 @dataclass(frozen=True, kw_only=True)
-class Load:
+class Load(Term):
     """A torque that opposes the motion of a node: ``process(t) tanh(w / smoothing)`` (smoothing [rad/s])."""
 
     name: str
@@ -91,9 +128,18 @@ class Load:
     process: LoadProcess
     smoothing: float = 0.02
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """What it opposes."""
+        return (self.on,)
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return what overcomes its mean [N m]."""
+        return motion.way * self.process.mean * motion.load_share if node == self.on else 0.0
+
 
 @dataclass(frozen=True, kw_only=True)
-class BladeTorque:
+class BladeTorque(Term):
     """A load pulse per blade: ``amplitude max(0, cos(order theta + phase))^2`` [N m], opposing the motion.
 
     ``one_way`` pulses push against forward motion whichever way the shaft turns.
@@ -106,3 +152,21 @@ class BladeTorque:
     phase: float | None = None
     smoothing: float = 0.02
     one_way: bool = False
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """What it opposes."""
+        return (self.on,)
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return what overcomes its mean [N m]."""
+        return (1.0 if self.one_way else motion.way) * BLADE_MEAN * self.amplitude if node == self.on else 0.0
+
+
+def _sliding(one: Friction | BristleFriction, motion: ShaftMotion) -> float:
+    """Return the torque of dry and viscous friction that slides [N m]."""
+    forwards = motion.way > 0
+    dry = one.coulomb_forward if forwards else one.coulomb_backward
+    static = one.static_forward if forwards else one.static_backward
+    dry += motion.peak * (static - dry) * exp(-((motion.speed / one.stribeck) ** 2))
+    return motion.way * dry + one.viscous * motion.speed

@@ -5,16 +5,26 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from torquerig.rig.terms.inputs import Motion
+from torquerig.rig.terms.term import ShaftMotion, Term
 
 GROUND = "ground"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Inertia:
+class Inertia(Term):
     """``J d(omega)/dt``: inertia [kg m^2] that sits on ``node``; several add up."""
 
     node: str
     inertia: float
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """Where it sits."""
+        return (self.node,)
+
+    def needed_torque(self, node: str, motion: ShaftMotion) -> float:
+        """Return what accelerates it [N m]."""
+        return self.inertia * motion.acceleration if node == self.node else 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,7 +41,7 @@ class Wave:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Spring:
+class Spring(Term):
     """A spring and damper with gap, gear ratio, losses, kinematic error and varying stiffness between two shafts.
 
     ``twist = theta_a / ratio - theta_b + e(theta_b)``; ``T = k(theta_b) twist + c d(twist)/dt``. With a gap, k counts
@@ -78,9 +88,14 @@ class Spring:
     stiffness_waves: tuple[Wave, ...] = ()
     damping_follows: bool = False
 
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """Both ends."""
+        return self.a, self.b
+
 
 @dataclass(frozen=True, kw_only=True)
-class ImposedMotion:
+class ImposedMotion(Term):
     """A node whose angle and speed are given at every sample; the rest of the rig reacts.
 
     Between samples the angle is the cubic Hermite polynomial through both angles and both speeds, so that angle and
@@ -102,3 +117,8 @@ class ImposedMotion:
     motion: Motion | None = None
     factor: float = 1.0
     released: bool = False
+
+    @property
+    def nodes(self) -> tuple[str, ...]:
+        """What it moves."""
+        return (self.on,)

@@ -10,7 +10,7 @@ from torquerig.simulation.kernel.direction import direction
 from torquerig.simulation.kernel.elementary import exponential
 from torquerig.simulation.kernel.fast import FAST
 from torquerig.simulation.kernel.ladder import climb
-from torquerig.simulation.kernel.rare import bend, drag, share_of_turning, vary
+from torquerig.simulation.kernel.rare import add_rare, vary
 
 
 @njit(fastmath=FAST, inline="always")
@@ -100,6 +100,6 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         torque[drives.on[i]] += value
         torque[drives.against[i]] -= value
     if rare:
-        share_of_turning(terms.varied, springs, cosine, sine, twisted, spring_torque, torque)
-        bend(terms.bristles, omega, bristle, bristle_slope, fastest, torque, opposing)
-        drag(terms.angle_loads, theta, omega, torque, opposing)
+        add_rare(
+            terms, theta, omega, cosine, sine, twisted, spring_torque, bristle, bristle_slope, fastest, torque, opposing
+        )

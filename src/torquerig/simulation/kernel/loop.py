@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from torquerig.simulation.arrays import Floats, Outputs, Terms
+from torquerig.simulation.arrays import Floats, Outputs
 from torquerig.simulation.kernel.choice import any_of, where
 from torquerig.simulation.kernel.contact import narrow
 from torquerig.simulation.kernel.control import control
@@ -20,8 +20,10 @@ from torquerig.simulation.kernel.fast import FAST, UNCOUNTED
 from torquerig.simulation.kernel.forces import forces
 from torquerig.simulation.kernel.imposed import free, impose
 from torquerig.simulation.kernel.keep import keep
+from torquerig.simulation.kernel.rare import has_rare
 from torquerig.simulation.kernel.sources import sources_key
 from torquerig.simulation.kernel.work import work_for
+from torquerig.simulation.term_kinds import Terms
 
 LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
 PATIENT = 16  # [1] passes of a step after which the search halves what is left, whatever it expects
@@ -50,7 +52,7 @@ def _built(key: int) -> Callable[..., Any]:
         fastest = 1.0 / h  # [1/s] at which a bristle may follow
         near = LOCATED * h
         # terms that most rigs lack: one test skips them all; a key is never below 0
-        rare = imposed.on.size + n_bristles + terms.varied.spring.size + terms.angle_loads.on.size > 0 or key < 0
+        rare = has_rare(terms) or key < 0
         for sample in range(settling + kept.shape[2]):
             if rare:
                 free(imposed, sample, inverse_inertia)

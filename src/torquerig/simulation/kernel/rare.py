@@ -1,4 +1,7 @@
-"""Terms that most rigs lack: one test an evaluation skips them all."""
+"""Terms that most rigs lack: one test an evaluation skips them all. A new term begins here.
+
+A term with a state of its own, such as the bristles, is also integrated in ``loop.py``, in arrays of ``work.py``.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,22 @@ from torquerig.simulation.kernel.choice import floor, lookup, where
 from torquerig.simulation.kernel.direction import direction
 from torquerig.simulation.kernel.elementary import exponential
 from torquerig.simulation.kernel.fast import FAST, UNCOUNTED
+
+
+@njit(fastmath=FAST, inline="always")
+def has_rare(terms):
+    """Return whether a rig has any of these terms, or an imposed motion."""
+    return terms.imposed.on.size + terms.bristles.on.size + terms.varied.spring.size + terms.angle_loads.on.size > 0
+
+
+@njit(fastmath=FAST, inline="always")
+def add_rare(
+    terms, theta, omega, cosine, sine, twisted, spring_torque, bristle, bristle_slope, fastest, torque, opposing
+):
+    """Add the torques of all these terms; those of a stiffness that varies went into the springs before."""
+    share_of_turning(terms.varied, terms.springs, cosine, sine, twisted, spring_torque, torque)
+    bend(terms.bristles, omega, bristle, bristle_slope, fastest, torque, opposing)
+    drag(terms.angle_loads, theta, omega, torque, opposing)
 
 
 @njit(fastmath=FAST, **UNCOUNTED)

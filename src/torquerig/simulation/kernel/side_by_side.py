@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from torquerig.simulation.arrays import Floats, Outputs, Terms
+from torquerig.simulation.arrays import Floats, Outputs
 from torquerig.simulation.kernel.fast import FAST, UNCOUNTED
 from torquerig.simulation.kernel.lanes import LANES, in_lanes
 from torquerig.simulation.kernel.loop import advance
 from torquerig.simulation.kernel.sources import sources_key
 from torquerig.simulation.kernel.work import work_for
+from torquerig.simulation.term_kinds import Terms
 
 
 def _built(key: int) -> Callable[..., Any]:

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.simulation.arrays import Floats, Rows, Terms
+from torquerig.simulation.arrays import Floats, Rows
+from torquerig.simulation.term_kinds import Terms
 
 
 class Work(NamedTuple):

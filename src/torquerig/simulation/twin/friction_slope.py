@@ -30,7 +30,7 @@ class Sliding(NamedTuple):
 
 def sliding(lowered: Lowered) -> Sliding:
     """Return all dry and viscous friction of a rig."""
-    frictions, bristles = lowered.frictions, lowered.bristles
+    frictions, bristles = lowered.arrays.frictions, lowered.arrays.bristles
     none = np.zeros(bristles.on.size)
     return Sliding(
         on=np.concatenate([frictions.on, bristles.on]),
@@ -69,7 +69,7 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
         slopes[row] += slope
         told.append(f"the dry friction on {lowered.nodes[on]!r} away from {speed:.4g} rad/s: there it is "
                     f"{torques[row]:.4g} N m with a slope of {slopes[row]:.3g} N m s/rad")  # fmt: skip
-    if lowered.bristles.on.size:
+    if lowered.arrays.bristles.on.size:
         told.append("the bending of bristles: they slide steadily")
     return torques, slopes, tuple(told)
 

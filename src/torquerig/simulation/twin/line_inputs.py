@@ -65,8 +65,15 @@ def line_inputs(
 
 def _phasors(lowered: Lowered, point: OperatingPoint) -> Iterator[tuple[tuple[str, int], int, float, complex]]:
     """Yield (kind and row, node of the angle, order, phasor at angle 0) of every wave."""
-    nodes, orders = zip(*orders_of(lowered.waves), strict=True) if lowered.waves.base_node.size else ((), ())
-    harmonics, springs, drives, blades = lowered.harmonics, lowered.springs, lowered.drives, lowered.blades
+    nodes, orders = (
+        zip(*orders_of(lowered.arrays.waves), strict=True) if lowered.arrays.waves.base_node.size else ((), ())
+    )
+    harmonics, springs, drives, blades = (
+        lowered.arrays.harmonics,
+        lowered.arrays.springs,
+        lowered.arrays.drives,
+        lowered.arrays.blades,
+    )
     for pair in range(harmonics.on.size):
         for row in range(harmonics.first[pair], harmonics.first[pair + 1]):
             slot = harmonics.slot[row]
@@ -108,7 +115,7 @@ def _columns(
     """Return by which inputs of the twin a wave enters, and with what factor."""
     kind, row = name
     if kind == "error":
-        spring, b = lowered.spring_names[row], int(lowered.springs.b[row])
+        spring, b = lowered.spring_names[row], int(lowered.arrays.springs.b[row])
         order = angular / point.speeds[b] if point.speeds[b] else 0.0
         lever = -point.spring_torques[row] * 1j * order  # b gets T (1 - de/dtheta)
         return [
@@ -118,7 +125,7 @@ def _columns(
         ]
     if kind == "blade":
         return [(system.input(blade_input(lowered, row)), 1.0)]
-    ends = lowered.harmonics if kind == "harmonic" else lowered.drives
+    ends = lowered.arrays.harmonics if kind == "harmonic" else lowered.arrays.drives
     return [
         (system.input(f"torque on {lowered.nodes[end]}"), sign)
         for end, sign in ((int(ends.on[row]), 1.0), (int(ends.against[row]), -1.0))

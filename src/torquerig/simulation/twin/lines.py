@@ -87,7 +87,9 @@ def _errors(rig: Rig, lowered: Lowered, turns: dict[str, float]) -> list[OrderLi
 
 def _varying(rig: Rig, lowered: Lowered, point: OperatingPoint, turns: dict[str, float]) -> list[OrderLine]:
     """Return the varying of stiffness as the error that makes, to first order, the same torque at the point."""
-    twists = dict(zip(lowered.spring_names, np.abs(point.spring_torques) / lowered.springs.stiffness, strict=True))
+    twists = dict(
+        zip(lowered.spring_names, np.abs(point.spring_torques) / lowered.arrays.springs.stiffness, strict=True)
+    )
     return [
         OrderLine(part.name, wave.order * turns[rig.node(spring)], f"error of {spring}", wave.amplitude * float(twist))
         for part in rig.parts

@@ -19,7 +19,7 @@ def closed_loop(open_loop: LinearSystem, lowered: Lowered) -> LinearSystem:
     continuous controller lacks is the half sample by which a sampled one lags (0.5 x 40 us: 0.2 degrees at 30 Hz);
     ``sampled_loop`` has it.
     """
-    return _closed(open_loop, lowered, gain=lowered.drives.kp, kept=0.0, counted=1.0)
+    return _closed(open_loop, lowered, gain=lowered.arrays.drives.kp, kept=0.0, counted=1.0)
 
 
 def sampled_loop(open_loop: LinearSystem, lowered: Lowered, *, rate: float) -> LinearSystem:
@@ -30,12 +30,14 @@ def sampled_loop(open_loop: LinearSystem, lowered: Lowered, *, rate: float) -> L
     """
     held = [f"command of {name}" for name in lowered.drive_names]
     discrete = with_sensing(sampled(open_loop, 1 / rate, held=held), lowered)
-    gain = lowered.drives.kp + lowered.drives.ki / rate  # the integral takes the present error before it commands
+    gain = (
+        lowered.arrays.drives.kp + lowered.arrays.drives.ki / rate
+    )  # the integral takes the present error before it commands
     return _closed(discrete, lowered, gain=gain, kept=1.0, counted=1 / rate)
 
 
 def _closed(system: LinearSystem, lowered: Lowered, *, gain: Floats, kept: float, counted: float) -> LinearSystem:
-    drives, d = lowered.drives, lowered.drives.on.size
+    drives, d = lowered.arrays.drives, lowered.arrays.drives.on.size
     commands = [system.input(f"command of {name}") for name in lowered.drive_names]
     others = [column for column in range(len(system.inputs)) if column not in commands]
     Cs, Ds = np.zeros((d, len(system.states))), np.zeros((d, len(system.inputs)))

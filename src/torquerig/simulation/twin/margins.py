@@ -76,7 +76,7 @@ def loop_gain(
     open_loop: LinearSystem, lowered: Lowered, *, controller: int = 0, rate: float
 ) -> Callable[[Floats], Complexes]:
     """Return L(f): controller times held plant, from the speed error to the speed [1], f in [Hz] below ``rate / 2``."""
-    drives = lowered.drives
+    drives = lowered.arrays.drives
     commands = [f"command of {name}" for name in lowered.drive_names]
     held = with_sensing(sampled(open_loop, 1 / rate, held=commands), lowered)
     ends = measured(held, lowered, controller)

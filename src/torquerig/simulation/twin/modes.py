@@ -66,7 +66,7 @@ def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) ->
     from scipy.linalg import eigh
 
     system = matrices(lowered)
-    free = np.setdiff1d(np.arange(len(lowered.nodes)), lowered.imposed.on.astype(np.int64))
+    free = np.setdiff1d(np.arange(len(lowered.nodes)), lowered.arrays.imposed.on.astype(np.int64))
     squares, clamped = eigh(system.stiffness[np.ix_(free, free)], system.mass[np.ix_(free, free)])
     shapes = np.zeros((len(lowered.nodes), free.size))
     shapes[free] = clamped

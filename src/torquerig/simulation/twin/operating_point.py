@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,6 +12,7 @@ from torquerig.errors import InputError
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import AppliedTorque, Load, Signal
 from torquerig.simulation.lower import Lowered
+from torquerig.simulation.term_kinds import KINDS
 from torquerig.simulation.twin.friction_slope import friction_at, sliding
 
 Floats = NDArray[np.float64]
@@ -115,28 +117,28 @@ def _drooping(lowered: Lowered, turns: Floats, wanted: float, kp: float) -> Oper
 def _at(lowered: Lowered, speeds: Floats) -> OperatingPoint:
     """Return the balance at given speeds, in passes: losses and gaps take their side from the torques."""
     torques, slopes, left_out = friction_at(lowered, speeds)
-    loads = lowered.loads
+    loads = lowered.arrays.loads
     direction = np.array([
         np.tanh(speeds[on] * smooth) if smooth else -1.0
         for on, smooth in zip(loads.on, loads.inverse_smoothing, strict=True)
     ])  # fmt: skip
-    smooth = lowered.blades.inverse_smoothing
-    blades = np.where(smooth == 0.0, 1.0, np.tanh(speeds[lowered.blades.on] * smooth))
+    smooth = lowered.arrays.blades.inverse_smoothing
+    blades = np.where(smooth == 0.0, 1.0, np.tanh(speeds[lowered.arrays.blades.on] * smooth))
     outside = np.zeros(speeds.size)
     frictions = sliding(lowered)
     np.subtract.at(outside, frictions.on, torques)
     np.add.at(outside, frictions.against, torques)
     np.subtract.at(outside, loads.on, direction * mean_torques(lowered))
-    np.subtract.at(outside, lowered.blades.on, blades * lowered.blades.amplitude * HALF_WAVE_SQUARED_MEAN)
-    for term, smooth in zip(lowered.angle_load_terms, lowered.angle_loads.inverse_smoothing, strict=True):
-        on = lowered.node(term.on)
-        outside[on] -= term.process.mean * np.tanh(speeds[on] * smooth)
+    np.subtract.at(outside, lowered.arrays.blades.on, blades * lowered.arrays.blades.amplitude * HALF_WAVE_SQUARED_MEAN)
+    for kind in KINDS:
+        for on, torque in kind.steady(lowered.rows_of[kind.field], getattr(lowered.arrays, kind.field), speeds):
+            outside[on] -= torque
     point = OperatingPoint(
         speeds=speeds,
         angles=np.zeros(speeds.size - 1),
         drive_torque=0.0,
-        spring_torques=np.zeros(lowered.springs.a.size),
-        spring_back=lowered.springs.inverse_ratio.copy(),
+        spring_torques=np.zeros(lowered.arrays.springs.a.size),
+        spring_back=lowered.arrays.springs.inverse_ratio.copy(),
         friction_torques=torques,
         friction_slopes=slopes,
         load_directions=direction,
@@ -149,7 +151,7 @@ def _at(lowered: Lowered, speeds: Floats) -> OperatingPoint:
 
 
 def _balanced(lowered: Lowered, point: OperatingPoint, outside: Floats) -> OperatingPoint:
-    springs, n = lowered.springs, len(lowered.nodes)
+    springs, n = lowered.arrays.springs, len(lowered.nodes)
     side = np.sign(point.spring_torques)
     flow = np.tanh(LOSS_TURNS * point.speeds[springs.b]) * side
     back = springs.inverse_ratio * np.where(side == 0, 1.0, springs.loss_mean + springs.loss_half * flow)
@@ -160,8 +162,8 @@ def _balanced(lowered: Lowered, point: OperatingPoint, outside: Floats) -> Opera
         pull[a, row] -= back[row]
         twist[row, a] += springs.inverse_ratio[row]
         twist[row, b] -= 1.0
-    driven = np.zeros((n + 1, lowered.drives.on.size))
-    for column, (on, against) in enumerate(zip(lowered.drives.on, lowered.drives.against, strict=True)):
+    driven = np.zeros((n + 1, lowered.arrays.drives.on.size))
+    for column, (on, against) in enumerate(zip(lowered.arrays.drives.on, lowered.arrays.drives.against, strict=True)):
         driven[on, column] += 1.0
         driven[against, column] -= 1.0
     stiff = springs.stiffness[:, None] * twist[:, :n]
@@ -170,7 +172,7 @@ def _balanced(lowered: Lowered, point: OperatingPoint, outside: Floats) -> Opera
     found = np.linalg.lstsq(matrix, -outside[:n] - pull[:n] @ offset, rcond=None)[0]
     angles, drive = found[:n], found[n:]
     if drive.size:  # the same torques with the driven node at 0
-        on = int(lowered.drives.on[0])
+        on = int(lowered.arrays.drives.on[0])
         if point.speeds[on]:
             angles = angles - angles[on] / point.speeds[on] * point.speeds[:n]
     return replace(
@@ -182,27 +184,16 @@ def _balanced(lowered: Lowered, point: OperatingPoint, outside: Floats) -> Opera
     )
 
 
-def _nonlinear(lowered: Lowered) -> tuple[str, ...]:
-    dragged = lowered.frictions.on[np.flatnonzero(lowered.frictions.quadratic)]
-    told = [f"the quadratic drag on {lowered.nodes[int(on)]!r} but for its slope" for on in dragged]
-    if lowered.waves.base_node.size:
-        told.append("what the lines' own wobble of the angle does to their phase")
-    if lowered.drives.r_slot.size:
-        told.append("the motor's ripple in proportion to changes of its torque (it has that of the steady torque)")
-    told += [f"the load {term.name!r} over the angle but for its mean" for term in lowered.angle_load_terms]
-    told += [f"the varying of the stiffness of {lowered.spring_names[int(row)]!r}" for row in lowered.varied.spring]
-    if (lowered.sensings.step > 0).any() or lowered.sensings.order.size:
-        told.append("the counts and the error of the encoder that the speed loop sees its speed by")
-    if lowered.drives.on.size:
-        told.append("the torque limit of the motor")
-    if lowered.drives.breakdown.any():
-        told.append("the bend of the motor's torque over its slip, taken as straight through no load")
-    return tuple(told)
+def _nonlinear(lowered: Lowered) -> Iterator[str]:
+    if lowered.arrays.waves.base_node.size:
+        yield "what the lines' own wobble of the angle does to their phase"
+    for kind in KINDS:
+        yield from kind.left_out(lowered.rows_of[kind.field], getattr(lowered.arrays, kind.field))
 
 
 def _gaps(lowered: Lowered, point: OperatingPoint) -> tuple[str, ...]:
     told = []
-    for row in np.flatnonzero(lowered.springs.half_gap):
+    for row in np.flatnonzero(lowered.arrays.springs.half_gap):
         name, torque = lowered.spring_names[row], point.spring_torques[row]
         if torque:
             told.append(f"the gap of {name!r}, taken as closed: {abs(torque):.4g} N m hold its flanks together")

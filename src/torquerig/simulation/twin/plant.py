@@ -26,24 +26,24 @@ def plant(lowered: Lowered, point: OperatingPoint) -> LinearSystem:
     Outputs: ``torque in SPRING``, ``speed of NODE``, ``angle of NODE``, ``torque of CONTROLLER``, ``opposing torque on
     NODE``. States: angles, speeds, motor torques behind their current lag.
     """
-    n, d = len(lowered.nodes), lowered.drives.on.size
+    n, d = len(lowered.nodes), lowered.arrays.drives.on.size
     inputs, onto = _torque_inputs(lowered, point)
     springs, torques = _springs(lowered, point), len(inputs)
     errors = torques + d
     m = springs.pull.shape[1]
     drag, opposing = _drag(lowered, point)
     inverse = (1 / lowered.inertia)[:, None]
-    inverse[[int(on) for on in lowered.imposed.on]] = 0.0  # what is imposed does not give way
+    inverse[[int(on) for on in lowered.arrays.imposed.on]] = 0.0  # what is imposed does not give way
     A, B = np.zeros((2 * n + d, 2 * n + d)), np.zeros((2 * n + d, errors + 2 * m))
     A[:n, n : 2 * n] = np.eye(n)
     A[n : 2 * n, :n] = inverse * (springs.pull @ springs.stiff)
     A[n : 2 * n, n : 2 * n] = inverse * (springs.pull @ springs.damped - drag)
     A[n : 2 * n, 2 * n :] = inverse * _driven(lowered)
-    A[2 * n :, 2 * n :] = -np.diag(lowered.drives.inverse_lag)
+    A[2 * n :, 2 * n :] = -np.diag(lowered.arrays.drives.inverse_lag)
     B[n : 2 * n, :torques] = inverse * onto
-    B[2 * n :, torques:errors] = np.diag(lowered.drives.inverse_lag)
-    B[n : 2 * n, errors : errors + m] = inverse * (springs.pull * lowered.springs.stiffness)
-    B[n : 2 * n, errors + m :] = inverse * (springs.pull * lowered.springs.damping)
+    B[2 * n :, torques:errors] = np.diag(lowered.arrays.drives.inverse_lag)
+    B[n : 2 * n, errors : errors + m] = inverse * (springs.pull * lowered.arrays.springs.stiffness)
+    B[n : 2 * n, errors + m :] = inverse * (springs.pull * lowered.arrays.springs.damping)
     zero = np.zeros
     C = np.vstack([
         np.hstack([springs.stiff, springs.damped, zero((m, d))]),
@@ -54,8 +54,8 @@ def plant(lowered: Lowered, point: OperatingPoint) -> LinearSystem:
     ])  # fmt: skip
     D = np.zeros((C.shape[0], B.shape[1]))
     D[:m, errors : errors + m], D[:m, errors + m :] = (
-        np.diag(lowered.springs.stiffness),
-        np.diag(lowered.springs.damping),
+        np.diag(lowered.arrays.springs.stiffness),
+        np.diag(lowered.arrays.springs.damping),
     )
     D[-n:, n:torques] = np.where(_opposes(lowered), -onto[:, n:], 0.0)
     return LinearSystem(
@@ -79,7 +79,7 @@ def load_input(lowered: Lowered, row: int) -> str:
 
 def blade_input(lowered: Lowered, row: int) -> str:
     """Return the name of the input that the blade pulses number ``row`` enter by."""
-    return f"blades {row + 1} on {lowered.nodes[int(lowered.blades.on[row])]}"
+    return f"blades {row + 1} on {lowered.nodes[int(lowered.arrays.blades.on[row])]}"
 
 
 class _Springs(NamedTuple):
@@ -91,7 +91,7 @@ class _Springs(NamedTuple):
 
 
 def _springs(lowered: Lowered, point: OperatingPoint) -> _Springs:
-    springs, n = lowered.springs, len(lowered.nodes)
+    springs, n = lowered.arrays.springs, len(lowered.nodes)
     pull, twist = np.zeros((n + 1, springs.a.size)), np.zeros((springs.a.size, n + 1))
     for row, (a, b) in enumerate(zip(springs.a, springs.b, strict=True)):
         pull[b, row] += 1.0
@@ -117,8 +117,8 @@ def _drag(lowered: Lowered, point: OperatingPoint) -> tuple[Floats, Floats]:
 
 def _driven(lowered: Lowered) -> Floats:
     """Return the torque on the nodes per torque of each motor."""
-    driven = np.zeros((len(lowered.nodes) + 1, lowered.drives.on.size))
-    for column, (on, against) in enumerate(zip(lowered.drives.on, lowered.drives.against, strict=True)):
+    driven = np.zeros((len(lowered.nodes) + 1, lowered.arrays.drives.on.size))
+    for column, (on, against) in enumerate(zip(lowered.arrays.drives.on, lowered.arrays.drives.against, strict=True)):
         driven[on, column] += 1.0
         driven[against, column] -= 1.0
     return driven[:-1]
@@ -126,7 +126,7 @@ def _driven(lowered: Lowered) -> Floats:
 
 def _torque_inputs(lowered: Lowered, point: OperatingPoint) -> tuple[tuple[str, ...], Floats]:
     """Return the names of all torque inputs, the nodes' first, and the torque on each node per unit of them."""
-    n, loads, blades = len(lowered.nodes), lowered.loads, lowered.blades
+    n, loads, blades = len(lowered.nodes), lowered.arrays.loads, lowered.arrays.blades
     columns = np.zeros((n + 1, n + loads.on.size + blades.on.size))
     columns[:n, :n] = np.eye(n)
     for row, on in enumerate(loads.on):
@@ -142,4 +142,4 @@ def _torque_inputs(lowered: Lowered, point: OperatingPoint) -> tuple[tuple[str, 
 
 def _opposes(lowered: Lowered) -> NDArray[np.bool_]:
     """Return which of the sampled torques and blade pulses count as opposing; those that push one way do not."""
-    return np.concatenate([each.inverse_smoothing != 0.0 for each in (lowered.loads, lowered.blades)])
+    return np.concatenate([each.inverse_smoothing != 0.0 for each in (lowered.arrays.loads, lowered.arrays.blades)])

@@ -22,13 +22,13 @@ def with_sensing(system: LinearSystem, lowered: Lowered) -> LinearSystem:
     ``seen += share ((angle - angle before) / period - seen)``, ``share = 1 - exp(-period / filter time)``: the lag of
     half a sample and of the filter. Counts and the encoder's error are not linear and not in it.
     """
-    for controller in np.flatnonzero(lowered.sensings.ideal == 0):
+    for controller in np.flatnonzero(lowered.arrays.sensings.ideal == 0):
         system = _with_one(system, lowered, int(controller))
     return system
 
 
 def _with_one(system: LinearSystem, lowered: Lowered, controller: int) -> LinearSystem:
-    name, filtering = lowered.drive_names[controller], float(lowered.sensings.filter_time[controller])
+    name, filtering = lowered.drive_names[controller], float(lowered.arrays.sensings.filter_time[controller])
     share = 1.0 - exp(-system.period / filtering) if filtering else 1.0
     rows = [(system.output(output), sign) for output, sign in _ends(lowered, "angle", controller)]
     C, D = (sum(sign * matrix[row] for row, sign in rows) for matrix in (system.C, system.D))
@@ -47,6 +47,6 @@ def _with_one(system: LinearSystem, lowered: Lowered, controller: int) -> Linear
 
 
 def _ends(lowered: Lowered, what: str, controller: int) -> list[tuple[str, float]]:
-    drives, ground = lowered.drives, len(lowered.nodes)
+    drives, ground = lowered.arrays.drives, len(lowered.nodes)
     ends = ((int(drives.on[controller]), 1.0), (int(drives.against[controller]), -1.0))
     return [(f"{what} of {lowered.nodes[end]}", sign) for end, sign in ends if end != ground]

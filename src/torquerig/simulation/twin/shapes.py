@@ -48,7 +48,7 @@ def told(shape: Floats, *, lowered: Lowered, turns: Floats, names: dict[str, str
 
 def strain_shares(shape: Floats, lowered: Lowered) -> Floats:
     """Return the share of each spring in the strain energy of a shape [1]; zeros where none is strained."""
-    springs, angles = lowered.springs, np.append(shape, 0.0)
+    springs, angles = lowered.arrays.springs, np.append(shape, 0.0)
     twist = angles[springs.a] * springs.inverse_ratio - angles[springs.b]
     energy = springs.stiffness * twist**2
     largest = springs.stiffness * (angles[springs.a] ** 2 * springs.inverse_ratio**2 + angles[springs.b] ** 2)
