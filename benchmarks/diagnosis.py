@@ -22,8 +22,7 @@ from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.mechanisms import Backlash, CommutationRipple, GearMesh, SensorDrift, StribeckFriction
 from torquerig.recordings.files import write_recording
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 

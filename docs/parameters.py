@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 from torquerig import mechanisms
 from torquerig.parameter import Parameter
 from torquerig.rig import parts
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.reading import KINDS
 
 INTRODUCTION = """# Parameters of parts and effects

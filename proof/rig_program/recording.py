@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,18 +11,11 @@ from proof.rig_program.forcing import Forcing, forcing_of
 from proof.rig_program.laws import Integrator, Laws
 from proof.rig_program.machine import Machine, machine_of
 from proof.rig_program.plan import Run
+from proof.rig_program.recorded import Recording
 from proof.rig_program.sensor_chain import add_noise, convert, count
 from proof.rig_program.stepping import rule_of
 from proof.rig_program.true_rig import TrueRig
 from proof.rig_program.waves import OUTPUT_POINTS, sum_of
-
-
-@dataclass(frozen=True)
-class Recording:
-    """What one run left: ``torque`` (n,) [V] and ``encoder`` (n,) [count]."""
-
-    torque: NDArray[np.float64]
-    encoder: NDArray[np.int32]
 
 
 def record(

@@ -10,7 +10,7 @@ import yaml
 
 from proof.rig_program import nominal
 from proof.rig_program.plan import Run
-from proof.rig_program.recording import Recording
+from proof.rig_program.recorded import Recording
 
 
 def write_recording(recording: Recording, path: Path, *, run: Run, with_encoder: bool) -> None:

@@ -62,8 +62,7 @@ from torquerig.mechanisms import (
 from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, MotorEncoder, MotorPhases, SpeedController, TorqueSensor
 from torquerig.simulation.simulator import simulate
 

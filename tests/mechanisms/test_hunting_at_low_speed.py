@@ -12,8 +12,7 @@ from scipy.optimize import brentq
 from torquerig.mechanisms import LugreFriction, StribeckFriction
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Gear, Motor, MotorEncoder, SpeedController, TorqueController
 from torquerig.simulation.simulator import simulate
 

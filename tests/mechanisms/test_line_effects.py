@@ -19,9 +19,8 @@ from torquerig.mechanisms import (
 )
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import KinematicError, waves_of
-from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.lower import lower

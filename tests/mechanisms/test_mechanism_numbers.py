@@ -21,8 +21,7 @@ from torquerig.mechanisms import (
 )
 from torquerig.mechanisms.particle_load import ParticleProcess
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.rig.terms import HarmonicTorque, Load, Spring
 from torquerig.simulation.linear import matrices

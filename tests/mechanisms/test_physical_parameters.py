@@ -10,9 +10,8 @@ import pytest
 from torquerig.errors import InputError
 from torquerig.mechanisms import BearingDefect, BeltLines, BendingCrosstalk, Eccentricity, ParallelOffset
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import KinematicError, waves_of
-from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage, Body, Coupling, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.sensor_stages.crosstalk import Crosstalk
 from torquerig.simulation.simulator import simulate

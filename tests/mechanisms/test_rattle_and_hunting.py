@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from torquerig.mechanisms import Backlash, StribeckFriction, TorqueRipple
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Gear, Motor, SpeedController
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.lower import lower

@@ -36,8 +36,7 @@ from torquerig.mechanisms import (
     TorqueRipple,
 )
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, MotorEncoder, SpeedController, TorqueSensor
 from torquerig.scenario.reading import KINDS, read_scenario
 from torquerig.simulation.simulator import simulate

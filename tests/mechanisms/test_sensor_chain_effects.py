@@ -24,9 +24,8 @@ from torquerig.mechanisms import (
 )
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import AmplifierCutoff
-from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
 from torquerig.sensor_stages.clip import Clip

@@ -13,9 +13,8 @@ from torquerig.mechanisms import GearMesh, StribeckFriction, ToothMesh
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import KinematicError, StiffnessVariation, waves_of
-from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Coupling, Gear, ImposedMotion, Motor, SpeedController, TorqueSensor
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.lower import lower

@@ -15,8 +15,7 @@ from torquerig.machines.drive_run import run_drive
 from torquerig.machines.shaft import TwoMasses
 from torquerig.mechanisms import FieldOrientedControl, SixStepCommutation
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Motor, MotorPhases, SpeedController
 from torquerig.rig.steady import steady_torque
 from torquerig.rig.terms import Load, Term

@@ -18,8 +18,7 @@ from torquerig.metrics.shares import Shares, disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
 from torquerig.parameter import Estimate
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Motor, SpeedController
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.lower import lower

@@ -16,7 +16,7 @@ from proof.real.public import VARIABLE
 from torquerig.diagnosis.motion.fitted import FittedMotion, fitted
 from torquerig.diagnosis.motion.moved import moved_runs
 from torquerig.mechanisms import Backlash, LugreFriction, StribeckFriction
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 REAL = Path(__file__).resolve().parents[2] / ".." / "shared" / "real-data"
 

@@ -8,8 +8,7 @@ from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.reporting.figures.modes_figure import modes_figure
 from torquerig.reporting.figures.picture import svg
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.simulation.twin.linear_twin import Twin, twin_of
 

@@ -15,9 +15,8 @@ from torquerig.mechanisms import (
     StribeckFriction,
 )
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.drive_train import drive_train
-from torquerig.rig.part import Part
 from torquerig.rig.parts import Body, Gear, Motor, MotorPhases, SpeedController, TorqueController
 from torquerig.rig.steady import steady_torque, steady_torque_in
 from torquerig.simulation.simulator import simulate

@@ -10,8 +10,7 @@ import pytest
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.mechanisms import QuadraticDrag
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.simulation.simulator import simulate

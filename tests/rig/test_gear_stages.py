@@ -15,8 +15,7 @@ from torquerig.mechanisms import QuadraticDrag
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import BeltStage, Body, Gear, Motor, SpeedController
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import kinematics_of

@@ -16,8 +16,7 @@ from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.machines.induction_run import InductionSupply, run_induction
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, InductionDrive, Motor
 from torquerig.rig.terms import Load, Term
 from torquerig.scenario.reading import read_scenario

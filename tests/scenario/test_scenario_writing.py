@@ -24,8 +24,7 @@ from torquerig.mechanisms import (
     StribeckFriction,
     TorqueRipple,
 )
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part

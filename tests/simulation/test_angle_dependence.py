@@ -13,8 +13,7 @@ from scipy.integrate import solve_ivp
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body
 from torquerig.rig.terms import AngleLoad, AppliedTorque, Drive, ImposedMotion, Inertia, Sensing, Spring, Term, Wave
 from torquerig.simulation.lower import lower

@@ -14,8 +14,7 @@ from torquerig.errors import InputError, SimulationError
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 from torquerig.rig import terms as vocabulary
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Motor, SpeedController
 from torquerig.rig.terms import (
     AngleLoad,

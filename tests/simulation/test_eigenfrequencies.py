@@ -11,8 +11,7 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear
 from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import lower

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from torquerig.recordings.run import Run
 from torquerig.rig import terms as vocabulary
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import (
     AngleLoad,
     AppliedTorque,

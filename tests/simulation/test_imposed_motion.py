@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling
 from torquerig.rig.terms import Drive, ImposedMotion, Signal, Term
 from torquerig.simulation.simulator import simulate

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from torquerig.mechanisms import Backlash, GearMesh, TorqueRipple
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, SpeedController
 from torquerig.rig.terms import AppliedTorque, Term
 from torquerig.simulation.linear import matrices, spring_response

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from torquerig.errors import InputError, SimulationError
 from torquerig.mechanisms import BladePass, CommutationRipple, GearMesh, StribeckFriction, TorqueRipple
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedController
 from torquerig.rig.terms import AppliedTorque, Load, Term
 from torquerig.simulation.linear_path import simulate_linear

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from torquerig.errors import SimulationError
 from torquerig.mechanisms import QuadraticDrag, StribeckFriction, TorqueRipple
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Gear, Motor, SpeedController, TorqueSensor
 from torquerig.rig.terms import AppliedTorque, Term
 from torquerig.simulation.batch import simulate_batch

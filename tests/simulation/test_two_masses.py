@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from tests.motulator_peer import two_masses
 from torquerig.recordings.recording import Recording
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Gear
 from torquerig.rig.terms import AppliedTorque, Term
 from torquerig.simulation.linear_path import simulate_linear

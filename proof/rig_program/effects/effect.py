@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,10 +12,8 @@ from numpy.typing import NDArray
 from proof.rig_program.forcing import Forcing
 from proof.rig_program.machine import Machine
 from proof.rig_program.plan import Run
+from proof.rig_program.recorded import Recording
 from proof.rig_program.true_rig import TrueRig
-
-if TYPE_CHECKING:
-    from proof.rig_program.recording import Recording
 
 
 class Effect(ABC):

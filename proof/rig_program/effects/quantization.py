@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from proof.rig_program.effects.effect import Effect, Setting, between
 from proof.rig_program.plan import Run
-
-if TYPE_CHECKING:
-    from proof.rig_program.recording import Recording
+from proof.rig_program.recorded import Recording
 
 
 @dataclass(frozen=True)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from proof.rig_program import nominal
 from proof.rig_program.effects.effect import Effect, Setting, between
 from proof.rig_program.plan import Run
-
-if TYPE_CHECKING:
-    from proof.rig_program.recording import Recording
+from proof.rig_program.recorded import Recording
 
 
 @dataclass(frozen=True)
@@ -30,8 +28,6 @@ class TimeBaseJump(Effect):
 
     def on_file(self, recording: Recording, run: Run, rng: np.random.Generator) -> Recording:
         """Take samples from where the clock says; the number of samples stays."""
-        from proof.rig_program.recording import Recording as Written
-
         size = recording.torque.size
         jump = round(self.length * nominal.SAMPLE_RATE)
         source = np.arange(size)
@@ -41,7 +37,7 @@ class TimeBaseJump(Effect):
             ahead += step
             source[start:] += step
         source = np.clip(source, 0, size - 1)
-        return Written(recording.torque[source], recording.encoder[source])
+        return Recording(recording.torque[source], recording.encoder[source])
 
 
 def draw_time_base_jump(rng: np.random.Generator, setting: Setting, *, size: float) -> TimeBaseJump:

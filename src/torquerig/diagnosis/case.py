@@ -22,8 +22,7 @@ from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import SAME_ORDER, Place, order
 from torquerig.diagnosis.null_table import NullTable
 from torquerig.mechanisms import TorqueRipple
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 
 # fields of a model that make its slow torque, and stand in for an effect that changes it
 SLOW_TORQUE = ("mean_by_occupancy_percent", "viscous", "coulomb", "slow_rms", "slow_cutoff")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import fields, replace
 
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 _KEPT = ("kind", "group")

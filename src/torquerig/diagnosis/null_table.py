@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from torquerig.document import read_document
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 SHIPPED = Path(__file__).with_name("null_tables.yaml")

@@ -35,7 +35,7 @@ from typing import TYPE_CHECKING
 
 from torquerig.errors import did_you_mean
 from torquerig.extensions import extensions_of
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 if TYPE_CHECKING:
     from torquerig.mechanisms.back_emf_harmonics import BackEmfHarmonics as BackEmfHarmonics

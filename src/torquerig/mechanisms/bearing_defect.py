@@ -7,8 +7,8 @@ from math import cos, pi
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.turns import turns_per_motor_turn
 from torquerig.sensor_stages.ringing import Ringing
 

@@ -9,9 +9,8 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import HostChange, KinematicError
-from torquerig.rig.part import Part
 from torquerig.rig.parts import BeltStage
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.terms import Term, Wave

@@ -8,8 +8,7 @@ from math import lcm
 from typing import Annotated, Any, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
 
 Torque = Annotated[float, Parameter("N*m", "zero-to-peak cogging torque", low=0)]

@@ -7,9 +7,8 @@ from typing import Annotated, Literal
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import DriveRipple, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.parts import Motor
 from torquerig.rig.terms import Term, Wave
 

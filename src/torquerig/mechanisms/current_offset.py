@@ -7,8 +7,7 @@ from math import sqrt
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
 
 Amperes = Annotated[float, Parameter("A", "offset of a current sensor")]

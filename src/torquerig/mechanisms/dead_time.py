@@ -8,8 +8,7 @@ from math import pi
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts.motor_phases import MotorPhases, phases_of
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
 

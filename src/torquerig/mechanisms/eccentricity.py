@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import HarmonicTorque, Term, Wave
 
 SMALLEST_LINE = 1e-4  # lines below this share of one tooth's torque are left out

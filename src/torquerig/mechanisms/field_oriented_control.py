@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import DriveRipple, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.phase_level import as_waves, lines_at_set_point
 from torquerig.rig.terms import Term

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import HostChange, KinematicError
-from torquerig.rig.part import Part
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.terms import Term, Wave
 

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.mean_by_occupancy import mean_at, refuse_empty
-from torquerig.rig.part import Part
 from torquerig.rig.terms import AngleLoad, Term
 
 Torque = Annotated[float, Parameter("N*m", "mean load torque", low=0)]

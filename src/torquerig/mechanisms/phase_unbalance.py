@@ -8,9 +8,8 @@ from math import pi
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import DriveRipple, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.terms import Term, Wave
 

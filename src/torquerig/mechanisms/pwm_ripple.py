@@ -9,10 +9,10 @@ from typing import Annotated, Literal
 import numpy as np
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.parts.motor_phases import phases_of
+from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.terms import Inertia, Spring
 from torquerig.sensor_stages.tone import Tone
 

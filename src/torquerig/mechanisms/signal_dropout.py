@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.placed_stage import PlacedStage
 from torquerig.sensor_stages.dropout import Dropout
 
 

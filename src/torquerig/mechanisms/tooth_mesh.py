@@ -10,9 +10,8 @@ from typing import Annotated, Literal, NamedTuple
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import HostChange, KinematicError, StiffnessVariation
-from torquerig.rig.part import Part
 from torquerig.rig.parts.gear_stage import gear_stage
 from torquerig.rig.terms import Term, Wave
 

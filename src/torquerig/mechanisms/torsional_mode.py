@@ -7,8 +7,7 @@ from math import pi, sqrt
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import Inertia, Spring, Term
 
 

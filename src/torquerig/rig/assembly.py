@@ -1,4 +1,4 @@
-"""A rig: an immutable tuple of parts and effects, the run it is put through, and the part whose torque is read."""
+"""A rig, an immutable tuple of parts and effects, and what a part is to it: each is told in terms of the other."""
 
 from __future__ import annotations
 
@@ -6,14 +6,73 @@ from collections import deque
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isclose
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.recordings.run import Run
 from torquerig.recordings.stage import Stage
 from torquerig.rig.host_changes import HostChange
-from torquerig.rig.part import Part
+from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.terms import Inertia, Spring, Term
+
+HOST_FIELDS = ("at", "gear", "coupling", "sensor")  # by which an effect names its host
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """One thing that the machine is made of, or one effect that disturbs it.
+
+    Parameters
+    ----------
+    name : str
+        Unique in the rig; the nodes are known by it.
+    after : str or None
+        The part whose output shaft this one is fixed to; None starts a shaft of its own (or, for an effect, none).
+    kind : str
+        The word by which a scenario calls this class.
+    group : str
+        Which share of the reading it is counted to: mechanical, cogging, electrical or load; sensor for what changes
+        the reading and not the shafts; empty for parts.
+    """
+
+    name: str
+    after: str | None = None
+    kind: str = ""
+    group: str = ""
+
+    __pydantic_config__: ClassVar[dict[str, str]] = {"extra": "forbid"}
+
+    on_shaft: ClassVar[bool] = False
+    """True for what sits on a shaft: in a scenario it follows the shaft part before it, unless ``after`` is stated."""
+    ends_shaft: ClassVar[bool] = False
+    """True for a branch of its own: what stands behind it in a scenario goes on from where the branch began."""
+    opens_node: ClassVar[bool] = False
+    """True for what has a spring inside (gear, sensor, coupling): its output shaft is a node of its own."""
+
+    in_a_line: ClassVar[bool] = False
+    """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
+
+    takes: ClassVar[tuple[type[HostChange], ...]] = ()
+    """What effects may change inside this part; it collects each of these by ``rig.changes_in(self.name)``."""
+
+    @property
+    def host(self) -> str | None:
+        """The part that an effect sits in and moves with, by one of ``HOST_FIELDS``; of a branch ``after``."""
+        at = next((getattr(self, name) for name in HOST_FIELDS if hasattr(self, name)), None)
+        return self.after if at is None and self.ends_shaft else at
+
+    def terms(self, rig: Rig) -> tuple[Term, ...]:
+        """Return the physics that this part adds to the shafts."""
+        return ()
+
+    def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
+        """Return what this effect changes inside its ``host``: ripple, errors, a gap, a cutoff; nothing for parts."""
+        return ()
+
+    def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
+        """Return what this part does to the signal on its way to the file."""
+        return ()
+
 
 AnyPart = TypeVar("AnyPart", bound=Part)
 

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.parameter import Estimate
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.filled import FromCatalog
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part

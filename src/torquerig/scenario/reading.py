@@ -16,8 +16,7 @@ from torquerig.document import Document, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig import parts
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import HOST_FIELDS, Part
+from torquerig.rig.assembly import HOST_FIELDS, Part, Rig
 from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.model import Scenario

@@ -10,8 +10,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_file
 

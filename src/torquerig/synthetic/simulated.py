@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import TorqueSensor
 from torquerig.simulation.simulator import simulate
 from torquerig.synthetic.grid import on_grid

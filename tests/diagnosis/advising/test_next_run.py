@@ -19,7 +19,7 @@ from torquerig.diagnosis.engine import Outcome, diagnose
 from torquerig.diagnosis.outcome import Finding
 from torquerig.mechanisms import Cogging, CommutationRipple, PwmAliasing
 from torquerig.recordings.recording import Recording
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]

@@ -14,7 +14,7 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.outcome import Stated
 from torquerig.mechanisms import QuadraticDrag, StribeckFriction
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 

@@ -10,7 +10,7 @@ from torquerig.diagnosis.choosing.possible import can_be, price_of_odd_numbers
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.mechanisms import BearingDefect, CommutationRipple, StribeckFriction, TorsionalMode
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 

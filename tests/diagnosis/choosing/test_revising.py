@@ -18,8 +18,7 @@ from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.looking.places import order
 from torquerig.mechanisms import Backlash, MainsInterference, PwmAliasing, QuadraticDrag
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 
 PARTS: dict[str, tuple[Part, str]] = {

@@ -11,7 +11,7 @@ from torquerig.diagnosis.choosing.search import Tried
 from torquerig.diagnosis.choosing.set_aside import CONTRACT, set_aside
 from torquerig.diagnosis.fitting.calibration import Calibrated
 from torquerig.mechanisms import Backlash, QuadraticDrag
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 NOT_FITTED = cast(Calibrated, None)  # nothing was tried, so that no model is asked

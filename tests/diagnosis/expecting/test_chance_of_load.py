@@ -19,8 +19,7 @@ from torquerig.diagnosis.looking.places import order
 from torquerig.diagnosis.looking.shaft_angle import shaft_angles
 from torquerig.mechanisms import GearMesh, TorsionalMode
 from torquerig.recordings.recording import Recording
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]

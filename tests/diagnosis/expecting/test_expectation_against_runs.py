@@ -31,8 +31,7 @@ from torquerig.mechanisms import (
 )  # fmt: skip
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate
 

@@ -35,7 +35,7 @@ from torquerig.mechanisms import (
     TorsionalMode,
 )
 from torquerig.recordings.recording import Recording
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 Draw = Callable[[float, float], float]

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.mechanisms import Backlash, GearMesh, QuadraticDrag, StribeckFriction, TorqueRipple
 from torquerig.recordings.run import Run
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedController
 from torquerig.rig.terms import AppliedTorque, BristleFriction, Sensing, Term
 from torquerig.simulation.linear import spring_response

@@ -14,7 +14,7 @@ from torquerig.diagnosis.judging.by_simulation import left_and_fall, left_by_sim
 from torquerig.diagnosis.judging.leftover import mismatches, stands_at
 from torquerig.diagnosis.looking.places import Place
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 _SMALL = 0.03  # of what an effect took that was found earlier
 _WANDERS = 3e-3  # of its frequency, by which a grid's tone strays: one mode in a hundred stands as near to it

@@ -20,8 +20,8 @@ from torquerig.diagnosis.looking.turning import turns_back
 from torquerig.diagnosis.side_by_side import of_each
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.rig.part import PlacedStage
 from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.placed_stage import PlacedStage
 from torquerig.sensor_stages.clip import Clip
 from torquerig.sensor_stages.dropout import Dropout
 from torquerig.simulation.batch import simulate_batch

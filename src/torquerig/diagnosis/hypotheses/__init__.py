@@ -27,8 +27,7 @@ from importlib import import_module
 
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 
 Propose = Callable[[Case], Iterator[Candidate]]
 

@@ -10,7 +10,7 @@ from torquerig.diagnosis.case import Candidate, Case, left_line, line_factor, mi
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.motor_orders import BY_SKIRTS
 from torquerig.diagnosis.looking.places import SAME_ORDER, WHOLE_ORDER, Place, order
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.rig.parts import Motor
 
 _STRONGEST, _MISSED = 5, 2  # of the left lines, and of the rig's own

@@ -15,7 +15,7 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.misfit import LEVEL_FLOOR
 from torquerig.diagnosis.hypotheses.beside_steps import price_beside_steps
 from torquerig.diagnosis.linear.twin import Twin
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 _CONSTANTS = (0.03, 0.06, 0.12, 0.25, 0.5, 1.0)  # of the longest recording
 _START = 0.15  # [V] where the levels tell no span

@@ -12,7 +12,7 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.profiled import profiled_cost
 from torquerig.diagnosis.hypotheses.beside_steps import price_beside_steps
 from torquerig.diagnosis.linear.loaded_part import loaded_part
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 _COULOMB, _PEAKS, _SPEEDS = (0.03, 0.1, 0.3, 0.8), (1.1, 2.0), (0.3, 1.0, 3.0)  # [N m], [1], [rad/s]
 _STATIC = 0.4  # of the logarithm: static friction is one to three times the Coulomb one, and few blocks tell it

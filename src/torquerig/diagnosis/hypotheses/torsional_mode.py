@@ -13,7 +13,7 @@ from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.profiled import profiled_cost
 from torquerig.diagnosis.linear.loaded_part import loaded_part
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 from torquerig.rig.parts import Body
 
 # frequencies [Hz] at which branches of some shares of the loaded part's inertia are tried: a light one shows over a few

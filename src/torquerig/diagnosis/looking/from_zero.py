@@ -6,8 +6,7 @@ from dataclasses import replace
 
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.sensor_stages.drift import Drift
 
 

@@ -15,7 +15,7 @@ from torquerig.diagnosis.motion.evidence import root_mean_square
 from torquerig.diagnosis.motion.fitted import FittedMotion, residuals_of
 from torquerig.diagnosis.motion.moved import Moved
 from torquerig.diagnosis.outcome import Finding, Stated
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 _BEYOND = 2.0  # times what the model leaves elsewhere, by which the motion asks for more than the limit
 _OF_THE_NOISE = 0.5  # of the median square that the model leaves of the samples as they were recorded

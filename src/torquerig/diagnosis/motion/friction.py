@@ -15,8 +15,7 @@ from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.motion.fitted import FittedMotion
 from torquerig.diagnosis.motion.lines import moving
 from torquerig.diagnosis.motion.moved import Moved, imposed_part
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.parts import Body, Motor, Slide
 from torquerig.rig.terms import Friction
 

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.motion.moved import Moved, low_passed
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 
 Floats = NDArray[np.float64]
 

@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from torquerig.rig.assembly import Rig
-    from torquerig.rig.part import Part
+    from torquerig.rig.assembly import Part, Rig
 
 BODY, SPRING, READ, EFFECT = "#cfe0ee", "#ffffff", "#f6d7a7", "#5b6770"
 _EDGE = "#12395b"

@@ -9,9 +9,8 @@ from typing import Annotated, ClassVar, Literal
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 

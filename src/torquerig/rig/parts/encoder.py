@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import EncoderAngleError, waves_of
-from torquerig.rig.part import Part, PlacedStage
+from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.terms import Drive, ImposedMotion, Sensing, Wave
 from torquerig.sensor_stages.encoder import Encoder
 

@@ -10,9 +10,8 @@ from torquerig.orders.kinematics.planetary_assembly import RATIO_KEPT, nearest_s
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.orders.kinematics.teeth_reading import TeethList
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 

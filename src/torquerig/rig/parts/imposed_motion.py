@@ -9,8 +9,7 @@ from typing import Annotated, Literal
 from torquerig.parameter import Parameter
 from torquerig.recordings.replay import recording_at, replayed_motion
 from torquerig.rig import terms
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -9,9 +9,8 @@ from typing import Annotated, Literal
 from torquerig.errors import InputError
 from torquerig.machines.induction import InductionMachine, induction_from_rating
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import DriveRipple, waves_of
-from torquerig.rig.part import Part
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.terms import Drive, Term
 

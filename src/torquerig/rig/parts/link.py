@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 

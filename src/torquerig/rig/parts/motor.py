@@ -7,9 +7,8 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.machines.winding import has_winding, no_winding
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import IN_A_MOTOR, HostChange
-from torquerig.rig.part import Part
 from torquerig.rig.terms import Friction, Inertia, Term
 
 

@@ -11,8 +11,7 @@ from torquerig.machines.back_emf import HarmonicEmf, TrapezoidalEmf
 from torquerig.machines.current_loop import check_bandwidth, loop_admittance
 from torquerig.machines.permanent_magnet import PermanentMagnetMachine
 from torquerig.parameter import Parameter
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 
 if TYPE_CHECKING:
     from torquerig.machines.field_oriented import FieldOriented

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from torquerig.errors import InputError
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import Term
 
 

@@ -8,8 +8,7 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.recordings.replay import recording_at, replayed_torque
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.terms import AppliedTorque, Term
 
 

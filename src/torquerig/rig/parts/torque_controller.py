@@ -8,9 +8,8 @@ from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.recordings.replay import recording_at, replayed_torque
-from torquerig.rig.assembly import Rig
+from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.motor_drive import motor_drive
-from torquerig.rig.part import Part
 from torquerig.rig.terms import Signal, Term
 
 

@@ -11,8 +11,7 @@ from torquerig.errors import InputError
 from torquerig.mechanisms import ParticleLoad
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Recording
-from torquerig.rig.assembly import Rig
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.overrides import overridden

@@ -1,0 +1,16 @@
+"""What is a recording of the rig program? Two columns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What one run left: ``torque`` (n,) [V] and ``encoder`` (n,) [count]."""
+
+    torque: NDArray[np.float64]
+    encoder: NDArray[np.int32]
