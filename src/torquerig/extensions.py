@@ -3,7 +3,7 @@
 ========================== =============================================================================
 group                      what an entry point names
 ========================== =============================================================================
-``torquerig.mechanisms``   a mechanism: a frozen dataclass derived from ``torquerig.rig.part.Part``
+``torquerig.mechanisms``   a mechanism: a frozen dataclass derived from ``torquerig.rig.assembly.Part``
 ``torquerig.filters``      the YAML form of a filter: a class derived from ``StageForm``
 ``torquerig.readers``      a reader of a file format, ``read(path) -> Table``; the entry's name is the ending
 ``torquerig.catalogs``     a folder with ``motors/``, ``gearboxes/``, ``sensors/``, ``couplings/`` (a ``Path``)

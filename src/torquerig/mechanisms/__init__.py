@@ -79,6 +79,8 @@ if TYPE_CHECKING:
     from torquerig.mechanisms.tooth_mesh import ToothMesh as ToothMesh
     from torquerig.mechanisms.torque_ripple import TorqueRipple as TorqueRipple
     from torquerig.mechanisms.torsional_mode import TorsionalMode as TorsionalMode
+
+    __all__: list[str]
 else:  # whatever files there are, so that a mechanism goes with its file
     _rooms = [import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__)]
     _classes = {

@@ -18,7 +18,6 @@ from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedControl
 from torquerig.rig.terms import AppliedTorque, BristleFriction, Sensing, Term
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.simulator import simulate
-from torquerig.simulation.term_kinds import Terms
 from torquerig.simulation.twin.crossings import nearest_to
 from torquerig.simulation.twin.friction_slope import dry_friction
 from torquerig.simulation.twin.linear_twin import twin_of
@@ -242,13 +241,6 @@ def test_mesh_lines_enter_as_error_and_kinematic_lines_without_amplitude() -> No
 def test_gap_and_backlash_leave_the_modes_as_they_are() -> None:
     plain, gapped = (twin_of(one).modes() for one in (rig(), rig(Backlash(name="gap", gear="gear", gap=1e-3))))
     assert [mode.undamped for mode in gapped] == [mode.undamped for mode in plain]
-
-
-def test_the_twin_knows_every_kind_of_term() -> None:
-    """A new kind of term belongs into the plant, its operating point or what it leaves out: then add it here."""
-    told = {"waves", "springs", "harmonics", "frictions", "loads", "blades", "drives", "sensings", "imposed", "varied",
-            "bristles", "angle_loads", "inverse_inertia"}  # fmt: skip
-    assert set(Terms._fields) == told
 
 
 @dataclass(frozen=True, kw_only=True)
