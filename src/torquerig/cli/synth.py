@@ -16,20 +16,16 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 
-class _Quantity(click.ParamType[float]):
-    """A number with a unit on the command line, in SI behind it."""
+def _quantity(unit: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
+    """Return a callback of an option that converts its value with a unit to SI."""
 
-    def __init__(self, unit: str) -> None:
-        self.unit = unit
-        self.name = f"quantity in {unit}"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        if isinstance(value, float):
-            return value
+    def converted(_: click.Context, option: click.Parameter, value: str | None) -> float | None:
         try:
-            return parse_quantity(value, self.unit)
+            return None if value is None else parse_quantity(value, unit)
         except UnitError as error:
-            raise UnitError(f"{param.opts[0] if param else ''}: {error}") from None
+            raise UnitError(f"{option.opts[0]}: {error}") from None
+
+    return converted
 
 
 _seed = click.option(
@@ -45,13 +41,13 @@ def _run_options(function: Callable[..., None]) -> Callable[..., None]:
     for option in (
         click.option("--ratio", type=float, default=None, help="Motor turns per output turn, for the sidecar."),
         click.option("--motor", default=None, help="Motor of the catalog, for the sidecar."),
-        click.option("--speed", type=_Quantity("rad/s"), default=None, metavar="SPEED",
+        click.option("--speed", callback=_quantity("rad/s"), default=None, metavar="SPEED",
                      help="Speed of the motor for the sidecar, such as '1000 rpm'."),
-        click.option("--rate", type=_Quantity("Hz"), default="25 kHz", show_default=True, metavar="FREQUENCY",
+        click.option("--rate", callback=_quantity("Hz"), default="25 kHz", show_default=True, metavar="FREQUENCY",
                      help="Sample rate."),
-        click.option("--duration", type=_Quantity("s"), default="10 s", show_default=True, metavar="TIME",
+        click.option("--duration", callback=_quantity("s"), default="10 s", show_default=True, metavar="TIME",
                      help="Length of the recording."),
-        click.option("--amplitude", type=_Quantity("N*m"), default="1 mN*m", show_default=True, metavar="TORQUE",
+        click.option("--amplitude", callback=_quantity("N*m"), default="1 mN*m", show_default=True, metavar="TORQUE",
                      help="Zero to peak of each sine."),
     ):  # fmt: skip
         function = option(function)
@@ -77,8 +73,8 @@ def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
 
 
 @command.command("sweep")
-@click.option("--from", "start", type=_Quantity("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
-@click.option("--to", "stop", type=_Quantity("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
+@click.option("--from", "start", callback=_quantity("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
+@click.option("--to", "stop", callback=_quantity("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
 @click.option("--linear", "spacing", flag_value="linear", help="Each hertz takes equally long, not each octave.")
 @_run_options
 @_seed
@@ -122,7 +118,7 @@ def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None
 
 @command.command("effects")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--duration", type=_Quantity("s"), default="10 s", show_default=True, metavar="TIME")
+@click.option("--duration", callback=_quantity("s"), default="10 s", show_default=True, metavar="TIME")
 @click.option("--set", "settings", multiple=True, metavar="PATH=VALUE", help="Change a value without editing.")
 @_seed
 @_out

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from os import environ
 
 import pytest
 from threadpoolctl import threadpool_limits
@@ -23,9 +22,6 @@ from torquerig.rig.assembly import Part
 from torquerig.scenario.model import Scenario
 
 Record = Callable[..., Recording]
-ASKED = pytest.mark.skipif(
-    not environ.get("TORQUERIG_LONG_TESTS"), reason="as long again; set TORQUERIG_LONG_TESTS=1 to run it"
-)
 COMB = tuple(PwmAliasing(name=f"tone{k}", frequency=281.12 * k, amplitude=0.015 / k) for k in (1, 2, 3))
 COGGING = Cogging(name="hidden", slots=12, pole_pairs=7, native=0.03)
 RIPPLE = CommutationRipple(name="hidden", order_motor=84.0, depth=0.08)
@@ -82,7 +78,7 @@ def test_a_second_speed_is_advised_and_tells(comb_at_one_speed: Outcome, known_r
 
 
 @pytest.mark.parametrize(
-    ("truth", "name"), [(COGGING, "cogging"), pytest.param(RIPPLE, "commutation_ripple", marks=ASKED)]
+    ("truth", "name"), [(COGGING, "cogging"), pytest.param(RIPPLE, "commutation_ripple", marks=pytest.mark.long)]
 )
 def test_at_one_current_cogging_is_the_twelfth_harmonic_until_another_load_is_run(
     truth: Part, name: str, known_rig: Scenario, record: Record

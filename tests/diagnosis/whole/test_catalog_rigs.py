@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from os import environ
 from pathlib import Path
 
 import pytest
@@ -18,9 +17,7 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.readings import other_readings
 
-pytestmark = pytest.mark.skipif(
-    not environ.get("TORQUERIG_LONG_TESTS"), reason="takes minutes; set TORQUERIG_LONG_TESTS=1 to run it"
-)
+pytestmark = pytest.mark.long
 
 PARTS = (("bldc-12n14p, torque_limit: 2.0 N*m", "HDS6A-0104A"), ("reference-5-1", "NPS015-5"))
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import pi
-from os import environ
 from zlib import crc32
 
 import numpy as np
@@ -164,10 +163,7 @@ LONG = (
     gear_mesh, commutation_ripple, cogging, blade_pass, mains_interference, pwm_aliasing, sensor_bandwidth,
     quadratic_drag, sensor_drift, stribeck_friction, backlash, clipping,
 )  # fmt: skip
-ASKED = pytest.mark.skipif(
-    not environ.get("TORQUERIG_LONG_TESTS"), reason="takes a minute; set TORQUERIG_LONG_TESTS=1 to run every class"
-)
-CLASSES = [*QUICK, *(pytest.param(effect, marks=ASKED, id=effect.__name__) for effect in LONG)]
+CLASSES = [*QUICK, *(pytest.param(effect, marks=pytest.mark.long, id=effect.__name__) for effect in LONG)]
 
 
 def drawn_for(name: str, effect: Callable[[Draw], Drawn]) -> Drawn:

@@ -5,7 +5,6 @@ A minute each, so they run where they are asked for; ``python -m proof`` runs al
 
 from __future__ import annotations
 
-from os import environ
 from pathlib import Path
 
 import pytest
@@ -17,9 +16,7 @@ from torquerig.scenario.model import Scenario
 PRACTICE = Path(__file__).resolve().parents[3] / ".." / "shared" / "practice"
 pytestmark = [
     pytest.mark.skipif(not PRACTICE.exists(), reason="shared/practice is not beside this checkout"),
-    pytest.mark.skipif(
-        not environ.get("TORQUERIG_LONG_TESTS"), reason="takes minutes; set TORQUERIG_LONG_TESTS=1 to run it"
-    ),
+    pytest.mark.long,
 ]
 
 ANSWERS: dict[str, tuple[str | None, dict[str, float]]] = {
