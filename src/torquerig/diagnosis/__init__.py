@@ -15,7 +15,6 @@ motion/      rigs whose motion was measured, sample by sample       showing/  wh
 
 Beside them: ``rig_under_test`` (are these runs of that rig), ``sheet_ratio`` (does a sheet state another gear
 ratio than the lines), ``sample_findings`` (faults of samples as effects),
-``untrue_samples`` (what is no reading of the torque, taken out and told), ``without_slips`` (what slips and grips
-again), ``own_gap`` (one that a scenario states itself), ``free_names``, ``sentences``, ``null_table`` (least gains from
+``own_gap`` (one that a scenario states itself), ``free_names``, ``sentences``, ``null_table`` (least gains from
 clean rigs, by the scenario's content), and below them all ``side_by_side`` (independent fits on several processors).
 """

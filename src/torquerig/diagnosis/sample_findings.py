@@ -6,20 +6,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from torquerig import mechanisms
-from torquerig.diagnosis.broken_time import broken_time
 from torquerig.diagnosis.case import Candidate
-from torquerig.diagnosis.looking.flat_tops import FlatTops, flat_tops
-from torquerig.diagnosis.looking.held_samples import on_straight_lines, renewed_every
-from torquerig.diagnosis.looking.refilled import Moments
-from torquerig.diagnosis.looking.sample_faults import bridged, coarse_codes, dropouts, moments_lost
-from torquerig.diagnosis.looking.saturated import rebuilt
-from torquerig.diagnosis.looking.under_hum import flat_under_hum
-from torquerig.diagnosis.looking.under_noise import flat_under_noise
-from torquerig.diagnosis.told_in_time import Untrue
-from torquerig.diagnosis.untrue_samples import without_untrue
+from torquerig.diagnosis.outcome import Mismatch
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.clipping_under_hum import flat_under_hum
+from torquerig.recordings.repair.clipping_under_noise import flat_under_noise
+from torquerig.recordings.repair.coarse_codes import coarse_codes
+from torquerig.recordings.repair.faults import Fault
+from torquerig.recordings.repair.flat_tops import FlatTops, flat_tops
+from torquerig.recordings.repair.held_samples import on_straight_lines, renewed_every
+from torquerig.recordings.repair.moments import Moments, bridged
+from torquerig.recordings.repair.samples_at_limit import rebuilt
+from torquerig.recordings.repair.sharp_dropouts import dropouts, moments_lost
+from torquerig.recordings.repair.time_base import broken_time
+from torquerig.recordings.repair.untrue_samples import without_untrue
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import TorqueSensor
+
+Untrue = tuple[str, Mismatch]  # a sentence, and where it is
 
 
 @dataclass(frozen=True)
@@ -122,8 +126,9 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     time = broken_time(recorded, renewed=renewed, repeating=() if behind is None else behind.runs)
     lost_of_each = tuple([*some, *more] for some, more in zip(lost_of_each, time.seams, strict=True))
     true = without_untrue(filled, lost_of_each, standing=standing, resolution=resolution)
+    untrue = tuple(map(_located, (*time.told, *true.told)))
     return SampleFindings(
-        tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost, (*time.told, *true.told),
+        tuple(candidates), true.recordings, clipped, put_right, tuple(unnamed), true.lost, untrue,
         true.stepping, true.swept, true.to_the_other, time.names, true.struck,
     )  # fmt: skip
 
@@ -132,3 +137,12 @@ def _cut_before_noise(recordings: Sequence[Recording], *, full_range: float) -> 
     """Return the flat tops on which a hum, an alias or noise rides, None where there are none."""
     by_hum = flat_under_hum(recordings, full_range=full_range)
     return by_hum or flat_under_noise(recordings, full_range=full_range)
+
+
+def _located(fault: Fault) -> Untrue:
+    """Return a fault's sentence and its place as a diagnosis lists it."""
+    place = fault.place
+    return fault.sentence, Mismatch(
+        domain=place.domain, axis="s" if place.domain == "time" else "Hz", at=place.at, width=place.width,
+        recordings=(fault.recording,), excess_dB=place.excess, share_of_misfit=0.0, p_value=0.0,
+    )  # fmt: skip

@@ -6,6 +6,7 @@
 ``profiles/``       how that speed runs: steady, ramp, reversal, duty cycle, table
 ``files/``          recordings in and out of every format
 ``inspection/``     what a recording holds: levels, runs, spikes, dropouts, spectrum, in one pass
+``repair/``         faults of samples, by the samples alone: found, described in a sentence, and repaired
 ``stage``           the one verb of sensor stages and filters: Recording in, Recording out
 ``channel_angle``   the angle of an angle channel, counts unwrapped and smoothed
 ``replay``          a recorded torque or motion as the input of a simulation

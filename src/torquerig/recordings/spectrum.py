@@ -52,6 +52,17 @@ def band_amplitude(spectrum: NDArray[np.complex128], bin_width: float, low: floa
     return float(np.sqrt((np.abs(spectrum[first : last + 1]) ** 2).sum()))
 
 
+def between_bins(power: NDArray[np.float64], at: int) -> float:
+    """Return where a peak stands between the bins, by the ratio of its two largest under a Hann window.
+
+    ``at`` is the largest bin of ``power``, neither the first nor the last.
+    """
+    amplitude = np.sqrt(power[at - 1 : at + 2])
+    side = 1 if amplitude[2] > amplitude[0] else -1
+    ratio = amplitude[1 + side] / amplitude[1]
+    return float(at + side * (2 * ratio - 1) / (1 + ratio))
+
+
 def _spectrum(
     values: NDArray[np.float64], rate: float, window: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

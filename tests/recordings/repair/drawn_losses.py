@@ -6,9 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from drawn_rig import RATE, Floats, amplified, converted, drawn_torque, slow
+from tests.recordings.repair.drawn_rig import RATE, Floats, amplified, converted, drawn_torque, slow, unit_hits
 
 DURATION = 60.0  # [s]
 CLEAR = 5.0  # standard deviations of the neighbourhood that departures reach behind the low-pass
@@ -116,7 +115,9 @@ def _idle(rng: np.random.Generator, duration: float) -> Floats:
 
 def _heavy_hits(rng: np.random.Generator, duration: float) -> Floats:
     particle, hits = float(rng.choice([2.0, 4.0, 8.0])), float(rng.uniform(0.1, 0.4))
-    return drawn_torque(rng, duration=duration, occupancy=float(rng.choice([5.0, 21.0])), particle=particle, hits=hits).values
+    return drawn_torque(
+        rng, duration=duration, occupancy=float(rng.choice([5.0, 21.0])), particle=particle, hits=hits
+    ).values
 
 
 def _ramp(rng: np.random.Generator, duration: float) -> Floats:
@@ -150,7 +151,9 @@ def _telegraph(rng: np.random.Generator, duration: float) -> Floats:
 def _hum(rng: np.random.Generator, duration: float) -> Floats:
     volts = drawn_torque(rng, duration=duration).values
     time = np.arange(volts.size) / RATE
-    hum = sum(rng.uniform(0, 1) / order * np.cos(2 * np.pi * order * 50.02 * time + rng.uniform(0, 6)) for order in (1, 3, 5))
+    hum = sum(
+        rng.uniform(0, 1) / order * np.cos(2 * np.pi * order * 50.02 * time + rng.uniform(0, 6)) for order in (1, 3, 5)
+    )
     return volts + rng.uniform(0.05, 1.0) * hum
 
 
@@ -216,8 +219,6 @@ def _over_gap(load: Floats, *, stiffness: float, inertia: float, damping: float,
 def _rare_contact_loss(rng: np.random.Generator, duration: float) -> Floats:
     """A loaded shaft whose torque big particles throw back to zero now and then."""
     samples = round(duration * RATE)
-    from drawn_rig import unit_hits
-
     load = rng.uniform(0.5, 1.5) * (1 + 0.06 * slow(rng, samples, low_pass=1.5))
     load += load.mean() * rng.uniform(0.1, 0.4) * unit_hits(rng, samples, 5.0, float(rng.choice([1.0, 2.0, 4.0])))
     return _over_gap(np.maximum(load, 0), stiffness=1000.0, inertia=1.4e-3, damping=0.05, gap=rng.uniform(5e-4, 4e-3))

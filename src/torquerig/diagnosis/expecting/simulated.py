@@ -15,10 +15,10 @@ from torquerig.diagnosis.expecting.chance_of_load import ChanceOfLoad
 from torquerig.diagnosis.expecting.expectation import Expectation, amplitude_variance, expected, floor_of
 from torquerig.diagnosis.looking.features import Features, features
 from torquerig.diagnosis.looking.observed import Observed, speed_of
-from torquerig.diagnosis.looking.saturated import rebuilt
 from torquerig.diagnosis.looking.turning import turns_back
 from torquerig.diagnosis.side_by_side import of_each
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.samples_at_limit import rebuilt
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.placed_stage import PlacedStage

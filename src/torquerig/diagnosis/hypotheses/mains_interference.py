@@ -8,7 +8,8 @@ from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.fixed_lines import fixed_lines
-from torquerig.diagnosis.looking.hum import ALWAYS, GRIDS, fundamental, harmonics_of
+from torquerig.diagnosis.looking.hum import ALWAYS, fundamental, harmonics_of
+from torquerig.recordings.repair.mains_hum import GRIDS
 
 _START = 2e-3  # [V]
 _OFF = 0.03  # [Hz] by which two harmonics may differ in the grid's frequency

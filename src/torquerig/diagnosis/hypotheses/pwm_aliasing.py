@@ -12,8 +12,8 @@ from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.hypotheses.fixed_lines import doubtful_lines, fixed_lines
 from torquerig.diagnosis.linear.twin import Twin
-from torquerig.diagnosis.looking.hum import GRIDS
 from torquerig.diagnosis.looking.peaks import Peak
+from torquerig.recordings.repair.mains_hum import GRIDS
 
 _PASSED = 0.02  # share of a torque on the loaded side that still reaches the reading
 _STRONGEST = 3

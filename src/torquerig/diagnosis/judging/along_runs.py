@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.sample_faults import moments_lost
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.recordings.repair.sharp_dropouts import moments_lost
 
 PARTS = 10  # of each run
 SHORTEST = 0.4  # [s] a part

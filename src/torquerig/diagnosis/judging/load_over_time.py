@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.robust_spread import spread_about_median
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.recordings.repair.robust_spread import spread_about_median
 
 Floats = NDArray[np.float64]
 

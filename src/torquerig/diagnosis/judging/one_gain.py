@@ -16,8 +16,8 @@ from scipy.stats import t as student
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.looking.robust_spread import spread_about_zero
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.recordings.repair.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]
 

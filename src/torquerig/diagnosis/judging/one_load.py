@@ -23,8 +23,8 @@ from torquerig.diagnosis.judging.band_excess import BandExcess, band_excesses
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.kept import kept
-from torquerig.diagnosis.looking.sample_faults import moments_lost
 from torquerig.diagnosis.outcome import Mismatch
+from torquerig.recordings.repair.sharp_dropouts import moments_lost
 
 Floats = NDArray[np.float64]
 

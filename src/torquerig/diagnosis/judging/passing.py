@@ -15,10 +15,10 @@ from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.expecting.simulated import simulated
 from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.sample_faults import moments_lost
-from torquerig.diagnosis.looking.short_spectra import short_spectra
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import SimulationError
+from torquerig.recordings.repair.sharp_dropouts import moments_lost
+from torquerig.recordings.repair.short_spectra import short_spectra
 from torquerig.rig.assembly import Rig
 
 _LENGTHS = (8, 16, 32)  # blocks

@@ -6,8 +6,8 @@ from collections.abc import Collection, Sequence
 
 from torquerig.diagnosis.expecting.simulated import limit_of, simulated_runs
 from torquerig.diagnosis.looking.features import Features
-from torquerig.diagnosis.looking.saturated import at_limit, too_long
 from torquerig.errors import SimulationError
+from torquerig.recordings.repair.samples_at_limit import at_limit, too_long
 from torquerig.rig.assembly import Rig
 
 _SEED = 101

@@ -14,10 +14,11 @@ import numpy as np
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.looking.order_or_fixed import ONE_SPEED
-from torquerig.diagnosis.looking.peaks import LEADING, between_bins, over_floor
+from torquerig.diagnosis.looking.peaks import LEADING, over_floor
 from torquerig.diagnosis.looking.places import Place, frequency
 from torquerig.diagnosis.looking.steady_tone import spectrum_of_seen
 from torquerig.orders.angle.coherence import coherence, floor_beside, order_power
+from torquerig.recordings.spectrum import between_bins
 
 _LOWEST = 20.0  # [Hz] slower tones are the shaft's own business
 _SAME = 0.35  # bins: so far a tone may seem to move from run to run

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from torquerig.diagnosis.linear.quasi_static import behind_sensor
 from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.robust_spread import spread_about_zero
+from torquerig.recordings.repair.robust_spread import spread_about_zero
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import gears_to_sensor

@@ -6,10 +6,9 @@ from collections.abc import Iterable
 
 from torquerig.diagnosis.looking.peaks import Peak
 from torquerig.diagnosis.looking.places import Place, frequency
+from torquerig.recordings.repair.mains_hum import GRIDS, TOLERANCE
 
-GRIDS = (50.0, 60.0)  # [Hz]
 ALWAYS = (1, 2, 3)  # a hum has its first harmonics even where other lines hide them
-TOLERANCE = 0.006  # grids keep within some tenths of a per cent [1]
 _HARMONICS = 8
 
 

@@ -5,37 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
 from torquerig.simulation.kernel.elementary import sine_cosine
 from torquerig.simulation.kernel.fast import FAST
 from torquerig.simulation.kernel.sources import sources_key
-
-
-@njit(cache=True, nogil=True)
-def largest_path_sum(values: NDArray[np.float64], far: int) -> tuple[float, int, int]:
-    """Return the largest sum along a straight path from the first row to the last, and the columns of its ends.
-
-    Parameters
-    ----------
-    values : ndarray, shape (rows, columns)
-    far : int
-        Columns by which the ends of a path differ at least.
-    """
-    rows, columns = values.shape
-    best, first, last = -np.inf, 0, 0
-    for start in range(columns):
-        for stop in range(columns):
-            if abs(stop - start) < far:
-                continue
-            slope, total = (stop - start) / (rows - 1), 0.0
-            for row in range(rows):
-                total += values[row, int(start + slope * row + 0.5)]
-            if total > best:
-                best, first, last = total, start, stop
-    return best, first, last
 
 
 def _built(key: int) -> tuple[Callable[..., Any], Callable[..., Any]]:

@@ -15,6 +15,7 @@ from torquerig.diagnosis.looking.regression import regressed
 from torquerig.diagnosis.looking.stretch_lines import shown_places
 from torquerig.diagnosis.looking.waves import Waves
 from torquerig.diagnosis.side_by_side import of_each
+from torquerig.recordings.spectrum import between_bins
 
 Floats = NDArray[np.float64]
 
@@ -160,17 +161,6 @@ def over_floor(power: Floats, *, below: float) -> Floats:
 def _tops(excess: Floats) -> list[int]:
     above = np.flatnonzero(excess > CLEAR)
     return [int(at) for at in above if excess[at] == excess[max(at - 2, 0) : at + 3].max()]
-
-
-def between_bins(power: Floats, at: int) -> float:
-    """Return where a peak stands between the bins, by the ratio of its two largest under a Hann window.
-
-    ``at`` is the largest bin of ``power``, neither the first nor the last.
-    """
-    amplitude = np.sqrt(power[at - 1 : at + 2])
-    side = 1 if amplitude[2] > amplitude[0] else -1
-    ratio = amplitude[1 + side] / amplitude[1]
-    return float(at + side * (2 * ratio - 1) / (1 + ratio))
 
 
 def _judged(place: Place, spectra: Sequence[_Spectrum]) -> Peak:

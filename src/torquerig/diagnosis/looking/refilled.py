@@ -16,8 +16,7 @@ from torquerig.diagnosis.looking.regression import regressed
 from torquerig.diagnosis.looking.stretch_lines import shown_places
 from torquerig.diagnosis.looking.turning import turns_back
 from torquerig.diagnosis.looking.waves import Waves
-
-Moments = Sequence[tuple[int, int]]
+from torquerig.recordings.repair.moments import Moments
 
 
 def refilled(observed: Observed, lost: Moments, places: Sequence[Place]) -> Observed:

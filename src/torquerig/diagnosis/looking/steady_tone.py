@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.peaks import SHIFTED, Peak, between_bins
+from torquerig.diagnosis.looking.peaks import SHIFTED, Peak
 from torquerig.diagnosis.looking.places import Place, order
+from torquerig.recordings.spectrum import between_bins
 
 Floats = NDArray[np.float64]
 

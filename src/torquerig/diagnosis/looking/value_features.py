@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.looking.observed import Observed
-from torquerig.diagnosis.looking.robust_spread import spread_about_zero
+from torquerig.recordings.repair.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.looking.flat_tops import FlatTops, flat_tops
-from torquerig.diagnosis.looking.moments_of import moments_of
-from torquerig.diagnosis.looking.sample_faults import Dropouts, bridged, dropouts, moments_lost
 from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.repair.flat_tops import FlatTops, flat_tops
+from torquerig.recordings.repair.moments import bridged, moments_of
+from torquerig.recordings.repair.sharp_dropouts import Dropouts, dropouts, moments_lost
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -1,0 +1,26 @@
+"""Faults of samples: found by the samples alone, described in a sentence, and repaired; no rig is known here.
+
+=========================== ====================================================================================
+``held_samples``            samples renewed more seldom than they are written
+``coarse_codes``            values on multiples of a step wider than the converter's
+``sharp_dropouts``          the signal jumps to a level, rests there and jumps back
+``flat_tops``               a reading that stops at a limit; ``clipping_under_hum`` and ``clipping_under_noise``: the
+                            same where a hum, an alias or noise was added behind the limit
+``samples_at_limit``        what a limit cut off, rebuilt
+``repeated_samples``        samples written twice
+``angle_jumps``             a measured angle that jumps
+``time_base``               those two and held samples: recordings whose time base is broken
+``slips``                   blows of what lets go under load and grips again; ``slips_removed``: without them
+``telegraph_noise``         a zero that jumps between two levels
+``gain_changes``            moments in which all of the signal is larger by one factor
+``mean_steps``              a mean that steps and stays
+``sample_jumps``            jumps from one sample to the next
+``sweeps``                  lines that sweep at a steady speed; ``sweep_course``: their ends, and a run without them
+``untrue_samples``          the detectors from ``slips`` on, in their order
+``faults``                  what a fault says, and where it is
+``moments``                 moments of a recording: from flags, about jumps, bridged
+``strong_tone``             a tone that hides faults; ``mains_hum``: a hum that does
+``short_spectra``           how a spectrum changes in time; ``path_sum``: paths through such a map
+``robust_spread``           standard deviations that outliers hardly move
+=========================== ====================================================================================
+"""
