@@ -1,19 +1,18 @@
-"""The torque of a brushless motor under six-step commutation and of a servo, out of their phases: one picture.
+"""
+Ripple of six-step commutation and of a servo
+=============================================
 
-No ripple is put in: resistance, inductance, back-EMF and DC link are those that the catalog's intervals allow, the
-control is six-step for the one and field-oriented for the other, the torque that of the wear rig at 5 % occupancy.
-Run: python examples/six_step_or_servo.py [PICTURE.svg]
+How much does the torque of a brushless motor vary within one electrical period, and how much that of a servo motor?
+No ripple is put in. It follows from resistance, inductance, back-EMF and DC link, drawn from the catalog's intervals.
+The mean torque is that of the wear rig at 5 % occupancy.
 """
 
-import sys
-from pathlib import Path
-
+import matplotlib.pyplot as plt
 import numpy as np
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
-from torquerig.reporting.figures.picture import new_figure, write_picture
 from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
@@ -21,8 +20,12 @@ from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import read_scenario
 
 document, catalog = read_document(shipped_scenarios() / "wear_rig.yaml"), load_catalog(shipped_folder())
-figure = new_figure(7, 4)
-axes = figure.add_subplot()
+
+# %%
+# ``motor.ripple=from_phase_level`` replaces the motor's electrical line by the lines of its phases. The first motor is
+# commutated in six steps, the second by field-oriented control.
+
+figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
 for motor in ("bldc-12n14p", "HDS6A-0104A"):
     settings = ["motor.ripple=from_phase_level", f"motor.catalog={motor}"]
     rig = read_scenario(overridden(document, settings), catalog, seed=1).rig
@@ -35,6 +38,4 @@ for motor in ("bldc-12n14p", "HDS6A-0104A"):
     print(motor, "lines by electrical order:", depth or "none above 0.1 %")
 axes.set(xlabel="electrical angle [deg]", ylabel="motor torque [N m]", ylim=(0, None))
 axes.legend()
-picture = Path(sys.argv[1] if len(sys.argv) > 1 else "six_step_or_servo.svg")
-write_picture(figure, picture, overwrite=True)
-print(f"wrote {picture}")
+plt.show()

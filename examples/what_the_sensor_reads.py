@@ -1,17 +1,16 @@
-"""One second of the wear rig, read by its sensor, and what the reference report's filter makes of it: one picture.
-
-Run: python examples/what_the_sensor_reads.py [PICTURE.svg]
 """
+What the torque sensor reads, before and after a filter
+=======================================================
 
-import sys
-from pathlib import Path
+Four seconds of the wear rig are simulated. The filter as the reference report's code runs it is applied to the
+reading. Both are compared with the true load, which only a simulation knows.
+"""
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.filters.chains.filter_chain import report_filter_code_chain
 from torquerig.metrics.truth_error import truth_error
-from torquerig.reporting.figures.picture import write_picture
 from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
@@ -23,11 +22,16 @@ reading = simulate(rig, duration=4.0, seed=1, wander=2e-4)
 kinematics = kinematics_of(rig)
 chain = report_filter_code_chain(kinematics)
 filtered = chain.apply(reading)
+
+# %%
+# The standard deviation falls. The error to the true load falls less: the notches remove load, too.
+
 for name, recording in (("unfiltered", reading), ("filtered", filtered)):
     torque = recording.torque()
     error = truth_error(recording, reading)
-    print(f"{name}: mean {torque.mean():.3f} N*m, std {torque.std():.3f} N*m, off the true load by {error:.3f} N*m rms")
-picture = Path(sys.argv[1] if len(sys.argv) > 1 else "what_the_sensor_reads.svg")
+    print(f"{name}: mean {torque.mean():.3f} N*m, std {torque.std():.3f} N*m, error to the true load {error:.3f} N*m rms")
+
+# %%
+# The amplitude spectrum. Each marked line is an order of a shaft; the colour names its cause.
+
 figure = spectrum_figure(reading, filtered, lines=chain.lines, motor_speed=rig.run.speed or 0.0, ratio=kinematics.ratio)
-write_picture(figure, picture, overwrite=True)
-print(f"wrote {picture}")
