@@ -43,7 +43,7 @@ class Spectra(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class LoadInverse:
-    """Wiener's estimate of the load: conj(H) S_load / (|H|^2 S_load + S_noise) times the reading's transform.
+    """Wiener's estimate of the load: ``conj(H) S_load / (|H|^2 S_load + S_noise)`` times the reading's transform.
 
     The rig's ringing under the load is taken back, and what stands below the noise is left out. The spectra of load
     and noise are fitted to the recording itself.
