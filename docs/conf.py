@@ -16,7 +16,7 @@ from sphinx.application import Sphinx
 
 import torquerig
 from torquerig.parameter import Parameter
-from torquerig.rig.part import Part
+from torquerig.rig.assembly import Part
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent

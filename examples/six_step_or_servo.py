@@ -10,16 +10,10 @@ The mean torque is that of the wear rig at 5 % occupancy.
 import matplotlib.pyplot as plt
 import numpy as np
 
-from torquerig.catalog.reading import load_catalog
-from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.document import read_document
+import torquerig as tr
 from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
-from torquerig.scenario.overrides import overridden
-from torquerig.scenario.reading import read_scenario
-
-document, catalog = read_document(shipped_scenarios() / "wear_rig.yaml"), load_catalog(shipped_folder())
 
 # %%
 # ``motor.ripple=from_phase_level`` replaces the motor's electrical line by the lines of its phases. The first motor is
@@ -27,8 +21,8 @@ document, catalog = read_document(shipped_scenarios() / "wear_rig.yaml"), load_c
 
 figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
 for motor in ("bldc-12n14p", "HDS6A-0104A"):
-    settings = ["motor.ripple=from_phase_level", f"motor.catalog={motor}"]
-    rig = read_scenario(overridden(document, settings), catalog, seed=1).rig
+    changes = {"motor.ripple": "from_phase_level", "motor.catalog": motor}
+    rig = tr.read_scenario("wear_rig.yaml", changes=changes).rig
     (phases,) = rig.parts_of(MotorPhases)
     waves = waves_of(rig.part("motor.commutation").changes_in_host(rig), DriveRipple)
     angle = np.linspace(0, 2 * np.pi / phases.pole_pairs, 2000)

@@ -9,23 +9,17 @@ show? The answer is the frequency response of the rig's linear model with its sp
 import matplotlib.pyplot as plt
 import numpy as np
 
-from torquerig.catalog.reading import load_catalog
-from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
-from torquerig.document import read_document
-from torquerig.scenario.reading import read_scenario
-from torquerig.simulation.linear import matrices, spring_response
+import torquerig as tr
+from torquerig.simulation.linear import spring_response
 from torquerig.simulation.lower import lower
 
-document = read_document(shipped_scenarios() / "wear_rig.yaml")
-rig = read_scenario(document, load_catalog(shipped_folder()), seed=1).rig
-lowered = lower(rig, 1)
-print("torsional modes:", ", ".join(f"{mode:.1f} Hz" for mode in matrices(lowered).undamped_frequencies()[1:]))
+rig = tr.read_scenario("wear_rig.yaml").rig
+frequency = np.geomspace(1, 2000, 2000)
+response = spring_response(lower(rig, 1), rig.measured, frequency, speed_loop=True)
 
 # %%
 # The ripple is counted at the output, so its response is divided by the gear ratio.
 
-frequency = np.geomspace(1, 2000, 2000)
-response = spring_response(lowered, rig.measured, frequency, speed_loop=True)
 figure, axes = plt.subplots(figsize=(7, 4), layout="constrained")
 axes.loglog(frequency, abs(response["motor"]) / (rig.run.gear_ratio or 1), label="ripple of the motor (per ratio)")
 axes.loglog(frequency, abs(response[rig.node("wear_part")]), label="load at the wear part")
