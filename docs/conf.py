@@ -86,8 +86,9 @@ def notebooks() -> None:
         (target / "index.md").write_text(text, encoding="utf-8")
 
 
-def with_fields(app: Sphinx, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+def with_fields(app: Sphinx, what: str, name: str, thing: Any, *rest: Any) -> None:
     """Add the fields that a class declares by ``Parameter`` to its docstring, as numpydoc has them."""
+    lines: list[str] = rest[1]
     if what != "class" or not (is_dataclass(thing) and issubclass(thing, Part)) or "Parameters" in lines:
         return
     import parameters  # the script beside this file

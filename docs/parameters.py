@@ -24,16 +24,17 @@ INTRODUCTION = """# Parameters of parts and effects
 
 Made by `docs/parameters.py` from the declarations in `src/torquerig`; do not edit by hand.
 
-Every part and effect has a `kind:` (the headings below). A part on a shaft may also state `after:`, the part to which it
-is fixed. Write a value with any unit of its kind (`1.5 kg*cm^2` for `kg*m^2`). The table shows the unit inside the code;
-the bounds are in that unit. A dash means a pure number, a name or a list. Equations and their validity:
+Every part and effect has a `kind:` (the headings below). A part on a shaft may also state `after:`, the part to which
+it is fixed. Write a value with any unit of its kind (`1.5 kg*cm^2` for `kg*m^2`). The table shows the unit inside the
+code; the bounds are in that unit. A dash means a pure number, a name or a list. Equations and their validity:
 [models](models.md).
 
-An effect on a part that moves in a line (`at:` or `gear:` names a `slide`, `link` or `force_sensor`) is written in N, kg
-and m where the table has N*m, kg*m^2 and rad: `12 N`, `15 mm/s`, `3 N*s^2/m^2`.
+An effect on a part that moves in a line (`at:` or `gear:` names a `slide`, `link` or `force_sensor`) is written in N,
+kg and m where the table has N*m, kg*m^2 and rad: `12 N`, `15 mm/s`, `3 N*s^2/m^2`.
 
-Next to `rig:` a scenario has `scenario:` (a title), `measured:` (the part whose torque is read, or the `imposed_motion`
-whose effort is) and `operating_point:`, with `motor_speed:` or `output_speed:`, `load: {occupancy:, particle_size:}`,
+Next to `rig:` a scenario has `scenario:` (a title), `measured:` (the part whose torque is read, or the
+`imposed_motion` whose effort is) and `operating_point:`, with `motor_speed:` or `output_speed:`,
+`load: {occupancy:, particle_size:}`,
 `profile:` and `duty_cycle:`, `speed_set_point_error_max:` and `slow_speed_wander:`; the shipped scenarios show them.
 """
 
