@@ -11,7 +11,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
 from torquerig.filters.chains.filter_chain import Chain
-from torquerig.metrics.left_disturbance import with_and_without
+from torquerig.metrics.residual_disturbance import simulated_reading_pair
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.criteria import UNITS, criteria_of
@@ -46,7 +46,7 @@ def test_a_study_measures_what_its_criteria_ask_for(study):
         name: CriterionRow(
             metric=name, unit=UNITS[name], better="less", weight=0.1, points={0.0: 5, 1.0: 1}, purpose=""
         )
-        for name in ("thermal_use", "left_disturbance", "sensor_overload")
+        for name in ("thermal_use", "residual_disturbance", "sensor_overload")
     }
     asked = replace(study, settings=study.settings.model_copy(update={"criteria": rows, "demands": {}}))
     assert [one.name for one in criteria_of(asked)] == list(rows)
@@ -55,17 +55,17 @@ def test_a_study_measures_what_its_criteria_ask_for(study):
     assert (
         found.margins["thermal_use"].shown() == sizing_figures(PRESENT, asked, ["thermal_use"])["thermal_use"].shown()
     )
-    left = {name: chain.left_disturbance.value for name, chain in found.chains.items()}
+    left = {name: chain.residual_disturbance.value for name, chain in found.chains.items()}
     assert left["order_lines"] < 0.5 * left["none"]  # it takes the lines out
     plain = run_drive(PRESENT, study)
     assert "thermal_use" not in plain.margins
-    assert plain.chains["none"].left_disturbance.unknown
+    assert plain.chains["none"].residual_disturbance.unknown
 
 
 def test_an_empty_chain_leaves_the_disturbance_as_it_is(study):
     rig = scenario_of(PRESENT, study, seed=1).rig
-    both = with_and_without(rig, duration=1.0, seed=1, settling=0.5)
-    assert both.left_by(Chain(name="none", stages=())) == pytest.approx(both.before, rel=1e-12)
+    both = simulated_reading_pair(rig, duration=1.0, seed=1, settling=0.5)
+    assert both.residual_rms(Chain(name="none", stages=())) == pytest.approx(both.before, rel=1e-12)
     assert both.before > 0.05
 
 

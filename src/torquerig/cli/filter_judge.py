@@ -11,7 +11,7 @@ from torquerig.errors import InputError
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.evaluation.inserted import HIT_DECAY, StepShown
 from torquerig.filters.evaluation.placebo import Placebo
-from torquerig.metrics.judgement import Judgement, judged
+from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.metrics.load_error import LoadError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import grid, wrapped
@@ -53,7 +53,7 @@ def judge_chains(
 
     known = kinematics.lines(KNOWN_HARMONICS)
     for chain in chains:
-        made = judged(chain, recording, ratio=kinematics.ratio, known=known)
+        made = evaluate_filter(chain, recording, ratio=kinematics.ratio, known=known)
         click.echo(f"{chain.name}, judged on {recording.duration:.4g} s{where}:")
         for part in (told_placebo(made), told_step(made.step), told_truth(made)):
             click.echo(part + "\n")
@@ -61,7 +61,7 @@ def judge_chains(
         click.echo(f"wrote {targets[chain.name]}\n")
 
 
-def told_placebo(made: Judgement) -> str:
+def told_placebo(made: FilterEvaluation) -> str:
     """Return in words what the same chain cuts at empty orders, and what is left as noise removed."""
     placebo, effect = made.placebo, made.effect
     if placebo is None:
@@ -94,7 +94,7 @@ def told_step(step: StepShown | None) -> str:
     )
 
 
-def told_truth(made: Judgement) -> str:
+def told_truth(made: FilterEvaluation) -> str:
     """Return the table of errors to the true load before and after, or that it is not known."""
     before, after = made.error_before, made.error_after
     if before is None or after is None:

@@ -91,7 +91,7 @@ def _tell_disturbance(
     study: Study, catalog: Catalog, document: Document, *, motor: str | None, gearbox: str | None, seed: int
 ) -> None:
     """Say what of the disturbance each chain leaves, at the steady set-point of the same drive."""
-    from torquerig.metrics.left_disturbance import with_and_without
+    from torquerig.metrics.residual_disturbance import simulated_reading_pair
     from torquerig.reporting.sizing.sizing_text import disturbance_rows
     from torquerig.scenario.overrides import overridden
 
@@ -103,10 +103,10 @@ def _tell_disturbance(
         if made.rig.run.speed is None:
             return
         wander = made.operating_point.slow_speed_wander
-        both = with_and_without(made.rig, duration=6.0, seed=one, wander=wander, settling=0.8)
+        both = simulated_reading_pair(made.rig, duration=6.0, seed=one, wander=wander, settling=0.8)
         before.append(both.before)
         for name, chain in study.chains(made).items():
-            left.setdefault(name, []).append(both.left_by(chain))
+            left.setdefault(name, []).append(both.residual_rms(chain))
     click.echo(f"\nDisturbance at the sensor, steady, simulated, rms; over {COPIES} copies that the catalog allows:")
     click.echo(grid(disturbance_rows(before, left)))
 

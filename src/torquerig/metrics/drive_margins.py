@@ -1,4 +1,4 @@
-"""What a motor on a gearbox can do without a simulation: speed, torque, what it does to the sensor, what it costs."""
+"""Margins of a motor on a gearbox without a simulation: speed, torque, load of the sensor, price."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.metrics.figure import Figure, scaled, total, yes_no
 
 @dataclass(frozen=True, kw_only=True)
 class Duty:
-    """What is asked of a drive.
+    """Operating point and settings of a drive.
 
     Parameters
     ----------
@@ -41,12 +41,12 @@ def drive_margins(
     ``speed_reserve`` max. speed / needed speed; ``speed_use`` needed / rated speed; ``continuous_output_torque`` rated
     torque x ratio x efficiency [N m]; ``torque_reserve`` that over the mean torque; ``sensor_peak`` the drive's limit
     at the sensor [N m]; ``servo`` 1 or 0; ``new_parts`` how many of motor, drive, gearbox, adapter must be changed
-    (what stands there already is not new); ``price`` of what is new [EUR].
+    (present parts are not new); ``price`` of the new parts [EUR].
     """
     name = motor.stands_for or motor.name
     needed = duty.output_speed * duty.ratio
     gain = duty.ratio * duty.efficiency
-    prices = [Figure(value=0.0, unit="EUR", source="what is there costs nothing")]
+    prices = [Figure(value=0.0, unit="EUR", source="present parts cost nothing")]
     if new_motor:
         prices += [scaled(motor.price, 1.0, unit="EUR", missing=f"price of {name}"),
                    scaled(motor.drive_price, 1.0, unit="EUR", missing=f"price of the drive of {name}")]  # fmt: skip
@@ -60,7 +60,7 @@ def drive_margins(
             motor.rated_torque, gain / duty.mean_torque, unit="1", missing=f"rated torque of {name}"
         )
         if duty.mean_torque > 0
-        else Figure(missing="a mean load, over which a reserve could be counted"),
+        else Figure(missing="a mean load as reference of the reserve"),
         "sensor_peak": Figure(
             value=duty.torque_limit * gain,
             unit="N*m",

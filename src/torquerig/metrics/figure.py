@@ -1,4 +1,4 @@
-"""A number to quote: the value, the interval it lies in, its unit, and where it comes from."""
+"""Figure: a value with its interval, unit and source."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Figure:
         The interval [unit]; None where the value is certain or nothing is known.
     unit : str
     source : str
-        A catalog field with its source, or the simulation that gave it.
+        A catalog field with its source, or the simulation.
     missing : str
-        What to ask for, where the figure is unknown or an interval.
+        The missing values, where the figure is unknown or an interval.
     rests_on : tuple of (str, Estimate)
-        The catalog values that it was worked out from, by the name to ask for.
+        The catalog values that it was calculated from, by name.
     """
 
     value: float | None = None
@@ -61,9 +61,9 @@ def _plain(number: float) -> str:
 
 
 def scaled(estimate: Estimate, factor: float, *, unit: str, missing: str, inverse: bool = False) -> Figure:
-    """Return ``factor * estimate`` (or ``factor / estimate``); a guess stays an interval without a value.
+    """Return ``factor * estimate`` (or ``factor / estimate``); an estimate stays an interval without a value.
 
-    ``missing`` names the estimate, as one would ask for it.
+    ``missing`` names the estimate.
     """
     rests_on = ((missing, estimate),)
     if estimate.unknown:
@@ -77,7 +77,7 @@ def scaled(estimate: Estimate, factor: float, *, unit: str, missing: str, invers
 
 
 def yes_no(fact: Fact | None, missing: str) -> Figure:
-    """Return 1 or 0 for a fact of the catalog; unknown, with what to ask, where nobody states it."""
+    """Return 1 or 0 for a fact of the catalog; unknown, with the missing fact, where it is not stated."""
     if fact is None:
         return Figure(missing=missing, rests_on=((missing, Estimate()),))
     value, source = float(fact.value), f"{fact.source} ({fact.evidence})"
@@ -86,7 +86,7 @@ def yes_no(fact: Fact | None, missing: str) -> Figure:
 
 
 def total(figures: list[Figure], *, unit: str) -> Figure:
-    """Return the sum of figures; unknown as soon as one of them is, because a sum without it would be too small."""
+    """Return the sum of figures; unknown if one of them is, because a sum without it would be too small."""
     rests_on = tuple(dict.fromkeys(one for figure in figures for one in figure.rests_on))
     if any(figure.unknown for figure in figures):
         missing = ", ".join(figure.missing for figure in figures if figure.unknown)

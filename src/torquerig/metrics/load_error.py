@@ -1,4 +1,4 @@
-"""How a reading differs from the true load: altogether, by band of frequencies, in energy, in its hits, in time."""
+"""Error of a reading against the true load: rms, by frequency band, in energy, at impacts and in delay."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ TRUE_SPEED = "true_output_speed_rad_s"
 
 @dataclass(frozen=True, kw_only=True)
 class LoadError:
-    """The difference of a reading to the true load.
+    """The error of a reading against the true load.
 
     Parameters
     ----------
     rms : float
         Mean included [N m].
     mean : float
-        Mean of reading less load [N m].
+        Mean of reading minus load [N m].
     bands : tuple of (low, high)
-        [Hz]; they join, so that the squares of ``in_band`` add up to ``rms`` squared.
+        [Hz]; contiguous, so that the squares of ``in_band`` add up to ``rms`` squared.
     in_band : tuple of float
         Rms of the difference in each band [N m].
     load_in_band : tuple of float
         Rms of the load itself in each band [N m].
     energy_percent : float or None
-        Energy by the reading less energy by the load, over the latter, both at the true speed of the wear part [%];
-        None where that speed is no channel.
+        Energy from the reading minus energy from the load, relative to the latter, both at the true speed of the
+        wear part [%]; None where that speed is no channel.
     delay : Delay or None
-        Of the reading behind the load.
+        Delay of the reading against the load.
     hits : HitsShown or None
-        How the reading shows the load's largest hits; None where there are fewer than three.
+        The load's largest impacts in the reading; None where there are fewer than three.
     """
 
     rms: float
@@ -52,22 +52,24 @@ class LoadError:
 
 
 def load_error(reading: Recording, truth: Recording) -> LoadError:
-    """Return how ``reading`` differs from the true load that ``truth`` knows.
+    """Return the error of ``reading`` against the true load in ``truth``.
 
     Raises
     ------
     RecordingError
-        When the true load is not known, or the two are not of one length.
+        When the true load is not known, or the two have different lengths.
 
     Notes
     -----
-    The hits are looked for where the reading's delay puts them, when that is within the search and the two are alike
-    (correlation above 0.5); a delay is otherwise taken as 0.
+    The impacts are searched at the delay of the reading, if it is within the search range and the correlation is above
+    0.5; otherwise at a delay of 0.
     """
     rms = truth_error(reading, truth)
     load, torque, rate = truth.channels[TRUE_LOAD].in_si(), reading.torque(), reading.sample_rate
     if load.size < 8:
-        raise RecordingError(f"{truth.name}: {load.size} samples are too few to judge; take a longer recording")
+        raise RecordingError(
+            f"{truth.name}: {load.size} samples are too few for an evaluation; take a longer recording"
+        )
     bands = bands_below(rate)
     delay = delay_behind(torque, load, rate=rate)
     late = delay.seconds if delay is not None and delay.correlation > 0.5 else 0.0

@@ -1,4 +1,4 @@
-"""What the catalog says of a motor on a gearbox, as figures: no scenario, no simulation."""
+"""Catalog values of a motor on a gearbox as figures, without scenario or simulation."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from math import pi
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure, scaled, yes_no
-from torquerig.metrics.sizing.open_data import exactly, over
+from torquerig.metrics.sizing.open_data import exact_value, over_intervals
 from torquerig.parameter import Estimate
 
 FACT_UNITS: Mapping[str, str] = {
@@ -24,8 +24,8 @@ def motor_facts(motor: Motor, gearbox: Gearbox, *, present: Motor) -> Mapping[st
     """Return the figures by the names of ``FACT_UNITS``.
 
     ``output_torque`` is rated torque x ratio x efficiency, ``unlimited_peak`` the same of the peak torque;
-    ``inertia_at_output`` the rotor's inertia x ratio^2; ``same_shaft`` is 1 where the shaft is as thick as that of the
-    ``present`` motor, 0 where it surely is not.
+    ``inertia_at_output`` the rotor's inertia x ratio^2; ``same_shaft`` is 1 where the shaft has the diameter of that of
+    the ``present`` motor, 0 where it certainly has not.
     """
     name, box = motor.stands_for or motor.name, gearbox.name
     rated, peak, eta = f"rated torque of {name}", f"peak torque of {name}", f"efficiency of {box}"
@@ -33,11 +33,11 @@ def motor_facts(motor: Motor, gearbox: Gearbox, *, present: Motor) -> Mapping[st
     return {
         "rated_speed": _rounded(scaled(motor.rated_speed, 30 / pi, unit="rpm", missing=f"rated speed of {name}")),
         "rated_torque": scaled(motor.rated_torque, 1.0, unit="N*m", missing=rated),
-        "output_torque": over(
+        "output_torque": over_intervals(
             {rated: motor.rated_torque, eta: efficiency}, lambda v: v[rated] * gearbox.ratio * v[eta], unit="N*m",
             source=f"rated torque x {gearbox.ratio:g} x efficiency",
         ),
-        "unlimited_peak": over(
+        "unlimited_peak": over_intervals(
             {peak: motor.peak_torque, eta: efficiency}, lambda v: v[peak] * gearbox.ratio * v[eta], unit="N*m",
             source=f"peak torque x {gearbox.ratio:g} x efficiency",
         ),
@@ -50,15 +50,15 @@ def motor_facts(motor: Motor, gearbox: Gearbox, *, present: Motor) -> Mapping[st
 
 
 def _rounded(figure: Figure) -> Figure:
-    """Return a figure without the last bits that a change of unit leaves, which a limit would trip over."""
+    """Return a figure rounded to 1e-6, so that rounding errors of unit conversion do not fail a limit."""
     ends = (None if one is None else round(one, 6) for one in (figure.value, figure.low, figure.high))
     value, low, high = ends
     return replace(figure, value=value, low=low, high=high)
 
 
 def _stated(known: Estimate, factor: float, name: str) -> Figure:
-    """Return a figure that keeps the stated value beside its interval."""
-    return over({name: known, "factor": exactly(factor)}, lambda v: v[name] * v["factor"], unit="kg*m^2",
+    """Return a figure with the stated value and its interval."""
+    return over_intervals({name: known, "factor": exact_value(factor)}, lambda v: v[name] * v["factor"], unit="kg*m^2",
                 source=f"{known.source} ({known.evidence})")  # fmt: skip
 
 

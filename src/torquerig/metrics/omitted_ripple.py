@@ -1,4 +1,4 @@
-"""What the commutation ripple of a motor's class would add, where the motor's known lines leave it out."""
+"""Commutation ripple of a motor's class that the motor's known lines omit."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from torquerig.simulation.lower import lower
 
 
 def omitted_six_pulse(rig: Rig, motor: Motor, *, motor_torque: float) -> Figure:
-    """Return the rms at the sensor of the six-pulse ripple that is not simulated [N m]; unknown where none is left out.
+    """Return the rms at the sensor of the six-pulse ripple that is not simulated [N m]; unknown where none is omitted.
 
     ``depth x motor torque / sqrt(2) x |transfer|``: depth from the catalog's interval for the class, the transfer from
     a torque on the rotor to the sensor by the linear twin with its speed loop closed, at motor order 6 p of the run's
-    speed. Only the fundamental; the harmonics lie higher, where the shafts pass less.
+    speed. Only the fundamental; the shafts attenuate the higher harmonics.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What of the sensor's reading is load, and what is cogging, electrical and mechanical ripple."""
+"""Shares of load, cogging, electrical and mechanical ripple in the sensor's reading."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ DISTURBANCES = ("cogging", "electrical", "mechanical")
 class Shares:
     """Rms of each share of the torque in the sensor [N m], and the mean [N m].
 
-    The shares come from leaving out one group of effects at a time under the same random load: what disappears is the
-    group's share. They need not add up in square, because loop and losses couple them a little.
+    Each share is the difference to a run without that group of effects, under the same random load. The squares need
+    not add up, because speed loop and losses couple the groups slightly.
     """
 
     mean: float
@@ -31,7 +31,7 @@ class Shares:
 
     @property
     def disturbance(self) -> float:
-        """Rms of all that is not load [N m], the groups taken as independent."""
+        """Rms of the three disturbances [N m], the groups taken as independent."""
         return float(np.sqrt(sum(getattr(self, group) ** 2 for group in DISTURBANCES)))
 
     def percent(self) -> dict[str, float]:

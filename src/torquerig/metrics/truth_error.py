@@ -1,4 +1,4 @@
-"""How far a reading is from the true load, which only a simulation knows."""
+"""Rms error of a reading against the true load, which only a simulation knows."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ TRUE_LOAD = "true_load_Nm"
 def truth_error(reading: Recording, truth: Recording) -> float:
     """Return the rms of reading minus true load [N m], mean included.
 
-    The true load is all that opposes the motion at the wear part, disturbance lines excluded. The error holds what the
-    filter left of the lines, what it took of the load, and the load's ringing of the shaft, which no notch removes.
+    The true load is all that opposes the motion at the wear part, disturbance lines excluded. The error
+    consists of residual lines behind the filter, lost parts of the load, and shaft vibration due to the load, which no
+    notch removes.
 
     Raises
     ------

@@ -10,8 +10,8 @@ from torquerig.errors import InputError
 from torquerig.filters.effect import chain_effect
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.left_disturbance import with_and_without
 from torquerig.metrics.omitted_ripple import omitted_six_pulse
+from torquerig.metrics.residual_disturbance import simulated_reading_pair
 from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
 from torquerig.rig.assembly import Rig
@@ -142,9 +142,9 @@ def _left_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -
         seed = study.settings.seed + number
         made = scenario if number == 0 else scenario_of(candidate, study, seed=seed)
         wander = made.operating_point.slow_speed_wander
-        both = with_and_without(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
+        both = simulated_reading_pair(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
         for name, chain in study.chains(made).items():
-            found.setdefault(name, []).append(both.left_by(chain))
+            found.setdefault(name, []).append(both.residual_rms(chain))
     return {name: _spread(values[0], values[1:], scenario.assumed) for name, values in found.items()}
 
 

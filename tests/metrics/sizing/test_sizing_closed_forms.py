@@ -29,9 +29,9 @@ from torquerig.metrics.sizing.drive_sizing import (
 from torquerig.metrics.sizing.gearbox_use import BOTH_WAYS, ONE_WAY, behind_gear, gearbox_use, service_factor
 from torquerig.metrics.sizing.inertia_ratio import inertia_ratio
 from torquerig.metrics.sizing.load_fidelity import reading_per_load, rigid_fidelity
-from torquerig.metrics.sizing.open_data import exactly, over
+from torquerig.metrics.sizing.open_data import exact_value, over_intervals
 from torquerig.metrics.sizing.output_torque import OutputTorque
-from torquerig.metrics.sizing.regeneration import given_back, regeneration
+from torquerig.metrics.sizing.regeneration import regenerated, regeneration
 from torquerig.metrics.sizing.sensor_use import sensor_use
 from torquerig.metrics.sizing.sized_drive import sized_drive
 from torquerig.metrics.sizing.speed_torque import continuous_torque, speed_torque, voltage_torque
@@ -98,7 +98,7 @@ def test_given_back_agrees_with_a_fine_sum(copper):
     for span, torque, speed in zip(demand.duration, demand.torque, demand.speed, strict=True):
         moment, turned = (one[0] + share * (one[1] - one[0]) for one in (torque, speed))
         total += span * float(np.mean(np.maximum(0.0, -(moment * turned + copper * moment**2))))
-    assert given_back(demand, copper=copper) == pytest.approx(total, rel=1e-6, abs=1e-9)
+    assert regenerated(demand, copper=copper) == pytest.approx(total, rel=1e-6, abs=1e-9)
 
 
 def test_alpha_beta_of_an_inertia_is_the_matched_one():
@@ -148,9 +148,9 @@ def test_cubic_mean_of_two_levels():
     ends = np.array([[4.0, 4.0], [1.0, 1.0]])
     behind = OutputTorque(duration=np.array([1.0, 3.0]), speed=np.array([[2.0, 2.0], [2.0, 2.0]]), torque=ends,
                           acceleration=np.zeros(2))  # fmt: skip
-    assert behind.mean_of_life == pytest.approx(((4**3 + 3 * 1) / 4) ** (1 / 3))
+    assert behind.cubic_mean == pytest.approx(((4**3 + 3 * 1) / 4) ** (1 / 3))
     assert not behind.alternates
-    assert replace(behind, speed=np.zeros((2, 2))).mean_of_life == 0
+    assert replace(behind, speed=np.zeros((2, 2))).cubic_mean == 0
 
 
 def test_service_factor_follows_the_cycle():
@@ -191,13 +191,13 @@ def test_share_of_the_load_is_that_of_the_inertias_and_of_the_twin():
 
 
 def test_a_figure_over_intervals_names_the_datum_that_decides():
-    data = {"wide": Estimate(low=1.0, high=3.0), "narrow": Estimate(2.0, low=1.9, high=2.1), "exact": exactly(10.0)}
-    found = over(data, lambda v: v["exact"] * v["wide"] / v["narrow"])
+    data = {"wide": Estimate(low=1.0, high=3.0), "narrow": Estimate(2.0, low=1.9, high=2.1), "exact": exact_value(10.0)}
+    found = over_intervals(data, lambda v: v["exact"] * v["wide"] / v["narrow"])
     assert (found.low, found.high) == pytest.approx((10 / 2.1, 30 / 1.9))
     assert found.value is None  # nobody states the wide one
     assert found.missing == "wide, narrow"
-    assert over({**data, "lost": Estimate()}, lambda v: v["lost"]).missing == "lost"
-    assert over(data, lambda v: v["exact"]) == Figure(value=10.0)
+    assert over_intervals({**data, "lost": Estimate()}, lambda v: v["lost"]).missing == "lost"
+    assert over_intervals(data, lambda v: v["exact"]) == Figure(value=10.0)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Which ratio asks least of a motor: the alpha-beta method, in closed form, before any gearbox is chosen."""
+"""Gear ratio of the least rms torque: the alpha-beta method, in closed form."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ import numpy as np
 
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.gearbox_use import behind_gear
-from torquerig.metrics.sizing.open_data import Values, over
+from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.output_torque import OutputTorque
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 
 
 @dataclass(frozen=True, kw_only=True)
 class AlphaBeta:
-    """A task at the output shaft and the inertia of a motor.
+    """The task at the output shaft and the inertia of a motor.
 
     With ``T`` the rms of the load's torque (its own inertia included), ``w`` the rms of its acceleration, ``P`` the
     mean of torque times acceleration, ``J`` the rotor, ``eta`` the efficiency and ``i`` the ratio, the motor's torque
@@ -29,8 +29,8 @@ class AlphaBeta:
     The separation of motor and load is of Van de Straete, Degezelle, De Schutter and Belmans, Servo motor selection
     criterion for mechatronic applications, IEEE/ASME Trans. Mechatronics 3 (1998) 43-50; the names and the form with an
     efficiency are of Giberti, Cinquemani and Legnani, The role of the gearbox in an automatic machine (2011),
-    eq. 22-27 (tau there is 1/i). Left out: the motor's friction, the gearbox's own inertia, power that flows back
-    (eta counts as forwards throughout).
+    eq. 22-27 (tau there is 1/i). Not included: the motor's friction, the gearbox's inertia, power that flows
+    back (eta as for forward power).
 
     Parameters
     ----------
@@ -83,9 +83,9 @@ class AlphaBeta:
 
 
 def alpha_beta(drive: SizedDrive, values: Values | None = None) -> AlphaBeta:
-    """Return the task of a drive's profile and its motor's rotor, for one set of values of what is open.
+    """Return the task of a drive's profile and its motor's rotor, for one set of open values.
 
-    A step of the set-point is in the task as this drive takes it, at its limit and present ratio.
+    A step of the set-point is part of the task as this drive performs it, at its limit and present ratio.
     """
     chosen = {name: known.nominal() for name, known in drive.data.items()} | dict(values or {})
     behind, rig = behind_gear(drive, chosen), drive.with_values(chosen)
@@ -101,8 +101,8 @@ def best_ratio(drive: SizedDrive) -> Mapping[str, Figure]:
     """Return ``ideal_ratio``, ``speed_ratio``, ``best_ratio`` and ``best_ratio_use`` [1].
 
     The ratio of the least rms torque; the largest that the motor's speed allows; the smaller of the two; and the rms
-    torque there over the rated torque. Without any acceleration in the cycle the least rms torque lies at no finite
-    ratio: only speed bounds it.
+    torque there over the rated torque. Without acceleration in the cycle, the least rms torque is at no finite
+    ratio: only the speed limits it.
     """
     speed, rated = f"maximum speed of {drive.motor_name}", f"rated torque of {drive.motor_name}"
     top = float(np.abs(behind_gear(drive, {}).speed).max())
@@ -114,11 +114,13 @@ def best_ratio(drive: SizedDrive) -> Mapping[str, Figure]:
     accelerates = alpha_beta(drive).acceleration > 0
     still = Figure(missing="an acceleration in the cycle: without one the largest ratio is the best")
     return {
-        "ideal_ratio": over(drive.data, lambda v: alpha_beta(drive, v).best, source="alpha-beta") if accelerates
-        else still,
-        "speed_ratio": over({speed: drive.motor.max_speed}, lambda v: v[speed] / top, source="maximum speed / output"),
-        "best_ratio": over(known, reached, source="alpha-beta, no faster than the motor turns"),
-        "best_ratio_use": over(
+        "ideal_ratio": over_intervals(drive.data, lambda v: alpha_beta(drive, v).best, source="alpha-beta")
+        if accelerates else still,
+        "speed_ratio": over_intervals(
+            {speed: drive.motor.max_speed}, lambda v: v[speed] / top, source="maximum speed / output"
+        ),
+        "best_ratio": over_intervals(known, reached, source="alpha-beta, limited by the motor's speed"),
+        "best_ratio_use": over_intervals(
             {**known, rated: drive.motor.rated_torque},
             lambda v: alpha_beta(drive, v).rms_torque(reached(v)) / v[rated],
             source="rms torque at the best ratio / rated torque",

@@ -1,12 +1,12 @@
-"""How many amperes the torque takes, and how near the drive's limit that is."""
+"""Current for the required torque, and its share of the limits of motor and drive."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.asked_torque import peak_torque
-from torquerig.metrics.sizing.open_data import over
+from torquerig.metrics.sizing.open_data import over_intervals
+from torquerig.metrics.sizing.required_torque import peak_torque
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 
 
@@ -21,20 +21,24 @@ def drive_current(drive: SizedDrive) -> Mapping[str, Figure]:
     data = {**drive.data, constant: drive.motor.torque_constant}
     limit = drive.part.torque_limit
     return {
-        "rms_current": over(data, lambda v: drive.demand(v).rms_torque / v[constant], unit="A", source="T / Kt"),
-        "peak_current": over(data, lambda v: peak_torque(drive.demand(v)) / v[constant], unit="A", source="T / Kt"),
-        "limit_current": over(
+        "rms_current": over_intervals(
+            data, lambda v: drive.demand(v).rms_torque / v[constant], unit="A", source="T / Kt"
+        ),
+        "peak_current": over_intervals(
+            data, lambda v: peak_torque(drive.demand(v)) / v[constant], unit="A", source="T / Kt"
+        ),
+        "limit_current": over_intervals(
             {constant: drive.motor.torque_constant},
             lambda v: limit / v[constant],
             unit="A",
             source="limit / Kt",
         ),
-        "rms_current_use": over(
+        "rms_current_use": over_intervals(
             {**data, rated: drive.motor.rated_current},
             lambda v: drive.demand(v).rms_torque / v[constant] / v[rated],
             source="rms current / rated current",
         ),
-        "peak_current_use": over(
+        "peak_current_use": over_intervals(
             drive.data, lambda v: peak_torque(drive.demand(v)) / limit, source="peak torque / drive's torque limit"
         ),
     }

@@ -1,4 +1,4 @@
-"""All figures of a sized drive, each with its limit and a word: holds, exceeds, unsure, unknown."""
+"""All figures of a sized drive, each with its limit and a result: holds, exceeds, unsure, unknown."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.asked_torque import asked_torque, use_of_ratings
 from torquerig.metrics.sizing.best_ratio import best_ratio
 from torquerig.metrics.sizing.drive_current import drive_current
 from torquerig.metrics.sizing.gearbox_use import gearbox_use
 from torquerig.metrics.sizing.inertia_ratio import inertia_ratio
 from torquerig.metrics.sizing.load_fidelity import load_fidelity, loop_fidelity
 from torquerig.metrics.sizing.regeneration import regeneration
+from torquerig.metrics.sizing.required_torque import torque_requirements, use_of_ratings
 from torquerig.metrics.sizing.sensor_use import sensor_use
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.metrics.sizing.speed_torque import region_use
@@ -20,7 +20,7 @@ from torquerig.metrics.sizing.thermal_use import thermal_use
 
 HOLDS, EXCEEDS, UNSURE, UNKNOWN = "holds", "exceeds", "unsure", "unknown"
 GROUPS: tuple[tuple[Callable[[SizedDrive], Mapping[str, Figure]], Mapping[str, str]], ...] = (
-    (asked_torque, {"rms_torque": "N*m", "peak_torque": "N*m", "peak_power": "W", "top_speed": "rad/s",
+    (torque_requirements, {"rms_torque": "N*m", "peak_torque": "N*m", "peak_power": "W", "top_speed": "rad/s",
                     "mean_speed": "rad/s"}),
     (use_of_ratings, {"rms_torque_use": "1", "peak_torque_use": "1"}),
     (region_use, {"continuous_use": "1", "intermittent_use": "1", "speed_limit_use": "1"}),
@@ -37,7 +37,7 @@ GROUPS: tuple[tuple[Callable[[SizedDrive], Mapping[str, Figure]], Mapping[str, s
     (load_fidelity, {"load_fidelity": "1"}),
     (loop_fidelity, {"loop_fidelity": "1", "flat_to": "Hz"}),
 )  # fmt: skip
-"""What finds which figures, and their units: in groups that are worked out together."""
+"""Functions with their figures and units, in groups that are calculated together."""
 SIZING_UNITS: Mapping[str, str] = {name: unit for _, units in GROUPS for name, unit in units.items()}
 """Every figure of a sizing with its unit; a study's criteria may name them."""
 LIMITED = (
@@ -45,18 +45,18 @@ LIMITED = (
     "gearbox_life_use", "gearbox_peak_use", "gearbox_jam_use", "gearbox_speed_use", "rms_current_use",
     "peak_current_use", "sensor_cycle_use", "sensor_range_use", "sensor_overload",
 )  # fmt: skip
-"""The shares that may not pass 1."""
-ROUNDING = 1e-9  # [1] by which a share at its limit may pass it
+"""The shares that must not exceed 1."""
+ROUNDING = 1e-9  # [1] rounding error by which a share at its limit may exceed it
 
 
 @dataclass(frozen=True, kw_only=True)
 class Sizing:
-    """What was found of one drive.
+    """The sizing of one drive.
 
     Parameters
     ----------
     figures : mapping of str to Figure
-        By the names of ``SIZING_UNITS``, in groups that belong together.
+        By the names of ``SIZING_UNITS``, in groups.
     late : tuple of str
         Steps of the set-point that the drive cannot follow in time.
     """
@@ -71,17 +71,17 @@ class Sizing:
 
     @property
     def verdict(self) -> str:
-        """The worst word: ``exceeds`` before ``unsure`` before ``unknown`` before ``holds``."""
+        """The worst result: ``exceeds`` before ``unsure`` before ``unknown`` before ``holds``."""
         given = {self.word(name) for name in self.figures}
         return next((word for word in (EXCEEDS, UNSURE, UNKNOWN) if word in given), HOLDS)
 
     def with_word(self, word: str) -> tuple[str, ...]:
-        """Return the names of the shares that have this word."""
+        """Return the names of the shares with this result."""
         return tuple(name for name in self.figures if self.word(name) == word)
 
 
 def sizing(drive: SizedDrive, *, ambient: float = 40.0, names: Collection[str] = tuple(SIZING_UNITS)) -> Sizing:
-    """Return the figures of a drive in surroundings of ``ambient`` [C]: those of ``names`` and of their groups."""
+    """Return the figures of a drive at ``ambient`` [C]: those of ``names`` and of their groups."""
     figures: dict[str, Figure] = {}
     for found, units in GROUPS:
         if not set(units) & set(names):
@@ -91,7 +91,7 @@ def sizing(drive: SizedDrive, *, ambient: float = 40.0, names: Collection[str] =
 
 
 def limit_word(figure: Figure) -> str:
-    """Return ``holds`` where a share surely is at most 1, ``exceeds`` where it surely is more, else why not known."""
+    """Return ``holds`` if a share is certainly at most 1, ``exceeds`` if certainly more, else unsure or unknown."""
     if figure.unknown:
         return UNKNOWN
     low = figure.value if figure.low is None else figure.low

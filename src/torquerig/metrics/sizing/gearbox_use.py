@@ -1,11 +1,11 @@
-"""How near the gearbox is to its limits: torque for life, peak, jam, input speed, and the maker's service factor."""
+"""Use of the gearbox's limits: torque for life, peak, jam, input speed, with the maker's service factor."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.open_data import Values, over
+from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.output_torque import OutputTorque, output_torque
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
@@ -24,10 +24,10 @@ def gearbox_use(drive: SizedDrive) -> Mapping[str, Figure]:
     ``gearbox_life_use``: cubic mean of the output torque times the service factor over T2N; ``gearbox_peak_use``:
     largest output torque of the cycle over T2a; ``gearbox_jam_use``: the drive's limit at the output over T2a;
     ``gearbox_speed_use``: top input speed over the largest; ``gearbox_no_load_use``: its no-load torque, which the
-    demand leaves out, over the motor's rated torque. Empty where the rig has no gear of the catalog.
+    required torque does not include, over the motor's rated torque. Empty where the rig has no gear of the catalog.
 
-    The service factor asks how many hours a day the rig runs, whether load or motion turn round, and whether the
-    set-point steps; other makers state other tables, hence an interval.
+    The service factor depends on the hours of operation a day, on reversals of load or motion, and on steps of the
+    set-point. Makers state different tables, hence an interval.
     """
     box = drive.gearbox
     if box is None:
@@ -37,31 +37,31 @@ def gearbox_use(drive: SizedDrive) -> Mapping[str, Figure]:
     idle, rated = f"no load torque of {box.name}", f"rated torque of {drive.motor_name}"
     demand, motor = drive.demand(), drive.motor
     return {
-        "gearbox_life_use": over(
+        "gearbox_life_use": over_intervals(
             {**drive.data, life: box.nominal_torque, hours: service_factor(drive)},
-            lambda v: behind_gear(drive, v).mean_of_life * v[hours] / v[life],
+            lambda v: behind_gear(drive, v).cubic_mean * v[hours] / v[life],
             source="cubic mean x service factor / T2N",
         ),
-        "gearbox_peak_use": over(
+        "gearbox_peak_use": over_intervals(
             {**drive.data, peak: box.peak_torque}, lambda v: behind_gear(drive, v).peak / v[peak],
             source="largest output torque of the cycle / T2a",
         ),
-        "gearbox_jam_use": over(
+        "gearbox_jam_use": over_intervals(
             {**drive.data, peak: box.peak_torque}, lambda v: drive.part.torque_limit * drive.gain(v) / v[peak],
             source="drive's limit x ratio x efficiency / T2a",
         ),
-        "gearbox_speed_use": over(
+        "gearbox_speed_use": over_intervals(
             {speed: box.max_input_speed}, lambda v: demand.top_speed / v[speed], source="top speed / largest"
         ),
-        "gearbox_no_load_use": over(
+        "gearbox_no_load_use": over_intervals(
             {idle: box.no_load_torque, rated: motor.rated_torque}, lambda v: v[idle] / v[rated],
-            source="no-load torque at the input / rated torque; not in the demand",
+            source="no-load torque at the input / rated torque; not in the required torque",
         ),
     }  # fmt: skip
 
 
 def service_factor(drive: SizedDrive) -> Estimate:
-    """Return the factor by which the life's torque counts more, from the cycle's own reversals and steps [1]."""
+    """Return the service factor of the life torque, from the reversals and steps of the cycle [1]."""
     behind, steps = behind_gear(drive, {}), bool(drive.demand().step.any())
     if behind.alternates or behind.reverses:
         return BOTH_WAYS_STEPS if steps else BOTH_WAYS
@@ -69,7 +69,7 @@ def service_factor(drive: SizedDrive) -> Estimate:
 
 
 def behind_gear(drive: SizedDrive, values: Values) -> OutputTorque:
-    """Return what the gearbox hands on for one set of values."""
+    """Return the torque at the output shaft for one set of values."""
     rig = drive.with_values(values)
     motor = rig.part(drive.part.name)
     gears = tuple(part for gear in drive.gears if isinstance(part := rig.part(gear.name), Gear))

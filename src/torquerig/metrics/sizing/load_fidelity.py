@@ -1,4 +1,4 @@
-"""How much of the load at the wear part reaches the reading: outside and inside the speed loop, and how far up."""
+"""Share of the wear part's load in the reading: above and below the crossover of the speed loop, and its bandwidth."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.open_data import Values, over
+from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Inertia, Load, Spring
 from torquerig.simulation.twin.linear_twin import twin_of
 from torquerig.simulation.twin.plant import load_input
 
-FLAT = 0.10  # [1] by how much the reading may be off the load
+FLAT = 0.10  # [1] largest error of the reading relative to the load
 FREQUENCIES = np.geomspace(0.05, 2000.0, 800)  # [Hz] 1.3 % from one to the next
 INSIDE = 0.5  # [Hz] far below the crossover of every speed loop of a rig
 
@@ -22,17 +22,21 @@ INSIDE = 0.5  # [Hz] far below the crossover of every speed loop of a rig
 def load_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
     """Return ``load_fidelity``: the share of the load that reaches the sensor outside the speed loop [1].
 
-    Above the loop's crossover and below the first mode the motor side holds against the load with its inertia alone,
-    and ``J1 / (J1 + J2)`` of the load is in the sensor, J1 before and J2 behind it.
+    Above the loop's crossover and below the first mode, only the inertia of the motor side reacts to the load, and
+    ``J1 / (J1 + J2)`` of the load is in the sensor, J1 before and J2 behind it.
     """
-    return {"load_fidelity": over(drive.data, lambda v: rigid_fidelity(drive.with_values(v)), source="J1 / (J1 + J2)")}
+    return {
+        "load_fidelity": over_intervals(
+            drive.data, lambda v: rigid_fidelity(drive.with_values(v)), source="J1 / (J1 + J2)"
+        )
+    }
 
 
 def loop_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
-    """Return ``loop_fidelity`` [1], the share at 0.5 Hz, and ``flat_to`` [Hz]: up to where the reading is the load.
+    """Return ``loop_fidelity`` [1], the share at 0.5 Hz, and ``flat_to`` [Hz], the bandwidth of the reading.
 
-    Where the loop holds the speed the share is 1 (for an integrating controller); flat is within 10 % of the load. Both
-    from the linear twin with its loop closed, amplifier left out; gaps and saturation are not in it.
+    Below the crossover the share is 1 (for an integrating controller); flat is within 10 % of the load. Both are from
+    the linear twin with its loop closed, without amplifier, gaps and saturation.
     """
     rotor = {name: known for name, known in drive.data.items() if "inertia" in name}
     found: dict[tuple[float, ...], tuple[float, float]] = {}
@@ -48,8 +52,8 @@ def loop_fidelity(drive: SizedDrive) -> Mapping[str, Figure]:
         return {"loop_fidelity": absent, "flat_to": absent}
     source = "linear twin, speed loop closed"
     return {
-        "loop_fidelity": over(rotor, lambda v: of_twin(v, 0), source=source),
-        "flat_to": over(rotor, lambda v: of_twin(v, 1), unit="Hz", source=source),
+        "loop_fidelity": over_intervals(rotor, lambda v: of_twin(v, 0), source=source),
+        "flat_to": over_intervals(rotor, lambda v: of_twin(v, 1), unit="Hz", source=source),
     }
 
 
@@ -68,7 +72,7 @@ def rigid_fidelity(rig: Rig) -> float:
 
 
 def twin_fidelity(rig: Rig) -> tuple[float, float]:
-    """Return the share of the load in the reading at 0.5 Hz, and up to where it is within 10 % [Hz]."""
+    """Return the share of the load in the reading at 0.5 Hz, and the frequency up to which it is within 10 % [Hz]."""
     gain = np.abs(reading_per_load(rig, np.append(FREQUENCIES, INSIDE), closed=True))
     off = np.flatnonzero(np.abs(gain[:-1] - 1) > FLAT)
     return float(gain[-1]), float(FREQUENCIES[off[0]] if off.size else FREQUENCIES[-1])

@@ -1,4 +1,4 @@
-"""A figure over all that the catalog leaves open, and the datum whose interval moves it most."""
+"""A figure over all open values of the catalog, and the value whose interval changes it most."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from torquerig.metrics.figure import Figure
 from torquerig.parameter import Estimate
 
 Values = Mapping[str, float]
-MOST_OPEN = 8  # [1] 256 corners; what moves a figure least is then kept at its middle
+MOST_OPEN = 8  # [1] 256 corners; further values, which change the figure least, stay at their middle
 
 
-def over(
+def over_intervals(
     data: Mapping[str, Estimate], figure: Callable[[Values], float], *, unit: str = "1", source: str = ""
 ) -> Figure:
-    """Return the figure at the stated values, and its lowest and highest over every corner of what is open.
+    """Return the figure at the stated values, and its lowest and highest over all corners of the intervals.
 
-    Sound where the figure rises or falls with each datum alone. A stated value without an interval counts as exact;
-    without a stated value in one of the data that are open, only the interval is given. ``missing`` names first the
-    datum whose own interval moves the figure most.
+    Valid where the figure is monotone in each value. A stated value without an interval counts as exact. Where one of
+    the open values has no stated value, only the interval is given. ``missing`` lists the values by their effect on the
+    figure, the largest first.
 
     Parameters
     ----------
     data : mapping of str to Estimate
-        By a name that a buyer can ask for: ``rotor inertia of HDS6A-0104A``.
+        By name: ``rotor inertia of HDS6A-0104A``.
     figure : callable
         From values [SI] by the same names to the figure [unit].
     """
@@ -56,6 +56,6 @@ def _swing(figure: Callable[[Values], float], middle: Values, name: str, ends: t
     return abs(high - low)
 
 
-def exactly(value: float) -> Estimate:
-    """Return a value without doubt."""
+def exact_value(value: float) -> Estimate:
+    """Return an exact value."""
     return Estimate(value, evidence="REF")

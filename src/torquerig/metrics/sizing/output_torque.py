@@ -1,4 +1,4 @@
-"""What the gearbox hands on to its output shaft, piece by piece of a demand."""
+"""Torque at the output shaft of the gearbox, for each piece of the required motion."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class OutputTorque:
 
     @property
     def alternates(self) -> bool:
-        """Whether the teeth are loaded on both flanks within the cycle, by more than a thousandth of the peak."""
+        """Whether the torque changes sign within the cycle, by more than a thousandth of the peak."""
         least = 1e-3 * self.peak
         return bool(self.torque.max() > least and self.torque.min() < -least)
 
@@ -54,8 +54,8 @@ class OutputTorque:
         return float(np.sqrt(np.sum(self.duration * (first**2 + first * last + last**2) / 3) / self.duration.sum()))
 
     @property
-    def mean_of_life(self) -> float:
-        """The constant torque that wears bearings and teeth as much [N m].
+    def cubic_mean(self) -> float:
+        """The constant torque with the same wear of bearings and teeth [N m].
 
         ``(sum |n| t |T|^3 / sum |n| t)^(1/3)``, the cubic mean by turns of makers of planetary gearboxes; with the mean
         of both ends of a piece. Zero where nothing turns.
@@ -67,19 +67,19 @@ class OutputTorque:
 
 
 def output_torque(demand: DriveDemand, rig: Rig, *, motor: Motor, gears: tuple[Gear, ...]) -> OutputTorque:
-    """Return what stands behind the gears of a demand.
+    """Return torque and speed of the output shaft.
 
-    The motor's torque less what turns its own rotor and its friction, times ratio and efficiency where power flows
-    forwards, over the efficiency where it flows back; less what turns the gearbox's own J1.
+    The motor's torque minus the torque for rotor inertia and friction, times ratio and efficiency where power flows
+    forwards, over the efficiency where it flows back; minus the torque for the gearbox's inertia J1.
     """
     ratio = float(np.prod([abs(gear.ratio) for gear in gears])) if gears else 1.0
     efficiency = float(np.prod([gear.efficiency for gear in gears])) if gears else 1.0
     slope = np.diff(demand.speed, axis=1)[:, 0] / demand.duration
-    way = np.sign(demand.speed.sum(axis=1))[:, None]
-    lost = way * motor.coulomb + motor.viscous * demand.speed
-    handed = demand.torque - motor.inertia * slope[:, None] - lost
-    forwards = handed * np.where(way == 0, np.sign(handed), way) >= 0
-    torque = handed * ratio * np.where(forwards, efficiency, 1 / efficiency)
+    direction = np.sign(demand.speed.sum(axis=1))[:, None]
+    lost = direction * motor.coulomb + motor.viscous * demand.speed
+    net = demand.torque - motor.inertia * slope[:, None] - lost
+    forwards = net * np.where(direction == 0, np.sign(net), direction) >= 0
+    torque = net * ratio * np.where(forwards, efficiency, 1 / efficiency)
     geared = sum(gear.input_inertia for gear in gears) * ratio**2
     return OutputTorque(
         duration=demand.duration, speed=demand.speed / ratio, acceleration=slope / ratio,

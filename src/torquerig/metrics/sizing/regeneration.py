@@ -1,4 +1,4 @@
-"""What a cycle gives back: braking energy at the shaft, and what of it reaches the DC link."""
+"""Regenerated energy of a cycle: braking energy at the shaft, and its part that reaches the DC link."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.open_data import Values, over
+from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
 from torquerig.scenario.drive_demand import DriveDemand
@@ -19,11 +19,13 @@ from torquerig.thermal.copies import copper_bounds
 def regeneration(drive: SizedDrive) -> Mapping[str, Figure]:
     """Return ``braking_energy`` and ``regenerated_energy`` [J] of one cycle.
 
-    Regenerated is what is left of the braking power after the copper loss ``3 R T^2 / Kt^2`` of a cold winding; losses
-    of inverter and iron make it smaller, so that the figure bounds what a brake resistor must take. Where resistance or
-    torque constant are not known it lies between nothing and the braking energy.
+    Regenerated power is the braking power minus the copper loss ``3 R T^2 / Kt^2`` of a cold winding. Losses of
+    inverter and iron reduce it further, so that the figure is an upper bound for a brake resistor. Where resistance or
+    torque constant are not known, it is between zero and the braking energy.
     """
-    braking = over(drive.data, lambda v: given_back(drive.demand(v)), unit="J", source="rigid body, at the shaft")
+    braking = over_intervals(
+        drive.data, lambda v: regenerated(drive.demand(v)), unit="J", source="rigid body, at the shaft"
+    )
     bounds, name = copper_bounds(drive.motor), f"phase resistance and torque constant of {drive.motor_name}"
     if bounds is None:
         highest = braking.value if braking.high is None else braking.high
@@ -34,19 +36,21 @@ def regeneration(drive: SizedDrive) -> Mapping[str, Figure]:
     exact = bounds[0] == bounds[1]
     copper = Estimate(bounds[0]) if exact else Estimate(low=bounds[0], high=bounds[1])
 
-    def left(values: Values) -> float:
-        return given_back(drive.demand(values), copper=values[name])
+    def to_dc_link(values: Values) -> float:
+        return regenerated(drive.demand(values), copper=values[name])
 
     return {
         "braking_energy": braking,
-        "regenerated_energy": over({**drive.data, name: copper}, left, unit="J", source="shaft less copper loss"),
+        "regenerated_energy": over_intervals(
+            {**drive.data, name: copper}, to_dc_link, unit="J", source="shaft minus copper loss"
+        ),
     }
 
 
-def given_back(demand: DriveDemand, *, copper: float = 0.0) -> float:
+def regenerated(demand: DriveDemand, *, copper: float = 0.0) -> float:
     """Return the energy [J] of all moments at which ``T w + copper T^2`` [W] is negative.
 
-    Torque and speed go straight within a piece, so that the power is a parabola and its negative part is integrated
+    Torque and speed are linear within a piece, so that the power is a parabola and its negative part is integrated
     exactly. ``copper`` [W/(N m)^2].
     """
     total = 0.0

@@ -1,4 +1,4 @@
-"""A rig with what is known of its motor, gearbox and sensor, and what it is asked for any values of what is open."""
+"""A rig with the catalog values of its motor, gearbox and sensor, and its required torque for any open values."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from torquerig.catalog.motor import Motor as MotorEntry
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.sensor import Sensor
 from torquerig.errors import InputError
-from torquerig.metrics.sizing.open_data import Values, exactly
+from torquerig.metrics.sizing.open_data import Values, exact_value
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
@@ -22,12 +22,12 @@ from torquerig.scenario.model import Scenario
 
 MOTOR_FIELDS = {"inertia": "rotor_inertia", "coulomb": "coulomb_friction", "viscous": "viscous_friction"}
 GEAR_FIELDS = {"efficiency": "efficiency", "input_inertia": "input_inertia"}
-STEADY_LENGTH = 10.0  # [s] of a run that states no length; a steady one is the same at any
+STEADY_LENGTH = 10.0  # [s] of a run without a stated length; a steady run does not depend on it
 
 
 @dataclass(frozen=True, kw_only=True)
 class SizedDrive:
-    """What is sized.
+    """The drive to be sized.
 
     Parameters
     ----------
@@ -36,14 +36,15 @@ class SizedDrive:
     motor : Motor
         The catalog's entry of the driven motor.
     gearbox : Gearbox or None
-        The catalog's entry of the gear before the sensor; None where the rig has no gear, or several, or its own.
+        The catalog's entry of the gear before the sensor; None where the rig has no gear, several gears, or a gear with
+        stated values.
     sensor : Sensor or None
     data : mapping of str to Estimate
-        What of the rig's motor and gear the demand rests on, by the name to ask for.
+        Values of motor and gear that the required torque depends on, by name.
     places : mapping of str to (str, str)
         Part and field of each of these.
     duration : float
-        Of a run without a length of its own [s].
+        Of a run without a stated length [s].
     """
 
     rig: Rig
@@ -57,7 +58,7 @@ class SizedDrive:
 
     @property
     def motor_name(self) -> str:
-        """The name under which the maker knows the motor."""
+        """The maker's name of the motor."""
         return self.motor.stands_for or self.motor.name
 
     @property
@@ -88,7 +89,7 @@ class SizedDrive:
         return rig
 
     def demand(self, values: Values | None = None) -> DriveDemand:
-        """Return what the run asks of the motor with these values of its data, the rest in the middle."""
+        """Return what the run requires of the motor with these values, other values in the middle."""
         chosen = {name: known.nominal() for name, known in self.data.items()}
         chosen |= {name: one for name, one in (values or {}).items() if name in chosen}
         key = tuple(chosen.values())
@@ -96,8 +97,8 @@ class SizedDrive:
             self._demands[key] = drive_demand(self.with_values(chosen), duration=self.duration)
         return self._demands[key]
 
-    def demands_made(self) -> tuple[DriveDemand, ...]:
-        """Return every demand that was asked for so far, one per set of values."""
+    def requirements_made(self) -> tuple[DriveDemand, ...]:
+        """Return all requirements that have been calculated, one per set of values."""
         return tuple(self._demands.values())
 
     def gain(self, values: Values) -> float:
@@ -106,9 +107,9 @@ class SizedDrive:
 
 
 def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEADY_LENGTH) -> SizedDrive:
-    """Return the drive of a scenario with what the catalog knows of it.
+    """Return the drive of a scenario with its catalog values.
 
-    Values that the scenario states itself are exact; those that were drawn from an interval of the catalog are open.
+    Values that the scenario states are exact; values drawn from an interval of the catalog are open.
 
     Raises
     ------
@@ -135,7 +136,7 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
             name = f"{source.replace('_', ' ')} of {getattr(known, 'stands_for', '') or known.name}"
             stated, taken = getattr(known, source), float(getattr(one, target))
             kept = f"{one.name}.{target}" in scenario.assumed or (stated.documented and stated.value == taken)
-            data[name] = stated if kept else exactly(taken)
+            data[name] = stated if kept else exact_value(taken)
             places[name] = one.name, target
     return SizedDrive(
         rig=rig, motor=entry, gearbox=gearbox, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,

@@ -1,4 +1,4 @@
-"""Where a motor may work: continuous and intermittent region over speed, each with what the catalog leaves open."""
+"""Continuous and intermittent torque of a motor over speed, each with the interval of the open catalog values."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.asked_torque import mean_speed
-from torquerig.metrics.sizing.open_data import Values, over
+from torquerig.metrics.sizing.open_data import Values, over_intervals
+from torquerig.metrics.sizing.required_torque import mean_speed
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
 from torquerig.scenario.drive_demand import DriveDemand
@@ -35,7 +35,7 @@ class SpeedTorque:
     drive_limit : float
         The drive's torque limit as set [N m].
     missing : tuple of str
-        What would make the regions sharp.
+        The values that are not known exactly.
     """
 
     speed: Floats
@@ -48,10 +48,10 @@ class SpeedTorque:
 def speed_torque(drive: SizedDrive) -> SpeedTorque:
     """Return both regions of a motor.
 
-    Continuous: straight from the stall torque to the rated torque at rated speed, above it at rated power.
-    Intermittent: the peak torque, under the voltage of an ideal inverter where supply, torque constant, resistance and
-    inductance are known; where they are not, anywhere between peak torque up to the largest speed and peak torque up to
-    the rated speed with constant power above. Torque that falls with a hot magnet or a saturated iron is left out.
+    Continuous: linear from the stall torque to the rated torque at rated speed, above it at rated power. Intermittent:
+    the peak torque, limited by the voltage of an ideal inverter where supply, torque constant, resistance and
+    inductance are known. Otherwise between peak torque up to the largest speed, and peak torque up to the rated speed
+    with constant power above. Hot magnets and saturation of the iron are not included.
     """
     motor = drive.motor
     speed = np.linspace(0.0, motor.max_speed.bounds[1], POINTS)
@@ -61,8 +61,8 @@ def speed_torque(drive: SizedDrive) -> SpeedTorque:
     named = {"stall torque": motor.stall_torque, "rated torque": motor.rated_torque, "rated speed": motor.rated_speed,
              "maximum speed": motor.max_speed, "peak torque": motor.peak_torque}  # fmt: skip
     missing = [name for name, one in named.items() if not one.documented and one.bounds[0] < one.bounds[1]]
-    asked = voltage_data(motor)
-    missing += [name for name, one in asked.items() if one.unknown]
+    voltage = voltage_data(motor)
+    missing += [name for name, one in voltage.items() if one.unknown]
     return SpeedTorque(
         speed=speed,
         continuous=np.stack([continuous.min(axis=0), continuous.max(axis=0)], axis=1),
@@ -92,16 +92,16 @@ def region_use(drive: SizedDrive) -> Mapping[str, Figure]:
         return demand.rms_torque / float(continuous_torque(at, still, rated, knee, np.inf)[0])
 
     return {
-        "continuous_use": over(data, continuous, source="rms torque / continuous torque at the mean speed"),
+        "continuous_use": over_intervals(data, continuous, source="rms torque / continuous torque at the mean speed"),
         "intermittent_use": _intermittent_use(drive),
-        "speed_limit_use": over(
+        "speed_limit_use": over_intervals(
             {top: motor.max_speed}, lambda v: drive.demand().top_speed / v[top], source="top speed / maximum speed"
         ),
     }
 
 
 def continuous_torque(speed: Floats, stall: float, rated: float, rated_speed: float, top: float) -> Floats:
-    """Return the torque that a motor may give all day at ``speed`` [rad/s], in [N m]."""
+    """Return the continuous torque at ``speed`` [rad/s], in [N m]."""
     below = stall + (rated - stall) * np.minimum(speed / rated_speed, 1.0)
     held = np.where(speed > rated_speed, rated * rated_speed / np.maximum(speed, rated_speed), below)
     return np.asarray(np.where(speed <= top * (1 + 1e-9), held, 0.0))
@@ -110,8 +110,8 @@ def continuous_torque(speed: Floats, stall: float, rated: float, rated_speed: fl
 def voltage_torque(speed: Floats, *, supply: float, constant: float, resistance: float, reactance: float) -> Floats:
     """Return the torque [N m] at which the voltage between two phases reaches the supply's [V rms].
 
-    ``(E + sqrt(3) R I)^2 + (sqrt(3) p w L I)^2 = V^2`` with ``E = Kt w / sqrt(3)``, solved for I; the current stands on
-    the back-EMF (no field weakening). ``reactance`` is p L [H].
+    ``(E + sqrt(3) R I)^2 + (sqrt(3) p w L I)^2 = V^2`` with ``E = Kt w / sqrt(3)``, solved for I; the current is in
+    phase with the back-EMF (no field weakening). ``reactance`` is p L [H].
     """
     emf, across = constant * speed / sqrt(3), sqrt(3) * reactance * speed
     a, b, c = 3 * resistance**2 + across**2, 2 * sqrt(3) * resistance * emf, emf**2 - supply**2
@@ -120,7 +120,7 @@ def voltage_torque(speed: Floats, *, supply: float, constant: float, resistance:
 
 
 def voltage_data(motor: Motor) -> dict[str, Estimate]:
-    """Return what the voltage limit rests on, by name."""
+    """Return the values that the voltage limit depends on, by name."""
     return {"supply voltage": motor.supply_voltage, "torque constant": motor.torque_constant,
             "phase resistance": motor.phase_resistance, "phase inductance": motor.phase_inductance}  # fmt: skip
 
@@ -149,18 +149,18 @@ def _voltage_span(motor: Motor, speed: Floats) -> tuple[Floats, Floats] | None:
 
 
 def _intermittent_use(drive: SizedDrive) -> Figure:
-    """Return the largest share over all ends of pieces, from the sharpest and the widest region."""
+    """Return the largest share over all ends of pieces, from the smallest and the largest region."""
     name, peak = drive.motor_name, f"peak torque of {drive.motor_name}"
 
     def share(demand: DriveDemand, side: int) -> float:
         allowed = _intermittent(drive.motor, np.abs(demand.speed).ravel())[:, side]
-        asked = np.abs(demand.torque).ravel()
-        return float(np.max(np.where(asked > 0, asked / np.maximum(allowed, 1e-3 * asked), 0.0)))
+        torque = np.abs(demand.torque).ravel()
+        return float(np.max(np.where(torque > 0, torque / np.maximum(allowed, 1e-3 * torque), 0.0)))
 
-    low = over(drive.data, lambda v: share(drive.demand(v), 1))
-    high = over(drive.data, lambda v: share(drive.demand(v), 0))
+    low = over_intervals(drive.data, lambda v: share(drive.demand(v), 1))
+    high = over_intervals(drive.data, lambda v: share(drive.demand(v), 0))
     ends = [one.value if bound is None else bound for one, bound in ((low, low.low), (high, high.high))]
-    source = "torque / intermittent torque at its speed, the worst moment"
+    source = "torque / intermittent torque at its speed, the largest share"
     curve = {peak: drive.motor.peak_torque, f"maximum speed of {name}": drive.motor.max_speed,
              f"rated speed of {name}": drive.motor.rated_speed}  # fmt: skip
     volts = {f"{key} of {name}": one for key, one in voltage_data(drive.motor).items()}

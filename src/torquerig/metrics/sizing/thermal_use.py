@@ -1,4 +1,4 @@
-"""How hot the cycle makes the motor, over all copies that the catalog allows and all demands that are open."""
+"""Winding temperature of the cycle, over all thermal models that the catalog allows and all open requirements."""
 
 from __future__ import annotations
 
@@ -6,31 +6,31 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.open_data import over
+from torquerig.metrics.sizing.open_data import over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.scenario.drive_demand import DriveDemand
 from torquerig.thermal.copies import thermal_copies
 from torquerig.thermal.judged import JudgedDuty, judged_duty
 from torquerig.thermal.motor_duty import duty_of_demand
 
-MOST = 10.0  # [1] use that stands for more, and for a winding that never settles
+MOST = 10.0  # [1] upper end of the use; also for a thermal runaway
 FIELDS = (
     "rated_torque", "stall_torque", "phase_resistance", "torque_constant", "thermal_resistance",
     "thermal_time_constant",
 )  # fmt: skip
-LEAST = -500.0  # [K] margin that stands for less
+LEAST = -500.0  # [K] lower end of the margin
 
 
 def thermal_use(drive: SizedDrive, *, ambient: float = 40.0) -> Mapping[str, Figure]:
-    """Return ``thermal_use`` [1], the winding's rise over what its limit allows, and ``thermal_margin`` [K].
+    """Return ``thermal_use`` [1], the winding's temperature rise over the allowed rise, and ``thermal_margin`` [K].
 
-    Two-node model of ``thermal/``; the lowest and highest demand are those of the least and the largest rms torque. A
-    use of 10 and a margin of -500 K stand for more and less, and for a thermal runaway.
+    Two-node model of ``thermal/``; the extremes are those of the least and the largest rms torque. A use of 10 means
+    10 or more, a margin of -500 K means less than that; both also stand for a thermal runaway.
     """
     copies = thermal_copies(drive.motor)
     judged = [judged_duty(duty_of_demand(one), copies, ambient=ambient) for one in _extremes(drive)]
     missing = ", ".join(f"{name} of {drive.motor_name}" for name in copies.assumed)
-    source = f"two-node model, surroundings {ambient:g} C"
+    source = f"two-node model, ambient {ambient:g} C"
     found = {
         "thermal_use": _joined(judged, "use", unit="1", source=source, missing=missing),
         "thermal_margin": _joined(judged, "margin", unit="K", source=source, missing=missing),
@@ -42,12 +42,12 @@ def thermal_use(drive: SizedDrive, *, ambient: float = 40.0) -> Mapping[str, Fig
 
 
 def _extremes(drive: SizedDrive) -> tuple[DriveDemand, DriveDemand, DriveDemand]:
-    """Return the demand of the middle, and those of the least and the largest rms torque."""
-    rms = over(drive.data, lambda v: drive.demand(v).rms_torque)
+    """Return the requirement at the middle values, and those of the least and the largest rms torque."""
+    rms = over_intervals(drive.data, lambda v: drive.demand(v).rms_torque)
     middle = drive.demand()
     if rms.low is None:
         return middle, middle, middle
-    ordered = sorted(drive.demands_made(), key=lambda one: one.rms_torque)  # every corner that the figure asked for
+    ordered = sorted(drive.requirements_made(), key=lambda one: one.rms_torque)  # all corners of the figure
     return middle, ordered[0], ordered[-1]
 
 

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from torquerig.metrics.judgement import Judgement
+from torquerig.metrics.filter_evaluation import FilterEvaluation
 from torquerig.metrics.truth_error import TRUE_LOAD
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.envelope import envelope
@@ -20,7 +20,7 @@ _GRID = "#e3e7eb"
 Array = NDArray[np.float64]
 
 
-def judged_figure(made: Judgement) -> Figure:
+def judged_figure(made: FilterEvaluation) -> Figure:
     """Return the four panels of a judgement; the true load's rolling mean too, where it is known."""
     effect = made.effect
     title = f"{made.chain}: standard deviation {effect.std_before:.4f} to {effect.std_after:.4f} N m"

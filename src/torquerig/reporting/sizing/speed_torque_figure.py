@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from torquerig.metrics.sizing.asked_torque import mean_speed
+from torquerig.metrics.sizing.required_torque import mean_speed
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.metrics.sizing.speed_torque import SpeedTorque, speed_torque
 from torquerig.reporting.figures.picture import new_figure

@@ -1,4 +1,4 @@
-"""What a filter chain leaves of the disturbance: the same reading with and without it, both through the chain."""
+"""Residual disturbance behind a filter chain: the same reading with and without disturbance, both filtered."""
 
 from __future__ import annotations
 
@@ -14,30 +14,32 @@ from torquerig.simulation.simulator import simulate
 
 
 @dataclass(frozen=True)
-class WithAndWithout:
+class ReadingPair:
     """One reading, and the reading of the same load on the same rig without its disturbances."""
 
     reading: Recording
     quiet: Recording
 
-    def left_by(self, chain: Chain) -> float:
-        """Return the rms of what of the disturbance is left behind a chain [N m]; an empty chain leaves all.
+    def residual_rms(self, chain: Chain) -> float:
+        """Return the rms of the disturbance behind a filter chain [N m].
 
-        Exact for a chain that is linear; where it finds its lines in the reading itself, it sees them in one of the two
+        Exact for a linear chain. A chain that estimates its lines from the reading has them in one of the two readings
         only.
         """
         return float(np.std(chain.apply(self.reading).torque() - chain.apply(self.quiet).torque()))
 
     @property
     def before(self) -> float:
-        """The rms of the disturbance in the reading as it is [N m]."""
+        """The rms of the disturbance in the unfiltered reading [N m]."""
         return float(np.std(self.reading.torque() - self.quiet.torque()))
 
 
-def with_and_without(rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0) -> WithAndWithout:
-    """Simulate a rig twice under the same random load: as it is, and without cogging, electrical, mechanical lines."""
+def simulated_reading_pair(
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0
+) -> ReadingPair:
+    """Simulate a rig twice under the same random load: with and without cogging, electrical and mechanical lines."""
     quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
     reading, load = (
         simulate(one, duration=duration, seed=seed, wander=wander, settling=settling) for one in (rig, quiet)
     )
-    return WithAndWithout(reading, load)
+    return ReadingPair(reading, load)

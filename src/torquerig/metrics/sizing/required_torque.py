@@ -1,4 +1,4 @@
-"""What the cycle asks of the motor: rms and peak torque, power, speed."""
+"""Torque, power and speed that the cycle requires of the motor."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from collections.abc import Mapping
 import numpy as np
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.open_data import over
+from torquerig.metrics.sizing.open_data import over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.scenario.drive_demand import DriveDemand
 
-SOURCE = "demand of the profile, shafts stiff"
+SOURCE = "required by the profile, shafts rigid"
 
 
-def asked_torque(drive: SizedDrive) -> Mapping[str, Figure]:
+def torque_requirements(drive: SizedDrive) -> Mapping[str, Figure]:
     """Return ``rms_torque`` and ``peak_torque`` [N m], ``peak_power`` [W], ``top_speed``, ``mean_speed`` [rad/s].
 
-    The peak holds steps of the set-point, which the drive takes at its limit.
+    The peak includes steps of the set-point, at which the drive is at its limit.
     """
     exact = drive.demand()
     return {
-        "rms_torque": over(drive.data, lambda v: drive.demand(v).rms_torque, unit="N*m", source=SOURCE),
-        "peak_torque": over(drive.data, lambda v: peak_torque(drive.demand(v)), unit="N*m", source=SOURCE),
-        "peak_power": over(drive.data, lambda v: peak_power(drive.demand(v)), unit="W", source=SOURCE),
+        "rms_torque": over_intervals(drive.data, lambda v: drive.demand(v).rms_torque, unit="N*m", source=SOURCE),
+        "peak_torque": over_intervals(drive.data, lambda v: peak_torque(drive.demand(v)), unit="N*m", source=SOURCE),
+        "peak_power": over_intervals(drive.data, lambda v: peak_power(drive.demand(v)), unit="W", source=SOURCE),
         "top_speed": Figure(value=exact.top_speed, unit="rad/s", source=SOURCE),
         "mean_speed": Figure(value=mean_speed(exact), unit="rad/s", source=SOURCE),
     }
@@ -33,11 +33,11 @@ def use_of_ratings(drive: SizedDrive) -> Mapping[str, Figure]:
     """Return ``rms_torque_use`` over the rated torque and ``peak_torque_use`` over the peak torque [1]."""
     rated, peak = f"rated torque of {drive.motor_name}", f"peak torque of {drive.motor_name}"
     return {
-        "rms_torque_use": over(
+        "rms_torque_use": over_intervals(
             {**drive.data, rated: drive.motor.rated_torque}, lambda v: drive.demand(v).rms_torque / v[rated],
             source="rms torque / rated torque",
         ),
-        "peak_torque_use": over(
+        "peak_torque_use": over_intervals(
             {**drive.data, peak: drive.motor.peak_torque}, lambda v: peak_torque(drive.demand(v)) / v[peak],
             source="largest torque / peak torque",
         ),
@@ -50,17 +50,17 @@ def peak_torque(demand: DriveDemand) -> float:
 
 
 def peak_power(demand: DriveDemand) -> float:
-    """Return the largest mechanical power at the motor's shaft [W]; exact within pieces whose power has a summit."""
+    """Return the largest mechanical power at the motor's shaft [W]; exact within pieces."""
     first, last = demand.torque[:, 0] * demand.speed[:, 0], demand.torque[:, 1] * demand.speed[:, 1]
     rise_t, rise_w = np.diff(demand.torque, axis=1)[:, 0], np.diff(demand.speed, axis=1)[:, 0]
     bend = rise_t * rise_w
     slope = demand.torque[:, 0] * rise_w + demand.speed[:, 0] * rise_t
     with np.errstate(divide="ignore", invalid="ignore"):
         at = np.where(bend < 0, -slope / (2 * bend), 0.0)
-    summit = first + slope * np.clip(at, 0, 1) + bend * np.clip(at, 0, 1) ** 2
-    return float(max(first.max(), last.max(), summit.max()))
+    maximum = first + slope * np.clip(at, 0, 1) + bend * np.clip(at, 0, 1) ** 2
+    return float(max(first.max(), last.max(), maximum.max()))
 
 
 def mean_speed(demand: DriveDemand) -> float:
-    """Return the mean of the size of the speed [rad/s]; pieces do not pass zero within."""
+    """Return the mean of the absolute speed [rad/s]; no piece passes zero."""
     return float(np.sum(demand.duration * np.abs(demand.speed).mean(axis=1)) / np.sum(demand.duration))

@@ -7,7 +7,7 @@ import pytest
 
 from torquerig.errors import RecordingError
 from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain
-from torquerig.metrics.judgement import judged
+from torquerig.metrics.filter_evaluation import evaluate_filter
 from torquerig.metrics.load_error import TRUE_SPEED, load_error
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -64,7 +64,7 @@ def test_a_measured_recording_has_no_error_and_still_a_judgement():
     given = recording(LOAD + np.sin(7 * SPEED * TIME), truth=False)
     with pytest.raises(RecordingError, match="true load is not known"):
         load_error(given, given)
-    made = judged(report_filter_code_chain(DRIVE), given, ratio=5.0, known=DRIVE.lines(20))
+    made = evaluate_filter(report_filter_code_chain(DRIVE), given, ratio=5.0, known=DRIVE.lines(20))
     assert made.error_after is None
     assert made.placebo.beyond > 0.9
     assert made.delay.seconds == pytest.approx(0.0, abs=1e-4)
@@ -73,14 +73,14 @@ def test_a_measured_recording_has_no_error_and_still_a_judgement():
 
 def test_a_chain_that_takes_the_line_brings_the_reading_to_the_load():
     given = recording(LOAD + np.sin(7 * SPEED * TIME))
-    made = judged(report_filter_code_chain(DRIVE), given, ratio=5.0, known=DRIVE.lines(20))
+    made = evaluate_filter(report_filter_code_chain(DRIVE), given, ratio=5.0, known=DRIVE.lines(20))
     assert made.error_before.rms == pytest.approx(1 / np.sqrt(2), rel=1e-3)
     assert made.error_after.rms < 0.02
     assert made.after.torque().mean() == pytest.approx(given.torque().mean(), rel=1e-9)
 
 
 def test_the_empty_chain_changes_nothing_and_has_no_placebo():
-    made = judged(Chain(name="none", stages=()), recording(LOAD), ratio=5.0, known=DRIVE.lines(20))
+    made = evaluate_filter(Chain(name="none", stages=()), recording(LOAD), ratio=5.0, known=DRIVE.lines(20))
     assert made.placebo is None
     assert made.error_after == made.error_before
     assert made.step.hit_peak == pytest.approx(1.0)

@@ -1,4 +1,4 @@
-"""What a filter chain is worth on one recording: against the true load where it is known, against a placebo always."""
+"""Evaluation of a filter chain on one recording: against the true load, if known, and against a placebo."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Judgement:
-    """What a chain did to one recording, and what of it is good.
+class FilterEvaluation:
+    """Effect of a filter chain on one recording, and its error against the true load.
 
     Parameters
     ----------
@@ -31,17 +31,17 @@ class Judgement:
         Its name.
     before, after : Recording
     effect : FilterEffect
-        Spread, mean and energy before and after.
+        Standard deviation, mean and energy before and after.
     placebo : Placebo or None
         None for a chain without lines that could be moved.
     step : StepShown or None
         None where the torque is constant or too short.
     delay : Delay or None
-        Of the filtered reading behind the raw one; None where one of them does not change.
+        Of the filtered reading against the raw one; None where one of them is constant.
     error_before, error_after : LoadError or None
-        To the true load; None where it is not known.
+        Against the true load; None where it is not known.
     error_perfect : LoadError or None
-        Of the reading less the simulated lines exactly; None where these are not known.
+        Of the reading minus the simulated lines; None where these are not known.
     """
 
     chain: str
@@ -56,19 +56,21 @@ class Judgement:
     error_perfect: LoadError | None = None
 
 
-def judged(chain: Chain, recording: Recording, *, ratio: float, known: Sequence[KinematicLine] = ()) -> Judgement:
-    """Return what ``chain`` is worth on ``recording``.
+def evaluate_filter(
+    chain: Chain, recording: Recording, *, ratio: float, known: Sequence[KinematicLine] = ()
+) -> FilterEvaluation:
+    """Return the evaluation of ``chain`` on ``recording``.
 
     Parameters
     ----------
     ratio : float
         Motor turns per output turn [1].
     known : sequence of KinematicLine
-        All lines of the drive; the placebo's places are empty of them.
+        All lines of the drive; the placebo is placed between them.
     """
     after = chain.apply(recording)
     has_truth = TRUE_LOAD in recording.channels
-    return Judgement(
+    return FilterEvaluation(
         chain=chain.name,
         before=recording,
         after=after,
