@@ -69,7 +69,7 @@ def margins(open_loop: LinearSystem, lowered: Lowered, *, rate: float) -> tuple[
 
 def is_stable(closed: LinearSystem) -> bool:
     """Whether nothing in a sampled closed loop grows; rigid turning may keep its angle."""
-    return bool(np.abs(np.linalg.eigvals(closed.A)).max() <= 1 + 1e-7)
+    return bool(np.abs(closed.to_control().poles()).max() <= 1 + 1e-7)
 
 
 def loop_gain(
@@ -106,47 +106,36 @@ def grid(open_loop: LinearSystem, *, rate: float, points: int = 3000) -> Floats:
 def _margins(
     name: str, gain: Callable[[Floats], Complexes], rate: float, open_loop: LinearSystem, *, stable: bool
 ) -> Margins:
+    """Return the margins of one loop, found by python-control on its frequency response.
+
+    The response is exact at the grid's frequencies, which are dense round every root; between them python-control
+    interpolates it.
+    """
+    import control
+
     frequencies = grid(open_loop, rate=rate)
     values = gain(frequencies)
-
-    def level(f: float) -> float:
-        return float(np.log(np.abs(gain(np.array([f]))[0])))
-
-    def side(f: float) -> float:
-        return float(gain(np.array([f]))[0].imag)
-
-    crossings = _roots(frequencies, np.log(np.abs(values)), level)
-    phases = [(float(np.degrees(np.angle(-gain(np.array([f]))[0]))), f) for f in crossings]
-    phase = min(phases, key=lambda found: abs(found[0]), default=None)
-    turned = [(float(1 / abs(gain(np.array([f]))[0])), f) for f in _roots(frequencies, values.imag, side)
-              if gain(np.array([f]))[0].real < 0]  # fmt: skip
-    above = min((found for found in turned if found[0] > 1), default=None)
-    below = max((found for found in turned if found[0] < 1), default=None)
-    nearest, at = _nearest(frequencies, values, gain)
+    response = control.FrequencyResponseData(values, 2 * np.pi * frequencies, smooth=True)
+    gains, phases, distances, *places = control.stability_margins(response, returnall=True)
+    turned, crossovers, nearest = (np.asarray(one) / (2 * np.pi) for one in places)
+    phase = min(zip(phases, crossovers, strict=True), key=lambda found: abs(found[0]), default=(None, None))
+    above = min((one for one in zip(gains, turned, strict=True) if one[0] > 1), default=(None, None))
+    below = max((one for one in gains if one < 1), default=None)
+    at_ends = np.abs(1 + values)
+    modulus = min([*zip(distances, nearest, strict=True), (at_ends.min(), frequencies[at_ends.argmin()])])
     return Margins(
         controller=name,
-        crossovers=tuple(crossings),
-        phase_margin=None if phase is None else phase[0],
-        phase_at=None if phase is None else phase[1],
-        gain_margin=None if above is None else above[0],
-        gain_at=None if above is None else above[1],
-        lower_gain=None if below is None else below[0],
-        modulus_margin=nearest,
-        modulus_at=at,
+        crossovers=tuple(float(one) for one in crossovers),
+        phase_margin=_number(phase[0]),
+        phase_at=_number(phase[1]),
+        gain_margin=_number(above[0]),
+        gain_at=_number(above[1]),
+        lower_gain=_number(below),
+        modulus_margin=float(modulus[0]),
+        modulus_at=float(modulus[1]),
         stable=stable,
     )
 
 
-def _roots(frequencies: Floats, values: Floats, exact: Callable[[float], float]) -> list[float]:
-    """Return where a curve changes its sign, refined within each step of the grid."""
-    from scipy.optimize import brentq
-
-    changes = np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
-    return [float(brentq(exact, frequencies[row], frequencies[row + 1], rtol=1e-10)) for row in changes]
-
-
-def _nearest(frequencies: Floats, values: Complexes, gain: Callable[[Floats], Complexes]) -> tuple[float, float]:
-    row = int(np.abs(1 + values).argmin())
-    fine = np.linspace(frequencies[max(0, row - 1)], frequencies[min(values.size - 1, row + 1)], 201)
-    distances = np.abs(1 + gain(fine))
-    return float(distances.min()), float(fine[distances.argmin()])
+def _number(value: float | None) -> float | None:
+    return None if value is None else float(value)

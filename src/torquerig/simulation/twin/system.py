@@ -50,7 +50,7 @@ class LinearSystem:
 
         A sampled pole at 0 (dead beat) has no place in the s-plane and is left out.
         """
-        found = np.linalg.eigvals(self.A).astype(np.complex128)
+        found = np.asarray(self.to_control().poles(), dtype=np.complex128)
         return np.asarray(np.log(found[np.abs(found) > 1e-300]) / self.period) if self.period else found
 
     def response(self, frequencies: Floats) -> NDArray[np.complex128]:
