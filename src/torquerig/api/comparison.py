@@ -109,7 +109,7 @@ def compare(
     Examples
     --------
     >>> import torquerig as tr
-    >>> small = {"study.motors": ["HDS6A-0104A"], "study.gearboxes": ["reference-5-1"], "study.draws": 0}
+    >>> small = {"study.motors": ["bldc-12n14p"], "study.gearboxes": ["reference-5-1"], "study.draws": 0}
     >>> result = tr.compare("wear_rig.yaml", changes=small)
     >>> result.ranking["filter"].nunique() > 3
     True

@@ -158,10 +158,11 @@ def diagnose(
     Examples
     --------
     >>> import torquerig as tr
-    >>> rig = tr.read_scenario("wear_rig.yaml", changes={"load.occupancy": 0})
-    >>> wrong = rig + tr.mechanisms.MainsInterference(name="hum", amplitudes=(0.5,), phases=(0.0,))
-    >>> run = tr.simulate(wrong, duration=4.0, truth=False)
-    >>> answer = tr.diagnose(rig, [run], workers=1)
+    >>> hum = tr.mechanisms.MainsInterference(name="hum", amplitudes=(0.1,), phases=(0.0,))
+    >>> speeds = [{"operating_point.output_speed": f"{rpm} rpm"} for rpm in (140, 200)]
+    >>> rigs = [tr.read_scenario("wear_rig.yaml", changes=one) for one in speeds]
+    >>> runs = [tr.simulate(rig + hum, duration=6.0, truth=False) for rig in rigs]
+    >>> answer = tr.diagnose("wear_rig.yaml", runs)
     >>> [finding.mechanism for finding in answer.findings]
     ['mains_interference']
     """
