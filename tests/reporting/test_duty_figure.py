@@ -9,14 +9,14 @@ import numpy as np
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.reporting.sizing.duty_figure import duty_figure
-from torquerig.thermal.bands import settled_band, warm_up
-from torquerig.thermal.copies import thermal_copies
 from torquerig.thermal.motor_duty import MotorDuty
+from torquerig.thermal.motor_variants import thermal_variants
+from torquerig.thermal.temperature_bands import settled_band, warm_up
 
 
 @cache
 def copies():
-    return thermal_copies(load_catalog(shipped_folder()).motor("HDS6A-0104A"))
+    return thermal_variants(load_catalog(shipped_folder()).motor("HDS6A-0104A"))
 
 
 def on_and_off(torque: float) -> MotorDuty:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from torquerig.thermal.copies import (
+from torquerig.thermal.motor_variants import (
     CONSTANT_AT_1NM,
     CONSTANT_EXPONENT,
     RESISTANCE_AT_1NM,

@@ -11,7 +11,7 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.scenario.drive_demand import DriveDemand
-from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand, duty_of_recording
+from torquerig.thermal.motor_duty import MotorDuty, duty_of_recording, duty_of_requirement
 from torquerig.thermal.thermal_motor import ThermalMotor
 from torquerig.thermal.two_node import TwoNode
 from torquerig.thermal.warming import warming
@@ -123,7 +123,7 @@ def test_a_demand_keeps_its_heat_however_it_is_cut():
         torque=np.array([[1.0, 2.0], [2.0, 2.0], [-2.0, 0.0]]),
         step=np.zeros(3, dtype=bool),
     )
-    made = duty_of_demand(demand)
+    made = duty_of_requirement(demand)
     assert made.rms_torque == pytest.approx(demand.rms_torque)
     assert made.length == pytest.approx(230.1)
     assert made.mean_speed == pytest.approx((30 * 50 + 200 * 100 + 0.1 * 50) / 230.1)

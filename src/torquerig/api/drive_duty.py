@@ -12,9 +12,9 @@ from torquerig.errors import InputError
 from torquerig.scenario.demand_check import check_demand, entry_of
 from torquerig.scenario.drive_demand import drive_demand
 from torquerig.scenario.model import Scenario
-from torquerig.thermal.copies import ThermalCopies, thermal_copies
-from torquerig.thermal.judged import JudgedDuty, Span, judged_duty
-from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand
+from torquerig.thermal.duty_temperatures import DutyTemperatures, Span, temperatures_of_duty
+from torquerig.thermal.motor_duty import MotorDuty, duty_of_requirement
+from torquerig.thermal.motor_variants import ThermalVariants, thermal_variants
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -32,9 +32,9 @@ class MotorHeat(Result):
     ----------
     duty : MotorDuty
         Torque and speed of the motor.
-    judged : JudgedDuty
+    judged : DutyTemperatures
         Temperatures, margin and time to the limit.
-    motors : ThermalCopies
+    motors : ThermalVariants
         The motor as the catalog's intervals allow it.
     title : str
     ambient : float
@@ -44,8 +44,8 @@ class MotorHeat(Result):
     """
 
     duty: MotorDuty
-    judged: JudgedDuty
-    motors: ThermalCopies
+    judged: DutyTemperatures
+    motors: ThermalVariants
     title: str
     ambient: float
     warnings: tuple[str, ...]
@@ -57,7 +57,7 @@ class MotorHeat(Result):
 
     def summary(self) -> str:
         """Return the verdict in one sentence."""
-        from torquerig.thermal.telling import verdict_sentence
+        from torquerig.thermal.duty_text import verdict_sentence
 
         return f"{self.title}: {verdict_sentence(self.judged, self.motors)}"
 
@@ -124,8 +124,8 @@ def duty(
     points = made.rig.run.set_points
     length = duration if points is None else points.corners(top=0.0, duration=0.0).length
     warnings = check_demand(made, made.catalog, duration=length)
-    asked = duty_of_demand(drive_demand(made.rig, duration=length))
-    motors = thermal_copies(entry)
+    asked = duty_of_requirement(drive_demand(made.rig, duration=length))
+    motors = thermal_variants(entry)
     title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
-    judged = judged_duty(asked, motors, ambient=ambient)
+    judged = temperatures_of_duty(asked, motors, ambient=ambient)
     return MotorHeat(duty=asked, judged=judged, motors=motors, title=title, ambient=ambient, warnings=warnings)

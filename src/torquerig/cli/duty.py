@@ -16,10 +16,10 @@ from torquerig.recordings.files import read_recording
 from torquerig.scenario.demand_check import check_demand, entry_of
 from torquerig.scenario.drive_demand import drive_demand
 from torquerig.study.one_drive import scenario_or_candidate
-from torquerig.thermal.copies import ThermalCopies, thermal_copies
-from torquerig.thermal.judged import JudgedDuty, judged_duty
-from torquerig.thermal.motor_duty import MotorDuty, duty_of_demand, duty_of_recording
-from torquerig.thermal.telling import duty_rows, figure_rows, verdict_sentence
+from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
+from torquerig.thermal.duty_text import duty_rows, figure_rows, verdict_sentence
+from torquerig.thermal.motor_duty import MotorDuty, duty_of_recording, duty_of_requirement
+from torquerig.thermal.motor_variants import ThermalVariants, thermal_variants
 from torquerig.units import parse_quantity
 
 MOST_ROWS = 24  # of the table of stretches
@@ -82,15 +82,15 @@ def command(
         flags = check_demand(made, catalog, duration=length)
         demand = drive_demand(made.rig, duration=length)
         told = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
-        asked = _Asked(duty=duty_of_demand(demand), entry=entry, told=told, flags=flags)
-    copies = thermal_copies(entry)
-    judged = judged_duty(asked.duty, copies, ambient=ambient)
+        asked = _Asked(duty=duty_of_requirement(demand), entry=entry, told=told, flags=flags)
+    copies = thermal_variants(entry)
+    judged = temperatures_of_duty(asked.duty, copies, ambient=ambient)
     _tell(asked, copies, judged, ambient=ambient)
     if picture is not None:
         _draw(asked, copies, picture, ambient=ambient, force=force)
 
 
-def _tell(asked: _Asked, copies: ThermalCopies, judged: JudgedDuty, *, ambient: float) -> None:
+def _tell(asked: _Asked, copies: ThermalVariants, judged: DutyTemperatures, *, ambient: float) -> None:
     click.echo(f"{asked.told}, again and again, surroundings {ambient:g} C")
     if asked.duty.duration.size <= MOST_ROWS:
         click.echo(grid(duty_rows(asked.duty, copies.nominal)) + "\n")
@@ -103,7 +103,7 @@ def _tell(asked: _Asked, copies: ThermalCopies, judged: JudgedDuty, *, ambient: 
         click.echo(wrapped(f"{name}: {text}"))
 
 
-def _draw(asked: _Asked, copies: ThermalCopies, path: Path, *, ambient: float, force: bool) -> None:
+def _draw(asked: _Asked, copies: ThermalVariants, path: Path, *, ambient: float, force: bool) -> None:
     from torquerig.reporting.figures.picture import write_picture
     from torquerig.reporting.sizing.duty_figure import duty_figure
 

@@ -1,4 +1,4 @@
-"""What heats a motor, stretch by stretch: the mean square of its torque, and its speed."""
+"""Duty of a motor: mean square of its torque, and its speed, for each stretch."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from torquerig.scenario.drive_demand import DriveDemand
 
 Floats = NDArray[np.float64]
 SHORTEST = 0.5  # [s] winding temperatures move in tens of seconds
-STRETCHES = 200  # about so many of a long duty whose torque changes all the time
+STRETCHES = 200  # number of stretches of a long duty with a changing torque
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,7 +27,7 @@ class MotorDuty:
     torque_square : ndarray
         Mean square of the torque [(N m)^2].
     speed, speed_square : ndarray
-        Mean of the size of the speed [rad/s], and of its square.
+        Mean of the absolute speed [rad/s], and of its square.
     peak_torque : float
         [N m]
     """
@@ -40,7 +40,7 @@ class MotorDuty:
 
     @property
     def length(self) -> float:
-        """How long it lasts [s]."""
+        """The duration [s]."""
         return float(self.duration.sum())
 
     @property
@@ -50,15 +50,15 @@ class MotorDuty:
 
     @property
     def mean_speed(self) -> float:
-        """Mean of the size of the speed [rad/s]."""
+        """Mean of the absolute speed [rad/s]."""
         return float(np.sum(self.speed * self.duration) / self.length)
 
 
-def duty_of_demand(demand: DriveDemand) -> MotorDuty:
-    """Return the duty of a demand; changing pieces are cut to, and short ones joined to, ``grain`` of its length.
+def duty_of_requirement(demand: DriveDemand) -> MotorDuty:
+    """Return the duty of a required motion; pieces are cut or joined to stretches of ``grain`` [s].
 
-    The mean squares of each stretch are exact; that the heat is spread evenly over it is not, and shifts a temperature
-    by less than the heat of half a stretch.
+    The mean squares of each stretch are exact. The heat is taken as constant within a stretch, which changes a
+    temperature by less than the heat of half a stretch.
     """
     rows: list[tuple[float, float, float, float]] = []
     longest = grain(float(demand.duration.sum()))
@@ -77,7 +77,7 @@ def duty_of_demand(demand: DriveDemand) -> MotorDuty:
 
 
 def grain(length: float) -> float:
-    """Return how long a stretch of changing torque is, of a duty of ``length`` [s]."""
+    """Return the length of a stretch of changing torque, of a duty of ``length`` [s]."""
     return max(SHORTEST, length / STRETCHES)
 
 
@@ -96,7 +96,7 @@ def _joined(rows: Floats, shortest: float) -> Floats:
 def duty_of_recording(recording: Recording) -> MotorDuty:
     """Return the duty of a recorded motor torque (true or measured), averaged over stretches of ``grain`` [s].
 
-    A missing speed counts as the set-point of the run.
+    Without a speed channel, the set-point of the run is used.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""One possible copy of a motor as heat sees it."""
+"""Thermal model of one variant of a motor."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ IRON_EXPONENT = 1.5  # between hysteresis (1) and eddy currents (2)
 
 @dataclass(frozen=True, kw_only=True)
 class ThermalMotor:
-    """Losses, network and limit of one copy.
+    """Losses, network and limit of one variant.
 
     Copper loss ``q T^2 (1 + 0.00393 (Tw - 20 C))`` heats the winding, q = 3 R20 / Kt^2; friction and iron loss heat
     the housing: ``coulomb w + viscous w^2 + iron (w / rated)^1.5``. Saturation (a torque constant that falls at peak
-    torque), magnets that weaken when hot, and switching losses of the drive are left out.
+    torque), hot magnets, and switching losses of the drive are not included.
 
     Parameters
     ----------
@@ -27,11 +27,11 @@ class ThermalMotor:
     copper_loss : float
         q at 20 C [W/(N m)^2].
     torque_constant : float
-        Kt per rms ampere [N m/A]; NaN where nothing is known of it.
+        Kt per rms ampere [N m/A]; NaN where it is unknown.
     coulomb, viscous : float
         Friction [N m], [N m s/rad].
     iron, rated_speed : float
-        Loss without load beside friction [W] at the rated speed [rad/s].
+        No-load loss other than friction [W] at the rated speed [rad/s].
     limit : float
         Largest winding temperature [C].
     """
@@ -55,7 +55,7 @@ class ThermalMotor:
         return torque / self.torque_constant
 
     def stretch(self, *, torque_square: float, speed: float, speed_square: float, ambient: float) -> Stretch:
-        """Return how the temperatures go under one mean square of torque and one speed, at ``ambient`` [C]."""
+        """Return the stretch of one mean square of torque and one speed, at ``ambient`` [C]."""
         cold = self.copper_loss * torque_square
         winding = cold * (1 + COPPER * (ambient - COLD))
         housing = self.loss_of_speed(speed, speed_square)

@@ -1,4 +1,4 @@
-"""The two-node network: a winding that heats a housing, which the surroundings cool; exact while the heat is steady."""
+"""Two-node network: a winding heats a housing, which ambient air cools; exact while the loss is constant."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ IDENTITY = np.eye(2)
 class TwoNode:
     """``Cw xw' = Pw + k xw - (xw - xh) / Rwh`` and ``Ch xh' = Ph + (xw - xh) / Rwh - xh / Rha``.
 
-    xw and xh are the temperature rises above the surroundings [K]; k [W/K] is how fast copper loss grows with the
-    winding's own temperature. Not true where the air flow depends on the speed (a fan on the shaft), where the flange
-    carries much heat into the machine, and for the hottest spot inside a winding.
+    xw and xh are the temperature rises above ambient [K]; k [W/K] is the increase of the copper loss with the winding's
+    temperature. Not valid where the air flow depends on the speed (a fan on the shaft), where the flange conducts much
+    heat into the machine, and for the hottest spot inside a winding.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ class TwoNode:
 
     @property
     def resistance(self) -> float:
-        """From winding to surroundings [K/W]."""
+        """From winding to ambient [K/W]."""
         return self.winding_to_housing + self.housing_to_ambient
 
     def matrix(self, growth: float = 0.0) -> Floats:
@@ -53,7 +53,7 @@ class TwoNode:
         return -1 / fast, -1 / slow
 
     def stretch(self, heat: Floats, growth: float) -> Stretch:
-        """Return how temperatures go while ``heat`` = (Pw, Ph) [W] stays."""
+        """Return the stretch of a constant ``heat`` = (Pw, Ph) [W]."""
         source = heat / np.array([self.winding_capacity, self.housing_capacity])
         return Stretch(self.matrix(growth), source)
 
@@ -63,14 +63,14 @@ class Stretch:
     """``x' = A x + b`` with constant A (2 x 2, real distinct eigenvalues) and b.
 
     ``x(t) = exp(A t) x0 + phi(A, t) b`` by Sylvester's formula: each function of A is its value at the one eigenvalue
-    times ``(A - other) / (difference)`` and the same the other way round (Golub & Van Loan, Matrix Computations, 9.1).
+    times ``(A - other) / (difference)``, summed over both (Golub & Van Loan, Matrix Computations, 9.1).
     """
 
     matrix: Floats
     source: Floats
 
     def propagators(self, time: float) -> tuple[Floats, Floats]:
-        """Return ``exp(A t)``, shape (2, 2), and the rise from nothing, shape (2,)."""
+        """Return ``exp(A t)``, shape (2, 2), and the rise from zero, shape (2,)."""
         upper, lower = eigenvalues(self.matrix)
         first = (self.matrix - lower * IDENTITY) / (upper - lower)
         second = IDENTITY - first
@@ -83,7 +83,7 @@ class Stretch:
         return decay @ start + gained
 
     def turning(self, duration: float, start: Floats) -> float | None:
-        """Return when within the stretch the winding's temperature turns round [s]; None where it does not.
+        """Return the time of the extremum of the winding's temperature within the stretch [s], or None.
 
         Its slope is a sum of two exponentials, which is zero once at most.
         """

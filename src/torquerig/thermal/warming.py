@@ -1,4 +1,4 @@
-"""The temperatures of one copy of a motor over a duty: course, steady cycle, peak, time to the limit."""
+"""The temperatures of one variant of a motor over a duty: course, steady cycle, peak, time to the limit."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from torquerig.thermal.thermal_motor import ThermalMotor
 from torquerig.thermal.two_node import Stretch
 
 Floats = NDArray[np.float64]
-LONGEST = 2**60  # cycles that are looked through for the limit
+LONGEST = 2**60  # cycles that are searched for the limit
 
 
 @dataclass(frozen=True, kw_only=True)
 class Warming:
-    """A duty, cycle after cycle, as exact stretches of one copy; temperatures are in [C].
+    """A repeated duty as exact stretches of one variant; temperatures are in [C].
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ class Warming:
     durations : tuple of float
         Of each stretch [s].
     ambient : float
-        Temperature of the surroundings [C].
+        Ambient temperature [C].
     """
 
     stretches: tuple[Stretch, ...]
@@ -46,9 +46,9 @@ class Warming:
         return matrix, offset
 
     def settled(self) -> Floats | None:
-        """Return the rises at the start of the cycle that comes back to itself [K], ``(1 - M)^-1 v``.
+        """Return the rises at the start of the periodic cycle [K], ``(1 - M)^-1 v``.
 
-        None where there is none: copper loss grows with temperature faster than heat flows away (thermal runaway).
+        None where there is none: copper loss increases faster with temperature than the heat flow (thermal runaway).
         """
         matrix, offset = self.cycle_map()
         if float(np.abs(np.linalg.eigvals(matrix)).max()) >= 1:
@@ -83,10 +83,10 @@ class Warming:
         return np.array(times), np.array(found) + self.ambient
 
     def time_to(self, limit: float, start: Floats) -> float | None:
-        """Return when the winding first reaches ``limit`` [C] from ``start`` [K], in [s]; None where it never does.
+        """Return the time [s] at which the winding first reaches ``limit`` [C] from ``start`` [K]; None if never.
 
-        From a cold start every cycle is warmer than the one before it, so that the cycle in which the limit is reached
-        is found by doubling and halving, and the moment within it by halving.
+        From a cold start every cycle is warmer than the one before it. The cycle in which the limit is reached is found
+        by doubling and bisection, and the time within it by bisection.
         """
         wanted = limit - self.ambient
         first, settled = self.cycle_map(), self.settled()
@@ -115,7 +115,7 @@ class Warming:
         return self.extremes(start)[1] - self.ambient >= wanted
 
     def _moment(self, wanted: float, start: Floats) -> float:
-        """Return when within the cycle from ``start`` the winding's rise first is ``wanted`` [s]."""
+        """Return the time within the cycle from ``start`` at which the winding's rise first is ``wanted`` [s]."""
         if start[0] >= wanted:
             return 0.0
         at = 0.0
@@ -133,7 +133,7 @@ class Warming:
 
 
 def warming(motor: ThermalMotor, duty: MotorDuty, *, ambient: float) -> Warming:
-    """Return how a duty warms one copy of a motor in surroundings of ``ambient`` [C]."""
+    """Return the warming of one variant of a motor by a duty, at ``ambient`` [C]."""
     rows = zip(duty.torque_square.tolist(), duty.speed.tolist(), duty.speed_square.tolist(), strict=True)
     return Warming(
         stretches=tuple(

@@ -13,7 +13,7 @@ from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
 from torquerig.scenario.drive_demand import DriveDemand
-from torquerig.thermal.copies import copper_bounds
+from torquerig.thermal.motor_variants import copper_bounds
 
 
 def regeneration(drive: SizedDrive) -> Mapping[str, Figure]:

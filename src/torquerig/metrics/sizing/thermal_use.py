@@ -9,9 +9,9 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.scenario.drive_demand import DriveDemand
-from torquerig.thermal.copies import thermal_copies
-from torquerig.thermal.judged import JudgedDuty, judged_duty
-from torquerig.thermal.motor_duty import duty_of_demand
+from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
+from torquerig.thermal.motor_duty import duty_of_requirement
+from torquerig.thermal.motor_variants import thermal_variants
 
 MOST = 10.0  # [1] upper end of the use; also for a thermal runaway
 FIELDS = (
@@ -27,13 +27,13 @@ def thermal_use(drive: SizedDrive, *, ambient: float = 40.0) -> Mapping[str, Fig
     Two-node model of ``thermal/``; the extremes are those of the least and the largest rms torque. A use of 10 means
     10 or more, a margin of -500 K means less than that; both also stand for a thermal runaway.
     """
-    copies = thermal_copies(drive.motor)
-    judged = [judged_duty(duty_of_demand(one), copies, ambient=ambient) for one in _extremes(drive)]
-    missing = ", ".join(f"{name} of {drive.motor_name}" for name in copies.assumed)
+    variants = thermal_variants(drive.motor)
+    results = [temperatures_of_duty(duty_of_requirement(one), variants, ambient=ambient) for one in _extremes(drive)]
+    missing = ", ".join(f"{name} of {drive.motor_name}" for name in variants.assumed)
     source = f"two-node model, ambient {ambient:g} C"
     found = {
-        "thermal_use": _joined(judged, "use", unit="1", source=source, missing=missing),
-        "thermal_margin": _joined(judged, "margin", unit="K", source=source, missing=missing),
+        "thermal_use": _joined(results, "use", unit="1", source=source, missing=missing),
+        "thermal_margin": _joined(results, "margin", unit="K", source=source, missing=missing),
     }
     known = [(field, getattr(drive.motor, field)) for field in FIELDS]
     rests_on = (*((f"{field.replace('_', ' ')} of {drive.motor_name}", one) for field, one in known if one.source),
@@ -51,8 +51,8 @@ def _extremes(drive: SizedDrive) -> tuple[DriveDemand, DriveDemand, DriveDemand]
     return middle, ordered[0], ordered[-1]
 
 
-def _joined(judged: list[JudgedDuty], name: str, *, unit: str, source: str, missing: str) -> Figure:
-    spans = [getattr(one, name) for one in judged]
+def _joined(results: list[DutyTemperatures], name: str, *, unit: str, source: str, missing: str) -> Figure:
+    spans = [getattr(one, name) for one in results]
     low, high = min(span.low for span in spans), max(span.high for span in spans)
     kept = [min(MOST, max(LEAST, end)) if unit == "1" else max(LEAST, end) for end in (spans[0].value, low, high)]
     if low == high:

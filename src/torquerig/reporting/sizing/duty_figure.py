@@ -7,14 +7,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from torquerig.reporting.figures.picture import new_figure
-from torquerig.thermal.bands import Band, settled_band, warm_up
-from torquerig.thermal.copies import ThermalCopies
 from torquerig.thermal.motor_duty import MotorDuty
+from torquerig.thermal.motor_variants import ThermalVariants
+from torquerig.thermal.temperature_bands import Band, settled_band, warm_up
 
 SPEED, TORQUE, WINDING, HOUSING, LIMIT = "#5b6b7a", "#1f77b4", "#d1495b", "#7a5195", "#333333"
 
 
-def duty_figure(duty: MotorDuty, copies: ThermalCopies, *, ambient: float, title: str) -> Figure:
+def duty_figure(duty: MotorDuty, copies: ThermalVariants, *, ambient: float, title: str) -> Figure:
     """Return three panels, the lower two with bands over what the data leave open, and the limit hatched."""
     figure = new_figure(10.5, 7.6)
     asked, settled, warming = figure.subplots(3, 1)
@@ -51,7 +51,7 @@ def _asked(axes: Axes, duty: MotorDuty) -> None:
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1.1, 0.5), fontsize=8, frameon=False)
 
 
-def _temperatures(axes: Axes, band: Band, copies: ThermalCopies, *, unit: float) -> None:
+def _temperatures(axes: Axes, band: Band, copies: ThermalVariants, *, unit: float) -> None:
     limits = [one.limit for one in copies.corners]
     top = 1.6 * max(limits)  # a winding beyond that is past saving; the scale stays readable
     time = band.time / unit

@@ -1,4 +1,4 @@
-"""The thermal copies of a motor that the catalog's intervals allow, and what had to be assumed for them."""
+"""Thermal variants of a motor within the catalog's intervals, and the assumptions for them."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ WINDING_CAPACITY = Estimate(low=0.05, high=0.20, evidence="RT", source="share of
 # the premo motors of 0.60 to 6.38 N*m: 1.19 to 0.54 K/W and 12.0 to 33.2 min [W1]
 RESISTANCE_AT_1NM, RESISTANCE_EXPONENT = 0.99, -0.33
 CONSTANT_AT_1NM, CONSTANT_EXPONENT = 870.0, 0.43
-TREND_FACTOR = 1.5  # how far a motor may lie off the trend, either way
+TREND_FACTOR = 1.5  # [1] largest deviation of a motor from the trend, either way
 
 
 @dataclass(frozen=True, kw_only=True)
-class ThermalCopies:
-    """The nominal copy, and one for each corner of what is not known.
+class ThermalVariants:
+    """The nominal variant, and one for each corner of the open values.
 
     Parameters
     ----------
     corners : tuple of ThermalMotor
-        Every combination of the ends of the intervals; what rises with one of them is bounded by two corners.
+        Every combination of the ends of the intervals; they bound every figure that is monotone in each value.
     assumed : mapping of str to str
-        What no document states, what was taken for it, and from where.
+        Values that no document states: the assumed value and its source.
     """
 
     nominal: ThermalMotor
@@ -39,28 +39,28 @@ class ThermalCopies:
     assumed: Mapping[str, str]
 
 
-def thermal_copies(entry: Motor) -> ThermalCopies:
-    """Return the copies of a motor.
+def thermal_variants(entry: Motor) -> ThermalVariants:
+    """Return the thermal variants of a motor.
 
-    Phase resistance and torque constant give the copper loss; where one of them is an interval, the rating says where
-    in it the motor lies: at its continuous torque, at 40 C, the winding of each copy just reaches its limit, or stays
-    below it where no resistance of the interval heats it so much. At standstill that is copper loss alone; what the
-    rated torque is lower than the stall torque is loss at the rated speed.
+    Phase resistance and torque constant give the copper loss; where one of them is an interval, the rating determines
+    the copper loss: at its continuous torque, at 40 C, the winding of each variant just reaches its limit, or stays
+    below it where no resistance of the interval heats it so much. At standstill there is copper loss only; the
+    difference of rated and stall torque is loss at the rated speed.
     """
     known = _quantities(entry)
     ends = {name: (one.nominal(), *one.bounds) for name, one in known.items()}
-    nominal = _copy(entry, {name: values[0] for name, values in ends.items()})
+    nominal = _variant(entry, {name: values[0] for name, values in ends.items()})
     open_names = [name for name, (_, low, high) in ends.items() if low < high]
     corners = []
     for chosen in product((1, 2), repeat=len(open_names)):
         values = {name: value[0] for name, value in ends.items()}
         values |= {name: ends[name][side] for name, side in zip(open_names, chosen, strict=True)}
-        corners.append(_copy(entry, values))
+        corners.append(_variant(entry, values))
     assumed = {name: f"{_words(name, one)}: {one.source} ({one.evidence})" for name, one in known.items()
                if not one.documented}  # fmt: skip
     if not _documented_copper(entry):
-        assumed["copper loss"] = _told_copper(entry, (nominal, *corners))
-    return ThermalCopies(nominal=nominal, corners=tuple(corners), assumed=assumed)
+        assumed["copper loss"] = _copper_text(entry, (nominal, *corners))
+    return ThermalVariants(nominal=nominal, corners=tuple(corners), assumed=assumed)
 
 
 def _words(name: str, one: Estimate) -> str:
@@ -68,11 +68,11 @@ def _words(name: str, one: Estimate) -> str:
     return f"{shown} C" if name == "winding limit" else shown
 
 
-def _told_copper(entry: Motor, copies: Sequence[ThermalMotor]) -> str:
-    losses = [one.copper_loss for one in copies]
+def _copper_text(entry: Motor, variants: Sequence[ThermalMotor]) -> str:
+    losses = [one.copper_loss for one in variants]
     text = f"{min(losses):.3g}..{max(losses):.3g} W/(N*m)^2 at 20 C: the rating, at {RATED_AMBIENT:g} C, brings the "
     if copper_bounds(entry) is None:
-        return text + "winding to its limit; resistance or torque constant are not known"
+        return text + "winding to its limit; resistance or torque constant are unknown"
     return text + "winding to its limit, within what phase resistance and torque constant allow"
 
 
@@ -113,7 +113,7 @@ def copper_bounds(entry: Motor) -> tuple[float, float] | None:
     return 3 * resistance.bounds[0] / constant.bounds[1] ** 2, 3 * resistance.bounds[1] / constant.bounds[0] ** 2
 
 
-def _copy(entry: Motor, values: Mapping[str, float]) -> ThermalMotor:
+def _variant(entry: Motor, values: Mapping[str, float]) -> ThermalMotor:
     network = network_of(
         resistance=values["thermal resistance"],
         time_constant=values["thermal time constant"],
@@ -134,23 +134,23 @@ def _copy(entry: Motor, values: Mapping[str, float]) -> ThermalMotor:
 
 
 def _losses(entry: Motor, network: TwoNode, *, limit: float, continuous: float) -> tuple[float, float]:
-    """Return copper loss [W/(N m)^2] at 20 C and iron loss at the rated speed [W] that the rating leaves."""
+    """Return copper loss [W/(N m)^2] at 20 C and iron loss at the rated speed [W] according to the rating."""
     speed, rated = entry.rated_speed.nominal(), entry.rated_torque.nominal()
     friction = entry.coulomb_friction.nominal() * speed + entry.viscous_friction.nominal() * speed**2
     hot = 1 + COPPER * (limit - COLD)
-    # a rated torque is given at the rated speed, where friction warms the housing too; a stall torque is not
-    left = limit - RATED_AMBIENT - (friction * network.housing_to_ambient if entry.stall_torque.unknown else 0.0)
-    copper = max(0.0, left) / (network.resistance * hot * continuous**2)
+    # a rated torque is given at the rated speed, where friction heats the housing too; a stall torque is not
+    rise = limit - RATED_AMBIENT - (friction * network.housing_to_ambient if entry.stall_torque.unknown else 0.0)
+    copper = max(0.0, rise) / (network.resistance * hot * continuous**2)
     if bounds := copper_bounds(entry):
         copper = min(max(copper, bounds[0]), bounds[1])
     if entry.stall_torque.unknown:
         return copper, 0.0
-    spared = copper * hot * max(0.0, continuous**2 - rated**2)
-    return copper, max(0.0, spared * network.resistance / network.housing_to_ambient - friction)
+    difference = copper * hot * max(0.0, continuous**2 - rated**2)
+    return copper, max(0.0, difference * network.resistance / network.housing_to_ambient - friction)
 
 
 def network_of(*, resistance: float, time_constant: float, resistance_share: float, capacity_share: float) -> TwoNode:
-    """Return the network with a resistance to the surroundings [K/W] and a slow time constant [s].
+    """Return the network with a resistance to ambient [K/W] and a slow time constant [s].
 
     ``resistance_share`` of the resistance lies between winding and housing, ``capacity_share`` of the capacity in the
     winding. Both time constants are in proportion to the capacity, which is set so that the slow one is as stated.

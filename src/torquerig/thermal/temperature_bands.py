@@ -1,4 +1,4 @@
-"""Temperatures over time with the band that the copies span: one settled cycle, and the way there from cold."""
+"""Temperatures over time with the band of all variants: one settled cycle, and the warm-up from cold."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.thermal.copies import ThermalCopies
 from torquerig.thermal.motor_duty import MotorDuty
+from torquerig.thermal.motor_variants import ThermalVariants
 from torquerig.thermal.warming import Warming, warming
 
 Floats = NDArray[np.float64]
-POINTS = 60  # moments of the way from cold
+POINTS = 60  # points of the warm-up
 
 
 @dataclass(frozen=True, kw_only=True)
 class Band:
-    """Temperatures [C] at ``time`` [s], all of shape (n,): of the nominal copy, and the ends over all copies."""
+    """Temperatures [C] at ``time`` [s], all of shape (n,): of the nominal variant, and the extremes of all variants."""
 
     time: Floats
     winding: Floats
@@ -26,25 +26,27 @@ class Band:
     housing: Floats
 
 
-def settled_band(duty: MotorDuty, copies: ThermalCopies, *, ambient: float) -> Band | None:
-    """Return one settled cycle; None where the nominal copy never settles. Copies that run away are left out."""
+def settled_band(duty: MotorDuty, variants: ThermalVariants, *, ambient: float) -> Band | None:
+    """Return one settled cycle; None where the nominal variant never settles. Variants with a runaway are omitted."""
     found = []
-    for motor in (copies.nominal, *copies.corners):
+    for motor in (variants.nominal, *variants.corners):
         made = warming(motor, duty, ambient=ambient)
         settled = made.settled()
         if settled is not None:
             found.append(made.course(settled))
-        elif motor is copies.nominal:
+        elif motor is variants.nominal:
             return None
     return _band(found[0][0], [course for _, course in found])
 
 
-def warm_up(duty: MotorDuty, copies: ThermalCopies, *, ambient: float) -> Band:
+def warm_up(duty: MotorDuty, variants: ThermalVariants, *, ambient: float) -> Band:
     """Return the highest of winding and housing in each cycle, from cold over four slow time constants."""
-    slowest = max(one.network.time_constants()[1] for one in copies.corners)
+    slowest = max(one.network.time_constants()[1] for one in variants.corners)
     last = max(1, round(4 * slowest / duty.length))
     cycles = np.unique(np.linspace(0, last, POINTS).astype(np.int64))
-    courses = [_highest(warming(motor, duty, ambient=ambient), cycles) for motor in (copies.nominal, *copies.corners)]
+    courses = [
+        _highest(warming(motor, duty, ambient=ambient), cycles) for motor in (variants.nominal, *variants.corners)
+    ]
     return _band(np.asarray((cycles + 0.5) * duty.length, dtype=np.float64), courses)
 
 

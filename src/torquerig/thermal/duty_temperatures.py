@@ -1,4 +1,4 @@
-"""The figures of a duty: temperatures, margin, torque against rating, time to the limit, each over all copies."""
+"""Figures of a duty over all variants: temperatures, margin, torque against rating, time to the limit."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from math import inf
 
 import numpy as np
 
-from torquerig.thermal.copies import ThermalCopies
 from torquerig.thermal.motor_duty import MotorDuty
+from torquerig.thermal.motor_variants import ThermalVariants
 from torquerig.thermal.thermal_motor import ThermalMotor
 from torquerig.thermal.warming import warming
 
@@ -17,7 +17,7 @@ COLD_START = np.zeros(2)
 
 @dataclass(frozen=True, kw_only=True)
 class Span:
-    """A figure of the nominal copy, and its lowest and highest over all copies; infinite where it never comes."""
+    """A figure of the nominal variant, and its lowest and highest over all variants; infinite if never reached."""
 
     value: float
     low: float
@@ -25,8 +25,8 @@ class Span:
 
 
 @dataclass(frozen=True, kw_only=True)
-class JudgedDuty:
-    """What a duty does to a motor, repeated without end.
+class DutyTemperatures:
+    """Temperatures of a motor under an endlessly repeated duty.
 
     Parameters
     ----------
@@ -35,13 +35,13 @@ class JudgedDuty:
     once : Span
         Highest winding temperature of the first cycle from cold [C].
     margin : Span
-        Limit less highest winding temperature of the same copy [K].
+        Limit minus highest winding temperature of the same variant [K].
     use : Span
         Highest winding rise over the rise that the limit allows [1].
     until : Span
-        When the winding first is at its limit, from cold [s]; infinite where never.
+        Time from cold until the winding is at its limit [s]; infinite if never.
     rms_torque, peak_torque, rms_current : float
-        [N m], [N m], [A] of the nominal copy, NaN where no torque constant is known.
+        [N m], [N m], [A] of the nominal variant, NaN where no torque constant is known.
     """
 
     winding: Span
@@ -57,21 +57,21 @@ class JudgedDuty:
 
     @property
     def word(self) -> str:
-        """``safe`` where every copy stays below its limit, ``too hot`` where none does, else ``unsure``."""
+        """``safe`` where every variant stays below its limit, ``too hot`` where none does, else ``unsure``."""
         if self.margin.low > 0:
             return "safe"
         return "too hot" if self.margin.high <= 0 else "unsure"
 
 
-def judged_duty(duty: MotorDuty, copies: ThermalCopies, *, ambient: float) -> JudgedDuty:
-    """Return the figures of a duty in surroundings of ``ambient`` [C], repeated from a cold start without end."""
-    rows = [_figures(motor, duty, ambient) for motor in (copies.nominal, *copies.corners)]
+def temperatures_of_duty(duty: MotorDuty, variants: ThermalVariants, *, ambient: float) -> DutyTemperatures:
+    """Return the figures of a duty at ``ambient`` [C], repeated endlessly from a cold start."""
+    rows = [_figures(motor, duty, ambient) for motor in (variants.nominal, *variants.corners)]
     spans = [Span(value=column[0], low=min(column), high=max(column)) for column in zip(*rows, strict=True)]
     winding, lowest, housing, once, margin, use, until = spans
-    return JudgedDuty(
+    return DutyTemperatures(
         winding=winding, lowest=lowest, housing=housing, once=once, margin=margin, use=use, until=until,
         rms_torque=duty.rms_torque, peak_torque=duty.peak_torque,
-        rms_current=copies.nominal.current(duty.rms_torque),
+        rms_current=variants.nominal.current(duty.rms_torque),
     )  # fmt: skip
 
 
