@@ -55,7 +55,7 @@ def test_a_steady_duty_is_warmer_in_warmer_surroundings_by_more_than_the_differe
 def test_a_motor_too_small_is_told(capsys):
     hot = ("load.mean_by_occupancy_percent={0: 4 N*m, 21: 4 N*m}",)
     text = said(capsys, "duty", WEAR_RIG, "--motor", "ESM04X-101-302", "--gearbox", "reference-5-1", "--set", *hot)
-    assert "Too hot: whatever is not known, the winding passes its limit" in text
+    assert "Too hot: the winding exceeds its limit" in text
 
 
 def test_a_simulated_recording_is_as_warm_as_its_profile(capsys):
