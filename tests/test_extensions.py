@@ -18,7 +18,7 @@ import numpy as np
 
 from torquerig.filters.chains.chain_form import StageForm
 from torquerig.mechanisms.mains_interference import MainsInterference
-from torquerig.recordings.files.table import Table
+from torquerig.recordings.files.number_table import Table
 
 
 @dataclass(frozen=True, kw_only=True)

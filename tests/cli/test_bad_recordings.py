@@ -44,7 +44,7 @@ REFUSED: dict[str, tuple[str, Callable[[Path], object], str]] = {
     "broken row": ("run.csv", lambda path: path.write_text(csv(AT, VALUES) + "2.0000\n"), "run.csv:2002: the row has"),
     "no such variable": ("run.mat", lambda path: savemat(path, {"pressure": VALUES}), "known are pressure"),
     "unequal lengths": ("unequal.mat", unequal_mat, "unequal numbers of samples (torque_V 2000, encoder_count 1900)"),
-    "wrong rate": ("run.csv", lambda path: path.write_text(csv(2 * AT, VALUES)), "says 1000 samples per second and"),
+    "wrong rate": ("run.csv", lambda path: path.write_text(csv(2 * AT, VALUES)), "states 1000 samples per second and"),
     "no samples": ("run.csv", lambda path: path.write_text(csv(AT[:0], VALUES[:0])), "has no samples"),
     "one sample": ("run.csv", lambda path: path.write_text(csv(AT[:1], VALUES[:1])), "run.csv: "),
 }  # fmt: skip
@@ -91,7 +91,7 @@ def test_samples_that_are_no_numbers_are_named(folder: Path, capsys: pytest.Capt
     (folder / "run.csv").write_text(csv(AT, GAPPY))
     code, out, _ = said(capsys, "info", "run.csv")
     assert code == 0
-    assert "20 samples that are no numbers: samples 500..519" in out
+    assert "20 samples that are not numbers: samples 500..519" in out
     # the speed comes from the longest stretch that has numbers
     assert "samples 520..1999, the longest stretch" in " ".join(out.split())
     code, out, err = said(capsys, "filter", "run.csv")

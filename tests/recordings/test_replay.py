@@ -91,7 +91,7 @@ GAP = recording(torque_Nm=Channel(values=np.where(abs(TIME - 0.5) < 0.01, np.nan
         (MADE, "torque_Vv", "run7.parquet has no channel 'torque_Vv'; did you mean 'torque' or 'torque_V'"),
         (MADE, "oven_degC", "oven_degC of run7.parquet is a temperature, not a torque"),
         (MADE, "current_A", "is a current; add torque_constant:"),
-        (GAP, "torque_Nm", "has a gap of 99 samples that are no numbers, from 0.4902 s on"),
+        (GAP, "torque_Nm", "has a gap of 99 samples that are not numbers, from 0.4902 s on"),
     ],
 )
 def test_what_is_no_torque_is_refused(made: Recording, channel: str, told: str) -> None:

@@ -38,7 +38,7 @@ def wear_rig(*settings: str) -> Scenario:
 
 def test_speeds_are_the_motors_and_occupancies_are_loads():
     run = wear_rig("profile=duty_cycle", CYCLE).rig.run
-    course = run.course()
+    course = run.speed_profile()
     assert run.speed == pytest.approx(1500 * RPM)
     assert course.speed(np.array([0.1, 0.5, 0.9]), top=0.0, duration=1.0) == pytest.approx([1500 * RPM] * 3)
     assert course.load(np.array([0.1, 0.5, 0.9])) == pytest.approx([0.05, 3.8, 2.0])
@@ -65,7 +65,7 @@ def test_a_table_is_found_beside_its_scenario(tmp_path):
     (tmp_path / "c.csv").write_text("time_s,output_speed_rpm,torque_Nm\n0,0,1\n2,100,3\n")
     made = read_scenario(parse_document(text, tmp_path / "rig.yaml"), catalog(), seed=1)
     assert made.rig.run.speed == pytest.approx(500 * RPM)
-    assert made.rig.run.course().length == 2
+    assert made.rig.run.speed_profile().length == 2
     (tmp_path / "c.csv").write_text("time_s,output_speed_rpm,torque_Nm\n0,0,1\n2,,3\n")
     with pytest.raises(InputError, match=r"c\.csv:3: the profile has a gap: output_speed_rpm is no number"):
         read_scenario(parse_document(text, tmp_path / "rig.yaml"), catalog(), seed=1)

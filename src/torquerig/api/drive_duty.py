@@ -122,7 +122,7 @@ def duty(
         raise InputError(f"{made.title}: the driven motor is not in the catalog, so that nothing is known of its heat; "
                          "name one with catalog: in the scenario, or with motor=")  # fmt: skip
     points = made.rig.run.set_points
-    length = duration if points is None else points.corners(top=0.0, duration=0.0).length
+    length = duration if points is None else points.breakpoints(top=0.0, duration=0.0).length
     warnings = check_demand(made, made.catalog, duration=length)
     asked = duty_of_requirement(drive_demand(made.rig, duration=length))
     motors = thermal_variants(entry)

@@ -78,7 +78,7 @@ def command(
         )
     else:
         points = made.rig.run.set_points
-        length = _seconds(duration) if points is None else points.corners(top=0.0, duration=0.0).length
+        length = _seconds(duration) if points is None else points.breakpoints(top=0.0, duration=0.0).length
         flags = check_demand(made, catalog, duration=length)
         demand = drive_demand(made.rig, duration=length)
         told = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"

@@ -41,7 +41,7 @@ def blocks_for(stream: RecordingStream, chains: Sequence[Chain], *, block: float
     """
     if block is not None:
         return blocking_for(chains, stream, block=block)
-    if stream.samples is not None and stream.samples * len(stream.sheets) <= _LONG:
+    if stream.samples is not None and stream.samples * len(stream.entries) <= _LONG:
         return None
     if stream.table.read_whole:
         click.echo(f"filtered as a whole: {stream.table.read_whole}")
@@ -100,4 +100,4 @@ class _Seen:
 
 def described(stream: RecordingStream) -> Recording:
     """Return a recording without samples, for what only its sheet, its run and its name are asked for."""
-    return stream.of(dict.fromkeys(stream.sheets, np.empty(0)))
+    return stream.of(dict.fromkeys(stream.entries, np.empty(0)))

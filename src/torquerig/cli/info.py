@@ -30,7 +30,7 @@ from torquerig.recordings.recording import Recording
 def command(*, recording: Path, picture: Path | None, force: bool) -> None:
     """Show channels, rate, length, levels and speed of RECORDING, and what looks suspicious, with sample numbers.
 
-    Suspicious are gaps of time, samples that are no numbers, clipping, dropouts, spikes, values that stand still. A
+    Suspicious are gaps of time, samples that are not numbers, clipping, dropouts, spikes, values that stand still. A
     long recording is read block by block.
     """
     if picture is not None:
@@ -59,7 +59,7 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     """Return the motor's mean speed over the first block [rad/s], and how it was found in words."""
     from torquerig.orders.angle.best_angle import best_motor_speed
 
-    head = next(Blocking(samples=2**20).cut(stream)).answer()
+    head = next(Blocking(samples=2**20).cut(stream)).without_overlap()
     first, head = _sound_stretch(head)
     try:
         found = best_motor_speed(head, _lines(stream))

@@ -91,7 +91,7 @@ def filtered_blocks(
     """
 
     def work(block: Block) -> _Worked:
-        before = block.answer()
+        before = block.without_overlap()
         return block.first, before, tuple(_answer(block, chain.apply(block.recording), before) for chain in chains)
 
     workers = _WORKERS if blocking.samples + 2 * blocking.overlap <= _LARGE else 1

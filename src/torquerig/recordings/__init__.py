@@ -1,13 +1,14 @@
-"""What was recorded: channels with units, the run they were taken in, the files they come from, and faults of samples.
+"""Recordings: sampled channels with units, the test conditions of the run, files in every format, inspection.
 
 =================== ===============================================================================
 ``recording``       equally sampled channels of one run
-``run``             the test conditions of a run; ``set_point``: the speed that they state, over time
-``profiles/``       how that speed runs: steady, ramp, reversal, duty cycle, table
-``files/``          recordings in and out of every format
-``inspection/``     what a recording holds: levels, runs, spikes, dropouts, spectrum, in one pass
-``repair/``         faults of samples, by the samples alone: found, described in a sentence, and repaired
-``stage``           the one verb of sensor stages and filters: Recording in, Recording out
+``run``             the test conditions of one run
+``set_point``       the set-point of the motor speed at each sample
+``profiles/``       set-point over time: steady, ramp, reversal, duty cycle, table
+``files/``          reading and writing of recordings in every format
+``inspection/``     levels, runs of one value, spikes, dropouts, spectrum, in one pass
+``repair/``         faults of samples, from the samples alone: found, described in a sentence, and repaired
+``stage``           the interface of sensor stages and filters: Recording in, Recording out
 ``channel_angle``   the angle of an angle channel, counts unwrapped and smoothed
 ``replay``          a recorded torque or motion as the input of a simulation
 ``spectrum``        amplitude spectra

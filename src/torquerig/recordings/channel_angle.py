@@ -22,7 +22,7 @@ def angle_of(channel: Channel, rate: float) -> NDArray[np.float64]:
         return channel.in_si()
     if channel.unit == "count":
         values = _smoothed(_unwrapped(values, counts_per_rev=2 * np.pi / channel.si_per_unit), rate)
-        values *= channel.si_per_unit  # smoothing has made them its own
+        values *= channel.si_per_unit  # in place: smoothing returned a new array
         return values
     return channel.in_si()
 
@@ -36,7 +36,7 @@ def unsmoothed_angle_of(channel: Channel) -> NDArray[np.float64]:
 
 
 def _unwrapped(counts: NDArray[np.float64], *, counts_per_rev: float) -> NDArray[np.float64]:
-    """Undo the overflow of a counter that starts again at the turn, or at 16 or 32 bit."""
+    """Unwrap a counter that overflows at one turn, or at 16 or 32 bit."""
     steps = np.diff(counts)
     largest = max(steps.max(), -steps.min())
     span = counts.max() - counts.min()
@@ -50,11 +50,11 @@ def _unwrapped(counts: NDArray[np.float64], *, counts_per_rev: float) -> NDArray
 def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:
     per_sample = np.abs(counts[-1] - counts[0]) / (counts.size - 1)
     window = int(min(np.ceil(_COUNTS_SPANNED / max(per_sample, 1e-9)), _LONGEST_SMOOTHING * rate))
-    beside = _trend(counts)
-    np.subtract(counts, beside, out=beside)
-    # long recordings: no more copies at a time than needed
-    smooth = _even_mean(beside, max(window // 2, 2))
-    del beside
+    deviation = _trend(counts)
+    np.subtract(counts, deviation, out=deviation)
+    # long recordings: as few arrays in memory at a time as possible
+    smooth = _even_mean(deviation, max(window // 2, 2))
+    del deviation
     smooth += _trend(counts)
     return smooth
 
@@ -67,16 +67,16 @@ def _trend(counts: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _even_mean(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
-    """Mean over ``reach`` samples either way, over as many on both sides near the ends: a slope is not bent there."""
+    """Return the mean over ``reach`` samples either way; near the ends over fewer, but equally many on both sides."""
     size = values.size
     sums = np.zeros(size + 1)
     np.cumsum(values, out=sums[1:])
     reach = min(reach, (size - 1) // 2)
-    answer = np.empty(size)
-    inner = answer[reach : size - reach]
+    means = np.empty(size)
+    inner = means[reach : size - reach]
     np.subtract(sums[2 * reach + 1 :], sums[: size - 2 * reach], out=inner)
     inner /= 2 * reach + 1
     fewer = np.arange(reach)
-    answer[:reach] = sums[2 * fewer + 1] / (2 * fewer + 1)
-    answer[size - reach :] = ((sums[-1] - sums[size - 1 - 2 * fewer]) / (2 * fewer + 1))[::-1]
-    return answer
+    means[:reach] = sums[2 * fewer + 1] / (2 * fewer + 1)
+    means[size - reach :] = ((sums[-1] - sums[size - 1 - 2 * fewer]) / (2 * fewer + 1))[::-1]
+    return means

@@ -1,4 +1,4 @@
-"""A recording: equally sampled channels with units, the run they were taken in, and what made them."""
+"""A recording: equally sampled channels with units, the test conditions of the run, and their origin."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ class Channel:
     quantity : str
         One of ``QUANTITIES``.
     unit : str
-        What one of ``values`` is, for example ``V``, ``count`` or ``N*m``.
+        Unit of ``values``, for example ``V``, ``count`` or ``N*m``.
     si_per_unit : float
         SI quantity per ``unit``: N m per V for a torque sensor, rad per count for an encoder.
     truth : bool
-        True for what only a simulation knows; never an input of a diagnosis.
+        True for a signal that exists only in a simulation; never an input of a diagnosis.
     """
 
     values: NDArray[np.float64]
@@ -73,11 +73,11 @@ class Recording:
     sample_rate : float
         Samples per second [Hz].
     channels : mapping of str to Channel
-        All of the same length; the names carry the unit by habit (``torque_V``).
+        All of the same length; the names end with the unit by convention (``torque_V``).
     run : Run
         The set-points of the run.
     origin : mapping
-        What made it: for a simulated one ``scenario``, ``seed`` and ``torquerig`` version; empty for a measured one.
+        For a simulated recording ``scenario``, ``seed`` and ``torquerig`` version; empty for a measured one.
     name : str
         The file name, for messages.
     """
@@ -134,7 +134,7 @@ class Recording:
         return self.channels[name]
 
     def with_channel(self, name: str, channel: Channel) -> Recording:
-        """Return this recording with ``channel`` added or put in place of the one of that name."""
+        """Return this recording with ``channel`` added, or replaced where the name exists."""
         return replace(self, channels={**self.channels, name: channel})
 
     def with_values(self, name: str, values: NDArray[np.float64]) -> Recording:
@@ -142,12 +142,12 @@ class Recording:
         return self.with_channel(name, replace(self.channel(name), values=values))
 
     def without_truth(self) -> Recording:
-        """Return what a real rig would have recorded: this recording without its truth channels."""
+        """Return this recording without its truth channels, as a real rig records it."""
         measured = {name: channel for name, channel in self.channels.items() if not channel.truth}
         return replace(self, channels=measured)
 
     def to_frame(self) -> pd.DataFrame:
-        """Return all channels as recorded, one column each, over the time [s]; for those who work in pandas."""
+        """Return all channels as recorded, one column each, over the time [s]."""
         import pandas as pd
 
         columns = {name: channel.values for name, channel in self.channels.items()}
@@ -191,7 +191,7 @@ class Recording:
         return notebook_html(self.summary(), self.levels())
 
     def random(self, purpose: str) -> np.random.Generator:
-        """Return the random generator of one purpose: fixed by the recording's seed and the name of the purpose."""
+        """Return the random generator of one purpose, determined by the recording's seed and the purpose's name."""
         return random_for(int(self.origin.get("seed", 0)), purpose)
 
 

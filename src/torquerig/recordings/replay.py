@@ -1,10 +1,10 @@
-"""A measured channel over again: the torque or motion that a recording holds, at the times that a run asks for.
+"""Replay of a recorded torque or motion as the input of a simulated run.
 
-Before the recording its first value (of a motion: its first speed) is held. At another rate a run gets the cubic spline
-through the samples, after a low-pass below half the run's rate where that is the lower one.
+Before the recording starts, its first value (of a motion: its first speed) is held. At another sample rate the cubic
+spline through the samples is used. Where the run's rate is lower, a low-pass below half of it is applied first.
 
-Source: de Boor 2001, A Practical Guide to Splines, chapter IV (not-a-knot). Within 1e-3 up to a sixth of the
-recording's rate; what stands above is weakened.
+Source: de Boor 2001, A Practical Guide to Splines, chapter IV (not-a-knot). Accurate to 1e-3 up to a sixth of the
+recording's rate; higher frequencies are attenuated.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ Floats = NDArray[np.float64]
 TORQUES = ("torque", "motor_torque", "force", "current")
 ANGLES = ("motor_angle", "angle", "position")
 SPEEDS = ("motor_speed", "speed", "velocity")
-KEPT_BAND = 0.4  # of the lower rate: corner of the low-pass before a recording is thinned out
+KEPT_BAND = 0.4  # of the lower rate: corner of the low-pass before decimation
 
 
 @dataclass(frozen=True, eq=False)
 class ReplayedTorque:
-    """A torque [N m] or force [N] in SI, as recorded; ``told`` names channel and file in messages."""
+    """A recorded torque [N m] or force [N] at ``rate`` [Hz]; ``label`` names channel and file in messages."""
 
     values: Floats
     rate: float
-    told: str
+    label: str
 
     def at(self, time: Floats) -> Floats:
         """Return the torque at equally spaced times [s]; InputError where they go beyond the recording."""
@@ -44,18 +44,18 @@ class ReplayedTorque:
         index = time * self.rate
         whole = np.round(index).astype(np.int64)
         same_rate = abs((time[1] - time[0]) * self.rate - 1) < 1e-9
-        if same_rate and np.allclose(index, whole, rtol=0, atol=1e-6):  # sample by sample, no spline between
+        if same_rate and np.allclose(index, whole, rtol=0, atol=1e-6):  # the samples themselves, no interpolation
             return np.asarray(self.values[np.clip(whole, 0, self.values.size - 1)])
         return np.asarray(_spline(self, time)(np.clip(time, 0.0, (self.values.size - 1) / self.rate)))
 
 
 @dataclass(frozen=True, eq=False)
 class ReplayedMotion:
-    """An angle [rad] or position [m], or, where ``speeds``, the speed; in SI, as recorded."""
+    """A recorded angle [rad] or position [m] at ``rate`` [Hz]; where ``speeds``, a speed [rad/s] or [m/s]."""
 
     values: Floats
     rate: float
-    told: str
+    label: str
     speeds: bool
 
     def at(self, time: Floats) -> tuple[Floats, Floats]:
@@ -84,31 +84,31 @@ def replayed_torque(
         No such channel; one that is no torque; gaps; a current without torque constant.
     """
     name, found = _channel(recording, channel)
-    told = f"{name} of {recording.name}"
+    label = f"{name} of {recording.name}"
     if found.quantity not in TORQUES:
-        raise RecordingError(f"{told} is a {found.quantity}, not a torque; name a channel of {', '.join(TORQUES)}")
+        raise RecordingError(f"{label} is a {found.quantity}, not a torque; name a channel of {', '.join(TORQUES)}")
     if found.quantity == "current" and torque_constant is None:
-        raise RecordingError(f"{told} is a current; add torque_constant:, such as 0.11 N*m/A")
+        raise RecordingError(f"{label} is a current; add torque_constant:, such as 0.11 N*m/A")
     scale = factor * (torque_constant or 1.0) if found.quantity == "current" else factor
-    return ReplayedTorque(scale * _whole(found, told, recording.sample_rate), recording.sample_rate, told)
+    return ReplayedTorque(scale * _whole(found, label, recording.sample_rate), recording.sample_rate, label)
 
 
 def replayed_motion(recording: Recording, channel: str, *, factor: float = 1.0) -> ReplayedMotion:
     """Return the motion of an angle or speed channel, named by its name or its quantity, times ``factor``.
 
-    Counts are unwrapped and smoothed as ``signals.angle`` says. RecordingError as for ``replayed_torque``.
+    Counts are unwrapped and smoothed (``recordings.channel_angle``). RecordingError as for ``replayed_torque``.
     """
     name, found = _channel(recording, channel)
-    told = f"{name} of {recording.name}"
+    label = f"{name} of {recording.name}"
     if found.quantity not in (*ANGLES, *SPEEDS):
         raise RecordingError(
-            f"{told} is a {found.quantity}, and a motion needs an angle or a speed; name a channel of "
+            f"{label} is a {found.quantity}, and a motion needs an angle or a speed; name a channel of "
             f"{', '.join((*ANGLES, *SPEEDS))}"
         )
-    values, speeds = _whole(found, told, recording.sample_rate), found.quantity in SPEEDS
+    values, speeds = _whole(found, label, recording.sample_rate), found.quantity in SPEEDS
     if not speeds:
         values = angle_of(found, recording.sample_rate)
-    return ReplayedMotion(factor * values, recording.sample_rate, told, speeds)
+    return ReplayedMotion(factor * values, recording.sample_rate, label, speeds)
 
 
 def recording_at(path: Path) -> Recording:
@@ -132,32 +132,32 @@ def _channel(recording: Recording, wanted: str) -> tuple[str, Channel]:
     return name, channels[name]
 
 
-def _whole(channel: Channel, told: str, rate: float) -> Floats:
+def _whole(channel: Channel, label: str, rate: float) -> Floats:
     values = channel.in_si()
     bad = ~np.isfinite(values)
     if bad.any():
         first = int(np.argmax(bad))
         raise RecordingError(
-            f"{told} has a gap of {int(bad.sum())} samples that are no numbers, from {first / rate:.6g} s on; replay a "
-            "recording cut to a span without them"
+            f"{label} has a gap of {int(bad.sum())} samples that are not numbers, from {first / rate:.6g} s on; replay "
+            "a recording cut to a span without them"
         )
     if values.size < 4:
-        raise RecordingError(f"{told} has {values.size} samples; a replay needs at least 4")
+        raise RecordingError(f"{label} has {values.size} samples; a replay needs at least 4")
     return values
 
 
 def _refuse_longer(signal: ReplayedTorque | ReplayedMotion, time: Floats) -> None:
-    """Refuse times behind the last sample; the very last time only closes the run's last sample and may be one over."""
+    """Refuse times after the last sample; the last time is the end of the run's last step and may exceed it by one."""
     last = (signal.values.size - 1) / signal.rate
     if time[-2] > last + 1e-9:
         raise InputError(
-            f"{signal.told} lasts {signal.values.size / signal.rate:.6g} s, and the run {time[-1]:.6g} s; make the run "
-            "shorter, or replay a longer recording"
+            f"{signal.label} lasts {signal.values.size / signal.rate:.6g} s, and the run {time[-1]:.6g} s; make the "
+            "run shorter, or replay a longer recording"
         )
 
 
 def _spline(signal: ReplayedTorque | ReplayedMotion, time: Floats) -> Any:
-    """Return the spline through the samples over the time of the recording [s], thinned to the rate of ``time``."""
+    """Return the spline through the samples over time [s], low-passed where the rate of ``time`` is lower."""
     from scipy.interpolate import CubicSpline
 
     values, rate = signal.values, 1 / (time[1] - time[0])

@@ -1,4 +1,4 @@
-"""The conditions on the test sheet of one run: set-points, not truths."""
+"""The test conditions of one run: set-points, not measured values."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from torquerig.recordings.profiles.steady import Steady
 
 Profile = Literal["steady", "ramp", "reversal", "duty_cycle", "csv"]
 PROFILES: tuple[Profile, ...] = ("steady", "ramp", "reversal", "duty_cycle", "csv")
-_BY_WORD: dict[str, SpeedProfile] = {one.word: one for one in (Steady(), Ramp(), Reversal())}
+_BY_NAME: dict[str, SpeedProfile] = {one.name: one for one in (Steady(), Ramp(), Reversal())}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Run:
-    """What the operator set. ``None`` is not written on the sheet.
+    """The set-points of one run, as a sidecar states them; ``None`` is not stated.
 
     Parameters
     ----------
@@ -31,16 +31,16 @@ class Run:
         Set-point of the motor speed [rad/s].
     profile : {"steady", "ramp", "reversal", "duty_cycle", "csv"}
         ``steady`` holds the set-point; ``ramp`` runs from 10 % to 100 % of it and holds for the last tenth of the
-        recording; ``reversal`` is two full sine periods with the set-point as amplitude. The other two have times and
-        speeds of their own, in ``set_points``; ``speed`` is then the largest of them.
+        recording; ``reversal`` is two full sine periods with the set-point as amplitude. The other two are given
+        by times and speeds in ``set_points``; ``speed`` is then the largest of them.
     set_points : SpeedProfile or None
-        What the word alone does not say.
+        The profile, where its name does not determine it.
     occupancy_percent : float or None
         Filling of the wear rig [%]; 0 is idle.
     particle_size : float or None
         Particle diameter [m].
     others : dict
-        Further keys of the sheet, kept as they are.
+        Further keys of the sidecar's ``run``, unchanged.
     """
 
     motor: str | None = None
@@ -54,15 +54,15 @@ class Run:
 
     @property
     def speed_rpm(self) -> float | None:
-        """The set-point of the motor speed [rpm], as the sheet writes it."""
+        """The set-point of the motor speed [rpm], as a sidecar states it."""
         return None if self.speed is None else self.speed * 30 / pi
 
-    def course(self) -> SpeedProfile:
-        """Return how the set-point runs over time; InputError where the sheet names a profile and not its points."""
-        course = self.set_points or _BY_WORD.get(self.profile)
-        if course is None:
+    def speed_profile(self) -> SpeedProfile:
+        """Return the set-point over time; InputError where a profile is named and its points are not stated."""
+        profile = self.set_points or _BY_NAME.get(self.profile)
+        if profile is None:
             raise InputError(
                 f"the run's profile is {self.profile}, and nothing states its set-points; add to run: "
                 "set_point: {time_s: [0, 1], speed_rpm: [0, 1000]}, or name another profile"
             )
-        return course
+        return profile

@@ -1,4 +1,4 @@
-"""What speed and angle the test sheet promises: the set-point over the recording."""
+"""The set-point of the motor speed that the test conditions state, once and at each sample."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def set_point_speed(recording: Recording, purpose: str) -> float:
 def set_point_profile(recording: Recording, purpose: str) -> NDArray[np.float64]:
     """Return the set-point of the motor speed at each sample [rad/s], shape (samples,), by the run's profile.
 
-    The profile of the test sheet over the length of the recording (``recordings/profiles``).
+    The stated profile is stretched over the length of the recording (``recordings/profiles``).
     """
     speed = set_point_speed(recording, purpose)
-    return recording.run.course().speed(recording.time(), top=speed, duration=recording.duration)
+    return recording.run.speed_profile().speed(recording.time(), top=speed, duration=recording.duration)

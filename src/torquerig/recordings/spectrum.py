@@ -1,4 +1,4 @@
-"""What sines a signal is made of: its one-sided amplitude spectrum."""
+"""One-sided amplitude spectra, with and without a Hann window, and the amplitude of a band."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 def amplitude_spectrum(values: NDArray[np.float64], rate: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the frequencies [Hz] and the zero-to-peak amplitude of the sine on each bin, shape (samples // 2 + 1,).
 
-    A sine on a bin shows its amplitude there and nothing elsewhere; between two bins it shows as little as 64 % and
-    leaks. The first bin is the mean.
+    A sine on a bin gives its amplitude there and zero elsewhere. Between two bins it gives down to 64 % and leaks.
+    The first bin is the mean.
 
     Parameters
     ----------
@@ -29,17 +29,18 @@ def amplitude_spectrum(values: NDArray[np.float64], rate: float) -> tuple[NDArra
 
 
 def hann_spectrum(values: NDArray[np.float64], rate: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return frequencies and amplitudes as :func:`amplitude_spectrum`, through a Hann window.
+    """Return frequencies and amplitudes as :func:`amplitude_spectrum`, with a Hann window.
 
-    The window is corrected for: a sine on a bin shows its amplitude, half of it on either neighbour and nothing else;
-    between two bins it shows 85 %, and leaks far less than without a window (Harris 1978, Proc IEEE 66).
+    The amplitude is corrected for the window. A sine on a bin gives its amplitude there, half of it on either
+    neighbour and zero elsewhere. Between two bins it gives 85 %, and leaks far less than without a window (Harris
+    1978, Proc IEEE 66).
     """
     angle = 2 * np.pi * np.arange(values.size) / max(values.size, 1)
     return _spectrum(values, rate, 0.5 - 0.5 * np.cos(angle))
 
 
 def band_amplitude(spectrum: NDArray[np.complex128], bin_width: float, low: float, high: float) -> float:
-    """Return the amplitude of the sine that has the power between ``low`` and ``high`` [Hz].
+    """Return the amplitude of a sine with the power of the band from ``low`` to ``high`` [Hz].
 
     Parameters
     ----------

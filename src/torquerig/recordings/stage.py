@@ -1,4 +1,4 @@
-"""One step of a signal chain, be it in the sensor or in a filter: Recording in, Recording out."""
+"""The interface of sensor stages and filters: Recording in, Recording out."""
 
 from __future__ import annotations
 
@@ -8,28 +8,29 @@ from torquerig.recordings.recording import Recording
 
 
 class Stage(Protocol):
-    """A frozen dataclass with one verb. It changes the torque channel (or what its docstring says) and nothing else.
+    """One step of the measuring chain or of a filter chain; a frozen dataclass.
 
-    Randomness comes from ``recording.random(purpose)``, so that the same recording and stage give the same bytes.
+    It changes the torque channel (or the channel that its docstring names) and nothing else. Random numbers come from
+    ``recording.random(purpose)``, so that the same recording and stage give the same bytes.
     """
 
     def apply(self, recording: Recording) -> Recording:
-        """Return the recording after this stage; the input is left as it was."""
+        """Return the recording after this stage; the input is not changed."""
         ...
 
 
 @runtime_checkable
 class LocalStage(Protocol):
-    """A stage whose answer at a sample follows from the samples near it, so that it can work block by block.
+    """A stage whose output at a sample depends only on samples near it, so that it can work block by block.
 
-    A long recording is then filtered in blocks that overlap by the reach, and the overlap is thrown away
-    (``signals.streaming``). A causal stage states how long it remembers.
+    A long recording is filtered in blocks that overlap by the reach, and the overlap is discarded
+    (``filters.streaming``). A causal stage states the length of its impulse response.
     """
 
     def reach(self, head: Recording) -> float:
-        """Return how far on either side of a sample the stage looks [s].
+        """Return the reach [s]: how far from a sample, on either side, other samples influence it.
 
-        Beyond it, what a block lacks changes the answer by less than the stage's docstring says. ``head`` is the first
-        block of the recording, with its rate, its run and its channels.
+        Samples beyond it change the output by less than the stage's docstring states. ``head`` is the first block of
+        the recording, with its rate, run and channels.
         """
         ...

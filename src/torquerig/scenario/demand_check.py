@@ -9,7 +9,7 @@ from torquerig.catalog.motor import Motor as Entry
 from torquerig.catalog.reading import Catalog
 from torquerig.errors import InputError
 from torquerig.parameter import Estimate
-from torquerig.recordings.profiles.gaps import refuse_short
+from torquerig.recordings.profiles.table_checks import refuse_short
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
 from torquerig.scenario.drive_demand import DriveDemand, drive_demand
@@ -46,9 +46,9 @@ def check_demand(scenario: Scenario, catalog: Catalog, *, duration: float) -> tu
     rig = scenario.rig
     if driven_motor(rig) is None or rig.run.speed is None or not duration > 0:
         return ()
-    course, place = rig.run.course(), scenario.document.place(("operating_point",))
+    course, place = rig.run.speed_profile(), scenario.document.place(("operating_point",))
     try:
-        refuse_short(course.word, course.length, duration=duration)
+        refuse_short(course.name, course.length, duration=duration)
     except InputError as error:
         raise InputError(f"{place}: {error}") from None
     faults = demand_faults(drive_demand(rig, duration=duration), rig, entry_of(rig, catalog))

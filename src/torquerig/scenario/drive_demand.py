@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import InputError
-from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.breakpoints import Breakpoints
 from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import DriveTrain, drive_train, driven_motor
@@ -82,8 +82,8 @@ def drive_demand(rig: Rig, *, duration: float) -> DriveDemand:
     if motor is None or rig.run.speed is None:
         raise InputError("no motor with a speed is in the rig, so that nothing is asked of one; add a speed_controller "
                          "and a speed")  # fmt: skip
-    train, course = drive_train(rig, rig.node(motor.name)), rig.run.course()
-    corners = _split_at_rest(course.corners(top=rig.run.speed, duration=duration))
+    train, course = drive_train(rig, rig.node(motor.name)), rig.run.speed_profile()
+    corners = _split_at_rest(course.breakpoints(top=rig.run.speed, duration=duration))
     pieces = _Pieces(train=train, limit=motor.torque_limit)
     again = isinstance(course, Tabulated) and course.repeats != 1
     before = corners.speed[-1 if again else 0]
@@ -151,7 +151,7 @@ def _rpm(speed: float) -> str:
     return f"{speed * 30 / np.pi:.5g}"
 
 
-def _split_at_rest(corners: Corners) -> Corners:
+def _split_at_rest(corners: Breakpoints) -> Breakpoints:
     """Return the same lines with a point where the speed passes zero: friction and load turn round there."""
     time, speed = list(corners.time), list(corners.speed)
     load = None if corners.load is None else list(corners.load)
@@ -162,4 +162,4 @@ def _split_at_rest(corners: Corners) -> Corners:
             speed.insert(row + 1, 0.0)
             if load is not None:
                 load.insert(row + 1, load[row] + share * (load[row + 1] - load[row]))
-    return Corners(time=tuple(time), speed=tuple(speed), load=None if load is None else tuple(load))
+    return Breakpoints(time=tuple(time), speed=tuple(speed), load=None if load is None else tuple(load))

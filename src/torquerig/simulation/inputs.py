@@ -97,7 +97,7 @@ def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> ND
     demand = np.zeros(time.size)
     if drive.torque:
         top = rig.run.speed or 1.0
-        course = rig.run.course().speed(np.maximum(0.0, time), top=top, duration=span.samples / span.rate)
+        course = rig.run.speed_profile().speed(np.maximum(0.0, time), top=top, duration=span.samples / span.rate)
         demand += drive.torque / top * course
     if drive.demand is not None:
         demand += drive.demand.at(time)

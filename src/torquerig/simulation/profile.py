@@ -22,7 +22,7 @@ def set_point(
     0.3 Hz, of relative rms ``wander``.
     """
     time = _time(settling, samples, rate)
-    planned = run.course().speed(time, top=run.speed or 0.0, duration=samples / rate)
+    planned = run.speed_profile().speed(time, top=run.speed or 0.0, duration=samples / rate)
     if run.profile != "steady" or wander == 0:
         return planned
     return np.asarray(planned * (1 + wander * low_passed_noise(time.size, rate, 0.3, rng)))
@@ -36,7 +36,7 @@ def loads_as_planned(
 
     Hits and slow variation keep their share of the mean, and their rate stays that of the operating point.
     """
-    planned = run.course().load(_time(settling, samples, rate))
+    planned = run.speed_profile().load(_time(settling, samples, rate))
     if planned is None:
         return list(loads)
     mean = sum(term.process.mean for term in terms if isinstance(term, Load))

@@ -113,7 +113,9 @@ def duty_of_recording(recording: Recording) -> MotorDuty:
     if speed is None:
         if recording.run.speed is None:
             raise RecordingError(f"{recording.name}: there is neither a motor speed nor a set-point; add speed_rpm")
-        speed = recording.run.course().speed(recording.time(), top=recording.run.speed, duration=recording.duration)
+        speed = recording.run.speed_profile().speed(
+            recording.time(), top=recording.run.speed, duration=recording.duration
+        )
     starts = np.arange(0, recording.samples, max(1, round(grain(recording.duration) * recording.sample_rate)))
     counts = np.diff(np.append(starts, recording.samples))
     return MotorDuty(

@@ -34,16 +34,18 @@ def refusal(path: Path, kind: type[Exception] = RecordingError) -> str:
 
 def test_missing_file_names_the_close_one(tmp_path: Path) -> None:
     made(tmp_path, {"torque_V": [1, 2]})
-    assert "there is no such file; did you mean 'run1.parquet'?" in refusal(tmp_path / "run2.parquet", InputError)
+    assert "the file does not exist; did you mean 'run1.parquet'?" in refusal(tmp_path / "run2.parquet", InputError)
     assert "check the path" in refusal(tmp_path / "no" / "run2.parquet", InputError)
 
 
 def test_unknown_ending_folder_and_sidecar(tmp_path: Path) -> None:
     (tmp_path / "run1.xyz").write_text("1")
-    assert "'.xyz' is no format of a recording; read are .parquet, .csv" in refusal(tmp_path / "run1.xyz", InputError)
+    assert "'.xyz' is no known format of a recording; readable are .parquet, .csv" in refusal(
+        tmp_path / "run1.xyz", InputError
+    )
     assert "is a folder" in refusal(tmp_path, InputError)
     made(tmp_path, {"torque_V": [1, 2]})
-    assert "is a sidecar; name the table beside it" in refusal(tmp_path / "run1.yaml", InputError)
+    assert "is a sidecar; name its table file" in refusal(tmp_path / "run1.yaml", InputError)
 
 
 def test_nan_names_channel_count_sample_and_time(tmp_path: Path) -> None:
@@ -85,7 +87,7 @@ def test_wrong_columns(tmp_path: Path) -> None:
 
 def test_a_column_that_nothing_explains(tmp_path: Path) -> None:
     told = refusal(made(tmp_path, {"torqe_V": [1, 2]}))
-    assert "what the column 'torqe_V' measures is not known (did you mean torque_V?)" in told
+    assert "the quantity of the column 'torqe_V' is not known (did you mean torque_V?)" in told
     assert "channels: {torqe_V: {quantity: torque, unit: V, Nm_per_V: 1.0}}" in told
 
 
@@ -101,7 +103,7 @@ def test_words_only(tmp_path: Path) -> None:
 
 def test_no_rate(tmp_path: Path) -> None:
     told = refusal(made(tmp_path, {"torque_V": [1, 2]}, None))
-    assert "nothing states the sample rate; write it into a sidecar" in told
+    assert "the sample rate is not stated; write it into a sidecar" in told
     assert "run1.yaml as sample_rate_Hz: NUMBER, or add a column time_s" in told
 
 
@@ -109,7 +111,8 @@ def test_sidecar_rate_against_the_time_column(tmp_path: Path) -> None:
     columns = {"time_s": [0.0, 0.001, 0.002], "torque_V": [1.0, 2.0, 3.0]}
     told = refusal(made(tmp_path, columns, "sample_rate_Hz: 1002\n"))
     assert (
-        "run1.yaml (sample_rate_Hz) says 1002 samples per second and the column time_s says 1000; correct one" in told
+        "run1.yaml (sample_rate_Hz) states 1002 samples per second and the column time_s states 1000; correct one"
+        in told
     )
     # 0.05 % is rounding
     assert read_recording(made(tmp_path, columns, "sample_rate_Hz: 1000.5\n")).sample_rate == 1000.5
@@ -119,7 +122,7 @@ def test_sidecar_rate_against_the_wav_header(tmp_path: Path) -> None:
     wavfile.write(tmp_path / "run1.wav", 48000, np.zeros(4, np.int16))
     text = "sample_rate_Hz: 44100\nchannels:\n  channel_1: {quantity: torque, unit: FS, Nm_per_FS: 20}\n"
     (tmp_path / "run1.yaml").write_text(text)
-    assert "says 44100 samples per second and the file's entry for channel_1 says 48000" in refusal(
+    assert "states 44100 samples per second and the file's entry for channel_1 states 48000" in refusal(
         tmp_path / "run1.wav"
     )
 
@@ -158,7 +161,7 @@ def test_unequal_lengths(tmp_path: Path) -> None:
         ("time_s;torque_V\n0,1;1.5\n0,2;1,5\n", "run1.csv:2: torque_V: '1.5' is no number"),
         ("0,1,2\n0.1,1,2\n", "run1.csv:1: the table has 3 columns and no header; put a line with the names"),
         ("time_s,torque_V\n0,#REF!\n1,2\n", "run1.csv:2: torque_V: '#REF!' is no number"),
-        ("\0\1\2", "run1.csv: is no text but binary"),
+        ("\0\1\2", "run1.csv: is binary, not text"),
         ("time_s,date_x,torque_V\n0,2020-01-01,1\n", "run1.csv:2: date_x: '2020-01-01' is no number"),
     ],
 )
@@ -220,10 +223,13 @@ def test_tdms_with_a_scale_that_is_not_known(tmp_path: Path) -> None:
     ("text", "told"),
     [
         ("Something\n", "run1.lvm:1: the first line is not 'LabVIEW Measurement'"),
-        ("LabVIEW Measurement\t\nSeparator\tTab\n", "there is no ***End_of_Header*** in it"),
+        ("LabVIEW Measurement\t\nSeparator\tTab\n", "it has no ***End_of_Header***"),
         ("LabVIEW Measurement\t\n***End_of_Header***\nX_Value\ta\n0\t1\n0.1\n", "run1.lvm:5: the row has 1 cells"),
         ("LabVIEW Measurement\t\n***End_of_Header***\nX_Value\ta\n0\tx1\n", "run1.lvm:4: a: 'x1' is no number"),
-        ("LabVIEW Measurement\t\n***End_of_Header***\n0\t1\n", "run1.lvm:3: a row stands before the line of labels"),
+        (
+            "LabVIEW Measurement\t\n***End_of_Header***\n0\t1\n",
+            "run1.lvm:3: a row of numbers comes before the line of labels",
+        ),
         ("LabVIEW Measurement\t\n***End_of_Header***\n", "there is no line of labels"),
     ],
 )

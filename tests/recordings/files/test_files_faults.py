@@ -126,7 +126,9 @@ def test_runs_that_are_no_numbers(tmp_path: Path, form: str) -> None:
     assert "the first at sample 120 (0.12 s)" in at_once
     assert "samples 120..129, 250" in at_once
     assert "the first at sample 120 (0.12 s)" in in_blocks
-    assert "has 11 samples that are no numbers: samples 120..129, 250" in stream_info(open_stream(path)).suspicions()[0]
+    assert (
+        "has 11 samples that are not numbers: samples 120..129, 250" in stream_info(open_stream(path)).suspicions()[0]
+    )
 
 
 @pytest.mark.parametrize("form", [form for form in FORMATS if form not in ("text", "lvm", "wav")])
@@ -134,13 +136,13 @@ def test_a_rate_that_the_time_contradicts(tmp_path: Path, form: str) -> None:
     columns = {"time_s": np.arange(400) / RATE, "torque_V": torque()}
     path = made(tmp_path, form, columns, rate=1002.0, names=("torque_V",))
     for told in refusals(path):
-        assert "run1.yaml (sample_rate_Hz) says 1002 samples per second and the column time_s says 1000" in told
+        assert "run1.yaml (sample_rate_Hz) states 1002 samples per second and the column time_s states 1000" in told
 
 
 @pytest.mark.parametrize("form", ["text", "lvm", "wav"])
 def test_a_rate_that_the_file_contradicts(tmp_path: Path, form: str) -> None:
     for told in refusals(made(tmp_path, form, {"torque_V": torque()}, rate=1002.0)):
-        assert "says 1002 samples per second and" in told
+        assert "states 1002 samples per second and" in told
         assert "says 1000; correct one of them" in told
 
 

@@ -182,7 +182,7 @@ def test_what_could_not_be_read_back_is_not_written(tmp_path: Path) -> None:
         write_recording(bad, tmp_path / "r.parquet")
     with pytest.raises(RecordingError, match=r"unequal numbers of samples"):
         write_recording(made.with_values("torque_V", np.zeros(19)), tmp_path / "r.parquet")
-    with pytest.raises(InputError, match=r"'.wav' is no format that is written; use .parquet, .csv, .mat, .tdms"):
+    with pytest.raises(InputError, match=r"'.wav' cannot be written; use .parquet, .csv, .mat, .tdms"):
         write_recording(made, tmp_path / "r.wav")
     with pytest.raises(InputError, match=r"there is no folder .*missing; make it first"):
         write_recording(made, tmp_path / "missing" / "r.csv")

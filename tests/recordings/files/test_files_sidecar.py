@@ -99,7 +99,7 @@ def test_other_keys_of_the_sheet_are_kept(tmp_path: Path) -> None:
         ("channels:\n  a: {quantity: torque, unit: V, N_per_V: 1}\n", r"N_per_V: the scale does not give a torque"),
         (
             "channels:\n  a: {quantity: current, unit: A, Nm_per_A: 0.1}\n",
-            r"Nm_per_A: .* write A_per_A: NUMBER, or quantity: motor_torque, which it is the scale of",
+            r"Nm_per_A: .* write A_per_A: NUMBER, or quantity: motor_torque, whose scale this is",
         ),
         (
             "channels:\n  a: {quantity: position, unit: count, counts_per_rev: 4096}\n",

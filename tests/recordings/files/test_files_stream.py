@@ -40,7 +40,7 @@ def recording(samples: int = 5000) -> Recording:
 
 
 def joined(blocks: list[Block]) -> dict[str, np.ndarray]:
-    answers = [block.answer() for block in blocks]
+    answers = [block.without_overlap() for block in blocks]
     return {name: np.concatenate([one.channels[name].values for one in answers]) for name in answers[0].channels}
 
 
@@ -77,7 +77,7 @@ def test_what_is_written_in_blocks_is_read_back(tmp_path: Path, ending: str) -> 
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         blocks = sound_blocks(open_stream(tmp_path / "source.parquet"), Blocking(samples=600))
-        path, sidecar = write_blocks((block.answer() for block in blocks), tmp_path / folder / f"run1{ending}")
+        path, sidecar = write_blocks((block.without_overlap() for block in blocks), tmp_path / folder / f"run1{ending}")
     back = read_recording(path)
     for name, channel in made.channels.items():
         assert replace(back.channels[name], values=channel.values) == channel
@@ -102,7 +102,7 @@ def test_a_block_that_breaks_leaves_nothing(tmp_path: Path) -> None:
     (tmp_path / "bad.yaml").write_text("sample_rate_Hz: 1000\n")
     blocks = sound_blocks(open_stream(tmp_path / "bad.parquet"), Blocking(samples=500))
     with pytest.raises(RecordingError, match=r"the first at sample 3210 \(3.21 s\)"):
-        write_blocks((block.answer() for block in blocks), tmp_path / "out.tdms")
+        write_blocks((block.without_overlap() for block in blocks), tmp_path / "out.tdms")
     assert sorted(one.name for one in tmp_path.iterdir()) == ["bad.parquet", "bad.yaml"]
 
 

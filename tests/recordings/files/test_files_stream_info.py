@@ -28,7 +28,7 @@ def bad() -> np.ndarray:
 
 
 TOLD = [
-    "torque_V has 101 samples that are no numbers: samples 1000..1099, 7000",
+    "torque_V has 101 samples that are not numbers: samples 1000..1099, 7000",
     "torque_V drops to -7 V and comes back 1 time, for 50 to 50 ms: samples 16000..16049",
     "torque_V has 1 spike: sample 12000",
     "torque_V holds one value for 60 samples (0.06 s) from sample 24000 (24 s) on",

@@ -5,11 +5,11 @@ from functools import reduce
 import numpy as np
 import pytest
 
-from torquerig.recordings.inspection.course import course_of, joined_courses
 from torquerig.recordings.inspection.extremes import extreme_of, joined_extremes
 from torquerig.recordings.inspection.histogram import histogram_of, joined_histograms
 from torquerig.recordings.inspection.levels import joined_levels, levels_of
 from torquerig.recordings.inspection.mean_power import joined_powers, mean_power_of
+from torquerig.recordings.inspection.min_max_envelope import envelope_of, joined_envelopes
 from torquerig.recordings.inspection.runs import Run, joined_repeats, joined_runs, not_numbers, repeats_of
 
 
@@ -88,9 +88,9 @@ def test_courses_keep_the_extremes() -> None:
     values = np.random.default_rng(1).standard_normal(2**16)
     values[7] = np.nan
     first, *others = np.split(values, 8)
-    joint = course_of(first, width=4)
+    joint = envelope_of(first, width=4)
     for part in others:
-        joint = joined_courses(joint, course_of(part, width=joint.width))
+        joint = joined_envelopes(joint, envelope_of(part, width=joint.width))
     assert 2000 < joint.low.size <= 4000
     by_hand = values.reshape(-1, joint.width)
     assert np.array_equal(joint.high, np.nanmax(by_hand, axis=1))

@@ -34,10 +34,10 @@ def test_the_three_words_mean_what_the_contract_fixes():
     assert at(Reversal(), 0, 1, 2, 3, 4) == pytest.approx([0, 100, 0, -100, 0], abs=1e-12)
 
 
-@pytest.mark.parametrize("profile", WORDS, ids=lambda one: one.word)
+@pytest.mark.parametrize("profile", WORDS, ids=lambda one: one.name)
 def test_corners_draw_the_profile(profile):
     time = np.linspace(0, LENGTH, 1001)
-    drawn = profile.corners(top=SPEED, duration=LENGTH).speed_at(time)
+    drawn = profile.breakpoints(top=SPEED, duration=LENGTH).speed_at(time)
     # a chord of a sine is off by at most (step angle)^2 / 8
     sag = SPEED * (4 * pi / LINES) ** 2 / 8 + 1e-9
     assert drawn == pytest.approx(profile.speed(time, top=SPEED, duration=LENGTH), abs=sag)
@@ -138,8 +138,8 @@ def test_a_sidecar_keeps_the_points_of_a_cycle(tmp_path):
     again = read_recording(written).run
     time = np.linspace(0, 59, 300)
     assert again.profile == "duty_cycle"
-    assert again.course().speed(time, top=0, duration=60) == pytest.approx(CYCLE.speed(time, top=0, duration=60))
-    assert again.course().load(time) == pytest.approx(CYCLE.load(time))
+    assert again.speed_profile().speed(time, top=0, duration=60) == pytest.approx(CYCLE.speed(time, top=0, duration=60))
+    assert again.speed_profile().load(time) == pytest.approx(CYCLE.load(time))
 
 
 @pytest.mark.parametrize(
@@ -159,4 +159,4 @@ def test_a_sidecar_with_broken_points_is_refused_with_its_line(tmp_path, set_poi
 
 def test_a_sheet_that_names_a_cycle_and_not_its_points_says_so():
     with pytest.raises(InputError, match="profile is duty_cycle, and nothing states its set-points; add to run"):
-        Run(profile="duty_cycle").course()
+        Run(profile="duty_cycle").speed_profile()

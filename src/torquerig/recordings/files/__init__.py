@@ -1,19 +1,21 @@
-"""Recordings in and out: a table file, and beside it a sidecar of the same name with the ending ``.yaml``.
+"""Reading and writing of recordings: a table file, and a sidecar of the same name with the ending ``.yaml``.
 
 ======================= ===========================================================================
-``reading``             any file to a checked Recording; the table of endings
-``writing``             a Recording to a file and its sidecar, whole or not at all
-``stream``              a recording described but not read; ``blocks``: cut into overlapping blocks
-``block_writing``       blocks to a file and its sidecar; ``mat_blocks``: to a .mat of v7.3
-``pieces``              what a file holds, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
-``gaps``                where time jumps
-``sidecar``             what the channels mean and the run they were taken in
-``scale``               what one of a channel's units is in SI
-``naming``              what a column means by its name alone, where there is no sidecar
+``reading``             reads any file into a checked Recording; the table of endings
+``writing``             writes a Recording and its sidecar, both complete or none
+``stream``              a long recording that is read block by block; ``blocks``: overlapping blocks
+``block_writing``       writes blocks to a file and its sidecar; ``mat_blocks``: to a .mat of v7.3
+``gaps``                steps of time that are not one sample long
 ``timebase``            the sample rate, from the sidecar, the file or a time column
-``checks``              what no recording may have: missing samples, unequal lengths, not-a-number
-``table``               columns as a format's reader hands them over
-``delimited``           numbers in rows of text, with the line of a broken one
+``checks``              refuses missing samples, unequal lengths, not-a-number
+``sidecar``             reads the meaning of the channels and the test conditions
+``sidecar_schema``      the keys of a sidecar with their bounds; ``sidecar_text``: writes a sidecar
+``set_point_text``      the points of a profile in a sidecar, read and written
+``scale``               the SI value of a channel's unit
+``column_names``        quantity and unit from a column's name, where there is no sidecar
+``number_table``        columns of numbers as a format's reader returns them
+``table_pieces``        the same, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
+``delimited``           numbers in rows of text, with the line of a faulty one
 ``parquet``, ``csv``    read and written
 ``mat``, ``tdms``       read and written
 ``text``, ``lvm``       read: the bare two-column table, the LabVIEW measurement text

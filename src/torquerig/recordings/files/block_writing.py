@@ -1,4 +1,4 @@
-"""A long recording to a table file block by block, with its sidecar: both whole, or neither."""
+"""Write a long recording block by block to a table file and its sidecar: both complete, or neither."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ Append = Callable[[Mapping[str, NDArray[np.float64]]], None]
 
 
 def write_blocks(blocks: Iterable[Recording], path: Path, *, overwrite: bool = False) -> list[Path]:
-    """Write a recording that comes in blocks, one after the other; return the paths of the table and its sidecar.
+    """Write a recording given as consecutive blocks; return the paths of the table and its sidecar.
 
-    Parquet and TDMS hold every channel as float64; a .mat file is of v7.3. Nothing is left where a block fails.
+    Parquet and TDMS hold every channel as float64; a .mat file is of v7.3. No file remains where a block fails.
 
     Raises
     ------
     InputError, RecordingError
-        As :func:`write_recording`; an error of the blocks themselves goes through.
+        As :func:`write_recording`; an error raised by ``blocks`` is passed on.
     """
     path = Path(path)
     coming = iter(blocks)
     head = next(coming, None)
     if head is None:
-        raise InputError(f"{path}: there is nothing to write")
+        raise InputError(f"{path}: the recording has no blocks, so there is nothing to write")
     first = head
     refuse_names(first, path)
 

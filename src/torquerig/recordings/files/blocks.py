@@ -1,4 +1,4 @@
-"""How a long recording is cut into blocks that overlap."""
+"""Overlapping blocks of a long recording."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from torquerig.recordings.recording import Recording
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """Some samples of a recording, with their neighbours.
+    """A block of samples with an overlap on either side.
 
     Parameters
     ----------
     recording : Recording
-        The samples that the block answers for and the overlap beside them.
+        The samples of the block with the overlap.
     first : int
-        The number of the first sample that it answers for, in the whole recording.
+        The number of the first sample without the overlap, in the whole recording.
     kept : slice
-        Where those samples stand in ``recording``.
+        The samples without the overlap, as a slice of ``recording``.
     times : ndarray or None
-        Their times [s], where the file has a column of times.
+        Times of the samples without the overlap [s], where the file has a column of times.
     """
 
     recording: Recording
@@ -36,22 +36,22 @@ class Block:
     kept: slice
     times: NDArray[np.float64] | None = None
 
-    def answer(self, recording: Recording | None = None) -> Recording:
-        """Return the samples that the block answers for: of its own recording, or of what a stage made of it."""
-        made = recording or self.recording
-        for name, channel in made.channels.items():
-            # a copy, so that the samples beside do not stay in memory with it
-            made = made.with_values(name, channel.values[self.kept].copy())
-        return made
+    def without_overlap(self, processed: Recording | None = None) -> Recording:
+        """Return the samples without the overlap: of ``processed`` (the block after a stage), else of the block."""
+        trimmed = processed or self.recording
+        for name, channel in trimmed.channels.items():
+            # a copy, so that the memory of the overlap is released
+            trimmed = trimmed.with_values(name, channel.values[self.kept].copy())
+        return trimmed
 
 
 @dataclass(frozen=True, kw_only=True)
 class Blocking:
     """Blocks of ``samples``, each with ``overlap`` samples on either side where the recording has them.
 
-    The last block answers for half as many samples or up to one and a half times as many, so that none is too short
-    for what works on it. It reaches up to ``unit`` samples further back, so that its length is a whole multiple of
-    ``unit``: transforms of a length with large prime factors are slow and need several times the memory.
+    The last block has between 0.5 and 1.5 times ``samples``, so that no block is too short for a stage. Each block
+    reaches up to ``unit`` samples further back, so that its length is a multiple of ``unit``: transforms of a length
+    with large prime factors are slow and need several times the memory.
     """
 
     samples: int
@@ -61,11 +61,12 @@ class Blocking:
     def __post_init__(self) -> None:
         if self.samples < 2 or self.overlap < 0:
             raise InputError(
-                f"blocks of {self.samples} samples that overlap by {self.overlap} cannot be; write at least 2 and 0"
+                f"blocks of {self.samples} samples that overlap by {self.overlap} are not possible; write at least 2 "
+                "and 0"
             )
 
     def cut(self, stream: RecordingStream) -> Iterator[Block]:
-        """Go through the recording block by block, as it stands in the file: it may hold NaN and gaps."""
+        """Yield the blocks of the recording as it is in the file: it may hold NaN and gaps."""
         held = _Held(self.samples + self.samples // 2 + 2 * self.overlap + self.unit)
         start = 0
         for piece in stream.columns():
@@ -89,12 +90,12 @@ class Blocking:
 
 
 def sound_blocks(stream: RecordingStream, blocking: Blocking) -> Iterator[Block]:
-    """Go through a recording whose every sample must serve.
+    """Yield the blocks of a recording without gaps, all of whose samples are finite.
 
     Raises
     ------
     RecordingError
-        At the first sample that is no finite number, or the first jump of time; with its number in the recording.
+        At the first sample that is not a finite number, or the first jump of time, with the number of the sample.
     """
     before = None
     for block in blocking.cut(stream):
@@ -107,7 +108,7 @@ def sound_blocks(stream: RecordingStream, blocking: Blocking) -> Iterator[Block]
 
 
 class _Held:
-    """The samples that blocks still need: appended behind, forgotten in front, in arrays that are used again."""
+    """A buffer of the samples that blocks still need: appended at the end, dropped at the start, arrays reused."""
 
     def __init__(self, expected: int) -> None:
         self.start = self.stop = 0
@@ -115,13 +116,13 @@ class _Held:
         self._arrays: dict[str, NDArray[np.float64]] = {}
 
     def append(self, piece: Mapping[str, NDArray[np.float64]]) -> None:
-        """Put samples behind those that are there."""
+        """Append samples of each column."""
         size = next((values.size for values in piece.values()), 0)
         used = self.stop - self.start
         for name, values in piece.items():
             array = self._arrays.get(name, values[:0])
             if array.size < used + size:
-                # what is never written to takes no memory
+                # pages of np.empty that are never written take no memory
                 larger = np.empty(max(self._expected + size, used + size))
                 larger[:used] = array[:used]
                 array = self._arrays[name] = larger

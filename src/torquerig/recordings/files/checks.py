@@ -1,4 +1,4 @@
-"""What no recording may have: no or one sample, channels of unequal length, samples that are not numbers."""
+"""Checks of a recording: two samples or more, channels of equal length, finite numbers."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def check_lengths(columns: Mapping[str, NDArray[np.float64]], where: str) -> int
 
 
 def check_counts(lengths: Mapping[str, int], where: str) -> int:
-    """Return the one number of samples of all columns; RecordingError as :func:`check_lengths`."""
+    """Return the common number of samples of all columns; RecordingError as :func:`check_lengths`."""
     if len(set(lengths.values())) > 1:
         listed = ", ".join(f"{name} {length}" for name, length in lengths.items())
         raise RecordingError(
@@ -33,12 +33,12 @@ def check_counts(lengths: Mapping[str, int], where: str) -> int:
 
 
 def check_finite(recording: Recording, *, first: int = 0) -> Recording:
-    """Return the recording; RecordingError names channel, count and places of samples that are no finite numbers.
+    """Return the recording; RecordingError names channel, count and places of samples that are not finite numbers.
 
     ``first`` is the number of its first sample, where it is a block of a longer recording.
     """
     for name, channel in recording.channels.items():
-        # a sum is finite unless a sample is not, or the sum overflows; it needs no memory
+        # quick test without extra memory: a finite sum means finite samples
         with np.errstate(over="ignore", invalid="ignore"):
             if np.isfinite(channel.values.sum()):
                 continue
@@ -48,13 +48,13 @@ def check_finite(recording: Recording, *, first: int = 0) -> Recording:
             start = first + int(np.argmax(bad))
             raise RecordingError(
                 f"{recording.name}: {name} has {count} sample{'s' if count > 1 else ''} not a finite number, the first "
-                f"at sample {start} ({start / recording.sample_rate:.6g} s){_runs_told(bad, first)}; cut the recording "
-                "to a span without them, or record it again"
+                f"at sample {start} ({start / recording.sample_rate:.6g} s){_listed_runs(bad, first)}; cut the "
+                "recording to a span without them, or record it again"
             )
     return recording
 
 
-def _runs_told(bad: NDArray[np.bool_], first: int, most: int = 3) -> str:
+def _listed_runs(bad: NDArray[np.bool_], first: int, most: int = 3) -> str:
     runs = runs_of(bad)
     if len(runs) == 1 and runs[0][1] == 1:
         return ""

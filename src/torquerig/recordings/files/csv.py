@@ -19,8 +19,8 @@ from torquerig.recordings.files.delimited import (
     read_head,
     texts_of,
 )
-from torquerig.recordings.files.pieces import Columns, TablePieces, pieces_of
-from torquerig.recordings.files.table import Table, distinct
+from torquerig.recordings.files.number_table import Table, distinct
+from torquerig.recordings.files.table_pieces import Columns, TablePieces, pieces_of
 from torquerig.recordings.recording import Recording
 
 _UNNAMED = "(unnamed)"
@@ -32,17 +32,17 @@ def read_csv(path: Path) -> Table:
     Raises
     ------
     RecordingError
-        With file and line: a broken row, a cell that is no number, three or more columns without a header.
+        With file and line: a faulty row, a cell that is not a number, three or more columns without a header.
     """
     text = read_delimited(path)
     return Table(columns=_named(numbers(text, _names(text))))
 
 
 def csv_pieces(path: Path, *, step: int = 2**25) -> TablePieces:
-    """Go through a CSV file in pieces of ``step`` bytes; a smaller one is read at once.
+    """Return a CSV file in pieces of ``step`` bytes; a smaller file is read at once.
 
-    Separator, decimal sign and columns of words are judged by the first piece. How many samples there are shows only
-    at the end.
+    The first piece determines separator, decimal sign and columns of words. The number of samples is known only at
+    the end.
     """
     if path.stat().st_size <= step:
         return pieces_of(read_csv(path), reason="")
@@ -59,7 +59,7 @@ def csv_pieces(path: Path, *, step: int = 2**25) -> TablePieces:
 
 
 def _names(text: Text) -> list[str]:
-    # a separator at the end of each row makes a column without a name, which is left out
+    # a separator at the end of each row makes a column without a name, which is ignored
     return distinct([name or _UNNAMED for name in text.names] or _bare_names(text))
 
 

@@ -1,4 +1,4 @@
-"""Numbers in rows of text: which separator and decimal sign they use, and in which line a broken one stands."""
+"""Numbers in rows of text: separator and decimal sign are detected, a faulty row is reported with its line."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Dialect:
         return [cell.strip() for cell in row]
 
     def number(self, cell: str) -> float | None:
-        """Return the number in a cell, NaN where it is empty, None where it is no number."""
+        """Return the number in a cell, NaN where it is empty, None where it is not a number."""
         if cell.lower() in _NO_NUMBER:
             return float("nan")
         if self.decimal == "," and "." in cell:
@@ -42,7 +42,7 @@ class Dialect:
 
 @dataclass(frozen=True)
 class Text:
-    """A text file, split where its numbers begin.
+    """A text file, split into header and rows of numbers.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Text:
     names : list of str
         The header's cells; empty where the first row is numbers.
     dialect : Dialect
-        Of header and body.
+        Separator and decimal sign of header and body.
     body : bytes
         The rows of numbers.
     first_line : int
@@ -85,19 +85,19 @@ def read_head(path: Path, size: int) -> Text:
 
 
 def texts_of(head: Text, step: int) -> Iterator[Text]:
-    """Go through the body of a large file in pieces of whole lines, about ``step`` bytes each."""
-    line, left = head.first_line, b""
+    """Yield the body of a large file in pieces of complete lines, about ``step`` bytes each."""
+    line, remainder = head.first_line, b""
     with head.path.open("rb") as file:
         file.seek(head.start)
         while data := file.read(step):
-            data = left + data
+            data = remainder + data
             end = data.rfind(b"\n") + 1
-            body, left = data[:end], data[end:]
+            body, remainder = data[:end], data[end:]
             if end:
                 yield _piece(head, body, line)
                 line += body.count(b"\n")
-    if left.strip():
-        yield _piece(head, left, line)
+    if remainder.strip():
+        yield _piece(head, remainder, line)
 
 
 def _piece(head: Text, body: bytes, line: int) -> Text:
@@ -109,7 +109,7 @@ def _split(path: Path, data: bytes) -> Text:
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise RecordingError(f"{path}: the text is UTF-16; save it as UTF-8")
     if b"\0" in data[:4096]:
-        raise RecordingError(f"{path}: is no text but binary; give it the ending of its format (.tdms, .mat, ...)")
+        raise RecordingError(f"{path}: is binary, not text; give it the ending of its format (.tdms, .mat, ...)")
     data = data.removeprefix(b"\xef\xbb\xbf")
     start = re.match(rb"(?:[ \t]*(?:[#%][^\n]*)?\r?\n)*", data)
     skipped = start.end() if start else 0
@@ -130,12 +130,12 @@ def _split(path: Path, data: bytes) -> Text:
 
 
 def numbers(text: Text, names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
-    """Return the columns of numbers under ``names``; those that begin and end with a word are left out.
+    """Return the columns of numbers by ``names``; columns that begin and end with a word are ignored.
 
     Raises
     ------
     RecordingError
-        With the line and the remedy, for a row of more or fewer cells or a cell that is no number.
+        With the line and the remedy, for a row of more or fewer cells or a cell that is not a number.
     """
     return parsed(text, names, number_columns(text, names))
 
@@ -199,7 +199,7 @@ def _parsed_by_line(text: Text, names: Sequence[str], kept: Sequence[str]) -> di
 
 
 def _comma_or_blank(header: str, rest: bytes) -> str:
-    """Return what separates the cells of a line that has neither semicolon nor tab."""
+    """Return the separator of a line that has neither semicolon nor tab."""
     second = _decoded(rest.lstrip().partition(b"\n")[0])
     blanks = len(header.split()) == len(second.split() or header.split()) > 1
     if blanks and ("," not in header or header.count(",") != len(header.split()) - 1):

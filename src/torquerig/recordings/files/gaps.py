@@ -1,4 +1,4 @@
-"""Where time jumps: lost samples, doubled ones, a clock that was set."""
+"""Jumps of time in a recording: lost samples, repeated ones, a clock that was set."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.timebase import rate_of_times, shortest_rate
 
-# half a sample: one lost sample makes a step of two
+# limit of a regular step, in samples: one lost sample makes a step of two
 _JUMP = 0.5
 
 
@@ -24,7 +24,7 @@ class Gap:
 
 
 def gaps_in(times: NDArray[np.float64], rate: float, *, first: int = 0, before: float | None = None) -> list[Gap]:
-    """Return the steps that are off one sample by half a sample or more, or go back, or are no number.
+    """Return the steps that differ from one sample by half a sample or more, go back, or are not numbers.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def refuse_gaps(gaps: list[Gap], *, name: str, rate: float, where: str) -> None:
 
 
 def usual_rate(times: NDArray[np.float64], *, name: str, where: str) -> float:
-    """Return the sample rate [Hz] of ``times`` [s] that may have gaps: that of the steps that are one sample long.
+    """Return the sample rate [Hz] of ``times`` [s] that may have gaps, from the steps that are one sample long.
 
     Raises
     ------

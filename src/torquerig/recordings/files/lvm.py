@@ -9,7 +9,7 @@ import numpy as np
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.delimited import Dialect
-from torquerig.recordings.files.table import Table, distinct
+from torquerig.recordings.files.number_table import Table, distinct
 from torquerig.recordings.files.timebase import shortest_rate
 
 _END = "***End_of_Header***"
@@ -31,12 +31,12 @@ class _Segment:
 def read_lvm(path: Path) -> Table:
     """Read all segments, one after the other; ``Delta_X`` gives the rate, else the column ``X_Value`` the time.
 
-    With several segments the time column is kept, so that a gap between them shows.
+    With several segments the time column is kept, so that a gap between them is detected.
 
     Raises
     ------
     RecordingError
-        With the line: no LVM header, a broken row, segments of different channels.
+        With the line: no LVM header, a faulty row, segments of different channels.
 
     Source: National Instruments, "Specification for the LabVIEW Measurement File (.lvm)": tags Separator,
     Decimal_Separator, X_Columns, Delta_X, Y_Unit_Label; special blocks are skipped.
@@ -46,7 +46,7 @@ def read_lvm(path: Path) -> Table:
         raise RecordingError(f"{path}:1: the first line is not 'LabVIEW Measurement'; rename the file to .txt or .csv")
     end = next((number for number, line in enumerate(lines) if line.startswith(_END)), None)
     if end is None:
-        raise RecordingError(f"{path}: there is no {_END} in it; the file is not whole, copy it again from its source")
+        raise RecordingError(f"{path}: it has no {_END}; the file is incomplete, copy it again from its source")
     separator = "," if any(line.lower().startswith("separator,comma") for line in lines[:end]) else "\t"
     tags = {cells[0]: cells[1:] for cells in (line.split(separator) for line in lines[1:end])}
     dialect = Dialect(separator, (tags.get("Decimal_Separator") or ["."])[0].strip() or ".")
@@ -75,7 +75,10 @@ def _segments(path: Path, lines: list[str], start: int, dialect: Dialect) -> lis
         elif segments and segments[-1].labels:
             segments[-1].rows.append(_row(f"{path}:{number}", cells, segments[-1].labels, dialect))
         else:
-            raise RecordingError(f"{path}:{number}: a row stands before the line of labels that starts with X_Value")
+            raise RecordingError(
+                f"{path}:{number}: a row of numbers comes before the line of labels that starts with X_Value; save the "
+                "file again"
+            )
     return segments
 
 
@@ -98,7 +101,7 @@ def _table(path: Path, segments: list[_Segment], *, x_columns: str) -> Table:
         raise RecordingError(f"{path}: there is no line of labels that starts with X_Value; the file has no data")
     first = segments[0]
     if any(segment.labels != first.labels for segment in segments):
-        raise RecordingError(f"{path}: its segments hold different channels; save each of them to a file of its own")
+        raise RecordingError(f"{path}: its segments hold different channels; save each segment to a separate file")
     width = len(first.labels) - (first.labels[-1] == "Comment")
     rows = np.array([row for segment in segments for row in segment.rows], dtype=np.float64).reshape(-1, width)
     step = 2 if x_columns == "multi" else 1

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.recordings.files.pieces import PIECE, Columns, TablePieces, pieces_of
-from torquerig.recordings.files.table import Table
+from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces, pieces_of
 from torquerig.recordings.recording import Recording
 
 _RATE_NAMES = ("sample_rate_hz", "sample_rate", "samplerate", "fs", "fs_hz")
@@ -28,8 +28,8 @@ _TITLE_LENGTH = 116
 def read_mat(path: Path) -> Table:
     """Read every vector of numbers; a scalar ``fs`` or ``sample_rate_Hz`` is the sample rate.
 
-    A struct's fields count as variables; other scalars and texts are left out. One matrix of two columns and nothing
-    else is the bare table of time and volts.
+    A struct's fields count as variables; other scalars and texts are ignored. A single matrix of two columns is the
+    bare table of time and volts.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def read_mat(path: Path) -> Table:
 
 
 def mat_pieces(path: Path) -> TablePieces:
-    """Go through a v7.3 file; an older one is read whole, because its variables are compressed each as a whole."""
+    """Return a v7.3 file in pieces; an older one is read at once, because each of its variables is compressed."""
     import h5py
 
     if not h5py.is_hdf5(path):
@@ -105,7 +105,7 @@ def write_mat(recording: Recording, path: Path) -> None:
     Raises
     ------
     InputError
-        For a channel whose name MATLAB does not take, or one of 2 GiB or more (the limit of v5).
+        For a channel whose name is not a valid MATLAB variable, or one of 2 GiB or more (the limit of v5).
     """
     from scipy.io import savemat
 
@@ -119,7 +119,7 @@ def write_mat(recording: Recording, path: Path) -> None:
 
 
 def refuse_variable_names(names: Iterable[str], path: Path) -> None:
-    """Raise InputError for a channel whose name MATLAB does not take."""
+    """Raise InputError for a channel whose name is not a valid MATLAB variable."""
     for name in names:
         if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,30}", name):
             raise InputError(
@@ -136,7 +136,7 @@ def _variables_v5(path: Path) -> dict[str, np.ndarray]:
 
 
 def _bare_columns(matrices: list[np.ndarray]) -> dict[str, np.ndarray]:
-    """Return time and volts of a lone matrix of two columns (or, as h5py sees it, two rows)."""
+    """Return time and volts of a single matrix of two columns (in h5py two rows)."""
     if len(matrices) != 1 or matrices[0].ndim != 2 or 2 not in matrices[0].shape:
         return {}
     pair = matrices[0] if matrices[0].shape[0] == 2 else matrices[0].T
@@ -160,7 +160,7 @@ def _variables_hdf5(path: Path) -> dict[str, np.ndarray]:
 
 
 def _datasets(group: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
-    """Give name, dataset and place of each variable of numbers, the fields of structs among them."""
+    """Yield name, dataset and place of each numeric variable, including the fields of structs."""
     import h5py
 
     for name, item in group.items():
@@ -172,7 +172,7 @@ def _datasets(group: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
 
 
 def _stretch(item: Any, first: int) -> np.ndarray:
-    """Return one piece of a vector that lies along any of the dataset's axes."""
+    """Return one piece of a vector along the longest axis of its dataset."""
     along = int(np.argmax(item.shape))
     place = tuple(slice(first, first + PIECE) if axis == along else 0 for axis in range(item.ndim))
     return np.asarray(item[place], dtype=np.float64).reshape(-1)

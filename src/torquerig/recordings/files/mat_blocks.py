@@ -18,7 +18,7 @@ _USER_BLOCK, _CHUNK = 512, 2**17
 
 @contextmanager
 def mat_block_writer(path: Path, head: Recording) -> Iterator[Callable[[Mapping[str, NDArray[np.float64]]], None]]:
-    """Give a function that appends blocks: each channel grows as a column vector of doubles.
+    """Yield a function that appends blocks: each channel grows as a column vector of doubles.
 
     Source: MathWorks, "MAT-File Versions" (v7.3 is HDF5); MATLAB finds a variable's class in ``MATLAB_class`` and
     stores a column of n as a dataset of 1 x n.

@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.pieces import PIECE, Columns, TablePieces
-from torquerig.recordings.files.table import Table
+from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces
 from torquerig.recordings.recording import Recording
 
-# groups of up to so many rows are read whole, which needs less than half the memory and time of reading batches
+# row groups up to this size [rows] are read whole: less than half the memory and time of reading batches
 _LARGEST_GROUP = 2**20
 
 
 def read_parquet(path: Path) -> Table:
-    """Read the columns of numbers of a Parquet file; missing values become NaN, columns of words are left out."""
+    """Read the columns of numbers of a Parquet file; missing values become NaN, columns of words are ignored."""
     import pyarrow as pa
     from pyarrow import parquet
 
@@ -36,7 +36,7 @@ def read_parquet(path: Path) -> Table:
 
 
 def parquet_pieces(path: Path) -> TablePieces:
-    """Go through the columns of numbers; a piece needs the memory of a row group's compressed columns at most."""
+    """Return the columns of numbers in pieces; each needs at most the memory of a row group's compressed columns."""
     import pyarrow as pa
     from pyarrow import parquet
 
@@ -58,7 +58,7 @@ def parquet_pieces(path: Path) -> TablePieces:
             if largest <= _LARGEST_GROUP:
                 with parquet.ParquetFile(path) as file:
                     for group in range(groups):
-                        # one column after the other, so that no two are held packed and unpacked at once
+                        # column by column, so that only one is in memory both compressed and decompressed
                         columns: dict[str, NDArray[np.float64]] = {}
                         for name in names:
                             columns |= _columns(file.read_row_group(group, [name], use_threads=False), [name])
@@ -66,7 +66,7 @@ def parquet_pieces(path: Path) -> TablePieces:
                         del columns
                         pa.default_memory_pool().release_unused()
                 return
-            # a buffered column is read as it is needed, not a row group at a time
+            # buffered: read in parts, not a row group at a time
             with parquet.ParquetFile(path, buffer_size=2**20, pre_buffer=False) as file:
                 for batch in file.iter_batches(PIECE, columns=list(names), use_threads=False):
                     yield _columns(batch, names)
@@ -86,7 +86,7 @@ def write_parquet(recording: Recording, path: Path) -> None:
 
 
 def compact(values: NDArray[np.float64]) -> NDArray[np.float64] | NDArray[np.float32] | NDArray[np.int32]:
-    """Return ``values`` as int32 or float32 where that changes no sample, else as they are."""
+    """Return ``values`` as int32 or float32 where that changes no sample, else unchanged."""
     if np.all(np.abs(values) < 2**31) and not np.any(np.signbit(values) & (values == 0)):
         counts = values.astype(np.int32)
         if np.array_equal(counts, values):
@@ -100,7 +100,7 @@ def compact(values: NDArray[np.float64]) -> NDArray[np.float64] | NDArray[np.flo
 
 
 def parquet_writer(path: Path, recording: Recording) -> Any:
-    """Return what writes blocks of the channels of ``recording`` one after the other, as float64."""
+    """Return a writer of consecutive blocks of the channels of ``recording``, as float64."""
     import pyarrow as pa
     from pyarrow import parquet
 

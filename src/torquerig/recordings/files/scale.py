@@ -1,4 +1,4 @@
-"""What one of a channel's units is in SI, and how a sidecar writes it: ``Nm_per_V: 1.0``, ``counts_per_rev: 16384``."""
+"""The SI value of a channel's unit, and its key in a sidecar: ``Nm_per_V: 1.0``, ``counts_per_rev: 16384``."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from torquerig.errors import UnitError, did_you_mean
 from torquerig.recordings.recording import Channel
 from torquerig.units import UNITS, parse_quantity
 
-# which kind of unit (of units.UNITS) each quantity is measured in; the reading of a tacho is a bare number
+# the kind of unit (of units.UNITS) of each quantity; a tacho's reading is a bare number
 KINDS = {
     "torque": "torque",
     "motor_torque": "torque",
@@ -27,10 +27,10 @@ KINDS = {
 
 
 def known_si_per_unit(quantity: str, unit: str) -> float | None:
-    """Return what one ``unit`` of ``quantity`` is in SI by itself, or None where only a scale can tell.
+    """Return the SI value of one ``unit`` of ``quantity``, or None where a scale is required.
 
-    ``None`` for a torque in V and an angle in counts. A tacho's reading is a bare number whatever its unit, and a
-    temperature in degC stays in degC (only its differences are in SI).
+    ``None`` for a torque in V and an angle in counts. A tacho's reading is a bare number in any unit, and a
+    temperature in degC is not converted (only its differences are in SI).
     """
     if quantity == "tacho" or (quantity == "temperature" and unit == "degC"):
         return 1.0
@@ -51,7 +51,7 @@ def si_per_unit_from(key: str, number: float, *, quantity: str, unit: str) -> fl
     number : float
         The written scale, not 0.
     quantity, unit : str
-        Of the channel.
+        Quantity and unit of the channel.
 
     Raises
     ------
@@ -63,16 +63,16 @@ def si_per_unit_from(key: str, number: float, *, quantity: str, unit: str) -> fl
     found = _si_per_unit(key, float(number), kind=KINDS[quantity], unit=unit)
     if found is not None:
         return found
-    told = f"the scale does not give a {KINDS[quantity]} for each {unit!r}; write {scale_key(quantity, unit)}: NUMBER"
+    message = f"the scale does not give a {KINDS[quantity]} per {unit!r}; write {scale_key(quantity, unit)}: NUMBER"
     fitting = [each for each, kind in KINDS.items() if _si_per_unit(key, 1.0, kind=kind, unit=unit) is not None]
-    if fitting:  # a current with its torque constant is the torque that the motor makes of it
+    if fitting:  # a current times its torque constant is the motor's torque
         meant = "motor_torque" if "motor_torque" in fitting and quantity == "current" else fitting[0]
-        told += f", or quantity: {meant}, which it is the scale of"
-    raise ValueError(told)
+        message += f", or quantity: {meant}, whose scale this is"
+    raise ValueError(message)
 
 
 def _si_per_unit(key: str, number: float, *, kind: str, unit: str) -> float | None:
-    """Return what a scale makes of one ``unit`` in SI of this kind of unit; None where the key is none of it."""
+    """Return the SI value of one ``unit`` by a scale of this kind of unit; None where the key does not belong to it."""
     over, _, under = key.partition("_per_")
     spellings = {_simple(spelling): factor for spelling, factor in UNITS[kind].items()}
     if under == _simple(unit) and over in spellings:
@@ -83,7 +83,7 @@ def _si_per_unit(key: str, number: float, *, kind: str, unit: str) -> float | No
 
 
 def scale_key(quantity: str, unit: str) -> str:
-    """Return the key that a sidecar needs for this unit: ``Nm_per_V``; ``counts_per_rev`` for an encoder."""
+    """Return the scale's key in a sidecar: ``Nm_per_V``; ``counts_per_rev`` for an encoder."""
     if KINDS[quantity] == "angle" and unit == "count":
         return "counts_per_rev"
     si = {"torque": "Nm"}.get(KINDS[quantity]) or _simple(next(iter(UNITS[KINDS[quantity]])))
@@ -91,7 +91,7 @@ def scale_key(quantity: str, unit: str) -> str:
 
 
 def missing_scale(quantity: str, unit: str) -> str:
-    """Return the sentence for a unit that needs a scale and has none."""
+    """Return the error text for a unit whose required scale is missing."""
     hint = ""
     kind = KINDS[quantity]
     if unit not in ("V", "mV", "mA", "count", "FS"):
@@ -100,7 +100,7 @@ def missing_scale(quantity: str, unit: str) -> str:
 
 
 def written_scale(channel: Channel) -> dict[str, float]:
-    """Return the scale entry for a sidecar, empty where the unit says it all; it reads back to the same float."""
+    """Return the scale entry for a sidecar, empty where the unit needs none; it reads back to the same float."""
     if known_si_per_unit(channel.quantity, channel.unit) == channel.si_per_unit:
         return {}
     key = scale_key(channel.quantity, channel.unit)

@@ -1,4 +1,4 @@
-"""What the channels mean and the run they were taken in: the YAML file beside a recording (CONTRACTS.md, section 1)."""
+"""Reading of a sidecar: channels, test conditions and origin of a recording (CONTRACTS.md, section 1)."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError
 from torquerig.recordings.files.scale import known_si_per_unit, missing_scale, si_per_unit_from
 from torquerig.recordings.files.set_point_text import read_set_point
-from torquerig.recordings.files.sheet import WrittenChannel, WrittenRun, sidecar_schema
+from torquerig.recordings.files.sidecar_schema import WrittenChannel, WrittenRun, sidecar_schema
 from torquerig.recordings.run import Profile, Run
 from torquerig.units import UNITS
 
 _CHANNEL_KEYS = {one.name for one in fields(WrittenChannel)}
 _RUN_KEYS = {one.name for one in fields(WrittenRun)}
-# a key that is a known one without its unit is a slip, not a further condition
+# known keys without their unit are refused as slips, not taken as further conditions
 _RUN_SLIPS = {"speed": "speed_rpm", "rpm": "speed_rpm", "occupancy": "occupancy_percent"}
 _RUN_SLIPS |= {"particle_size": "particle_size_mm", "ratio": "gear_ratio"}
 
 
 @dataclass(frozen=True, kw_only=True)
-class ChannelSheet:
-    """What one column means: its quantity, its unit, what one unit is in SI, and whether only a simulation knows it."""
+class ChannelEntry:
+    """One column's quantity, unit, SI value of the unit, and whether it is a truth channel of a simulation."""
 
     quantity: str
     unit: str
@@ -35,17 +35,17 @@ class ChannelSheet:
 
 @dataclass(frozen=True, kw_only=True)
 class Sidecar:
-    """What a sidecar states. ``sample_rate`` [Hz] is None and ``channels`` empty where it does not say."""
+    """The content of a sidecar; ``sample_rate`` [Hz] is None and ``channels`` empty where it does not state them."""
 
     path: Path
     sample_rate: float | None = None
-    channels: Mapping[str, ChannelSheet] = field(default_factory=dict)
+    channels: Mapping[str, ChannelEntry] = field(default_factory=dict)
     run: Run = field(default_factory=Run)
     origin: Mapping[str, Any] = field(default_factory=dict)
 
 
 def sidecar_path(recording: Path) -> Path:
-    """Return where the sidecar of a recording's table file stands: the same name with the ending ``.yaml``."""
+    """Return the path of the sidecar of a recording's table file: the same name with the ending ``.yaml``."""
     return recording.with_suffix(".yaml")
 
 
@@ -64,7 +64,7 @@ def read_sidecar(path: Path) -> Sidecar:
     pruned, scales, others = _pruned(document)
     written = validated(pruned, sidecar_schema())
     channels = {
-        name: _sheet(document, name, entry, scales.get(name, {})) for name, entry in (written.channels or {}).items()
+        name: _entry(document, name, entry, scales.get(name, {})) for name, entry in (written.channels or {}).items()
     }
     return Sidecar(
         path=path,
@@ -76,7 +76,7 @@ def read_sidecar(path: Path) -> Sidecar:
 
 
 def _pruned(document: Document) -> tuple[Document, dict[str, dict[str, Any]], dict[str, Any]]:
-    """Return the document without the keys that no schema can list: the scales and the further conditions."""
+    """Return the document without scales and further conditions, whose keys the schema cannot list."""
     data, scales, others = dict(document.data), {}, {}
     if isinstance(data.get("channels"), dict):
         entries: dict[Any, Any] = {}
@@ -101,7 +101,7 @@ def _refuse_slip(document: Document, key: str) -> None:
         raise InputError(f"{document.place(('run', key))}: unknown key; did you mean {meant!r}?")
 
 
-def _sheet(document: Document, name: str, entry: WrittenChannel, scales: Mapping[str, Any]) -> ChannelSheet:
+def _entry(document: Document, name: str, entry: WrittenChannel, scales: Mapping[str, Any]) -> ChannelEntry:
     if len(scales) > 1:
         raise InputError(
             f"{document.place(('channels', name))}: there are two scales, {' and '.join(scales)}; keep one of them"
@@ -114,7 +114,7 @@ def _sheet(document: Document, name: str, entry: WrittenChannel, scales: Mapping
             raise InputError(f"{document.place(('channels', name, key))}: {error}") from None
     if si_per_unit is None:
         raise InputError(f"{document.place(('channels', name, 'unit'))}: {missing_scale(entry.quantity, entry.unit)}")
-    return ChannelSheet(quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth)
+    return ChannelEntry(quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth)
 
 
 def _run(document: Document, written: WrittenRun, others: dict[str, Any]) -> Run:

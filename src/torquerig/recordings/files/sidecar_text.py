@@ -1,4 +1,4 @@
-"""A recording's sidecar as YAML text that reads back to the same floats."""
+"""Writing of a recording's sidecar as YAML text that reads back to the same floats."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from torquerig.units import UNITS
 
 
 class _Dumper(yaml.SafeDumper):
-    """PyYAML's safe dumper, which also puts quotes around what only YAML 1.2 takes for a number (``1e5``)."""
+    """PyYAML's safe dumper that also quotes strings that are numbers only in YAML 1.2 (``1e5``)."""
 
 
 _Dumper.add_implicit_resolver(
@@ -27,15 +27,15 @@ _Dumper.add_implicit_resolver(
 
 def sidecar_text(recording: Recording) -> str:
     """Return the sidecar of a recording: rate, channels with their scale, run and origin."""
-    sheet: dict[str, Any] = {
+    content: dict[str, Any] = {
         "sample_rate_Hz": _number(recording.sample_rate),
         "channels": {name: _channel_entry(channel) for name, channel in recording.channels.items()},
     }
     if recording.run != Run():
-        sheet["run"] = _run_entry(recording.run)
+        content["run"] = _run_entry(recording.run)
     if recording.origin:
-        sheet["origin"] = _plain(recording.origin)
-    return yaml.dump(sheet, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1000)
+        content["origin"] = _plain(recording.origin)
+    return yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1000)
 
 
 def _channel_entry(channel: Channel) -> dict[str, Any]:
@@ -59,7 +59,7 @@ def _run_entry(run: Run) -> dict[str, Any]:
 
 
 def _counted_in(value: float, factor: float) -> float:
-    """Return the shortest number that times ``factor`` is ``value`` again: 1000 rpm, not 999.9999999999999."""
+    """Return the shortest number that, multiplied by ``factor``, is ``value``: 1000 rpm, not 999.9999999999999."""
     for digits in range(1, 18):
         candidate = float(f"{value / factor:.{digits}g}")
         if candidate * factor == value:
@@ -73,7 +73,7 @@ def _number(value: float) -> float:
 
 
 def _plain(value: Any) -> Any:
-    """Return ``value`` in the types that YAML has."""
+    """Return ``value`` in the data types of YAML."""
     if isinstance(value, Mapping):
         return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

@@ -1,4 +1,4 @@
-"""A recording that is gone through block by block: memory stays flat whatever its length."""
+"""A recording that is read block by block, so that memory does not grow with its length."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from torquerig.recordings.files.gaps import usual_rate
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
-from torquerig.recordings.files.pieces import TablePieces, pieces_of
-from torquerig.recordings.files.reading import check_readable, readers, sheets_of
-from torquerig.recordings.files.sidecar import ChannelSheet, read_sidecar, sidecar_path
+from torquerig.recordings.files.reading import channel_entries, check_readable, readers
+from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
+from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
 from torquerig.recordings.files.tdms_pieces import tdms_pieces
 from torquerig.recordings.files.timebase import agreed_rate
 from torquerig.recordings.files.wav import wav_pieces
@@ -46,7 +46,7 @@ STREAMS: Mapping[str, Callable[[Path], TablePieces]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class RecordingStream:
-    """A recording on disk, described but not read.
+    """A recording on disk: its description without the samples.
 
     Parameters
     ----------
@@ -54,70 +54,70 @@ class RecordingStream:
     sample_rate : float
         [Hz].
     samples : int or None
-        Of every channel; None where only reading to the end tells (CSV).
-    sheets : mapping of str to ChannelSheet
-        What the channels mean.
+        Of every channel; None where it is known only after reading to the end (CSV).
+    entries : mapping of str to ChannelEntry
+        Quantity, unit and scale of each channel.
     run, origin
         As in :class:`Recording`.
     table : TablePieces
-        Where the samples come from; ``table.read_whole`` says why the file could not be read in pieces, if so.
+        The source of the samples; ``table.read_whole`` is the reason where the file could not be read in pieces.
     """
 
     path: Path
     sample_rate: float
     samples: int | None
-    sheets: Mapping[str, ChannelSheet]
+    entries: Mapping[str, ChannelEntry]
     table: TablePieces
     run: Run = field(default_factory=Run)
     origin: Mapping[str, Any] = field(default_factory=dict)
 
     def of(self, columns: Mapping[str, NDArray[np.float64]]) -> Recording:
-        """Return the recording of some samples of each channel."""
+        """Return a recording with these samples of each channel."""
         channels = {
             name: Channel(
                 values=columns[name],
-                quantity=sheet.quantity,
-                unit=sheet.unit,
-                si_per_unit=sheet.si_per_unit,
-                truth=sheet.truth,
+                quantity=entry.quantity,
+                unit=entry.unit,
+                si_per_unit=entry.si_per_unit,
+                truth=entry.truth,
             )
-            for name, sheet in self.sheets.items()
+            for name, entry in self.entries.items()
         }
         return Recording(
             sample_rate=self.sample_rate, channels=channels, run=self.run, origin=self.origin, name=self.path.name
         )
 
     def columns(self) -> Iterator[Mapping[str, NDArray[np.float64]]]:
-        """Go through the samples of the channels, and of the time where there is one, as they come."""
+        """Yield the samples of the channels, and of the time column where there is one, piece by piece."""
         time = self.table.time_name()
-        yield from self.table.pieces([*self.sheets, *([time] if time and time not in self.sheets else [])])
+        yield from self.table.pieces([*self.entries, *([time] if time and time not in self.entries else [])])
 
 
 def open_stream(path: Path) -> RecordingStream:
-    """Describe a recording, with its sidecar where there is one; the samples are read when they are asked for.
+    """Return the description of a recording, with its sidecar where there is one; samples are read when needed.
 
     Raises
     ------
     InputError, RecordingError
-        As :func:`read_recording`, for what the description shows: a damaged file, wrong columns, unequal lengths, no
-        or contradictory rates. Samples that are no numbers and jumps of time show only in the blocks.
+        As :func:`read_recording`: a damaged file, wrong columns, unequal lengths, missing or contradictory rates.
+        Samples that are not numbers and jumps of time are found only in the blocks.
     """
     path = Path(path)
     check_readable(path)
-    beside = sidecar_path(path)
-    sidecar = read_sidecar(beside) if beside.is_file() else None
+    described_in = sidecar_path(path)
+    sidecar = read_sidecar(described_in) if described_in.is_file() else None
     table = _pieces(path)
-    sheets = sheets_of(table.names, table.units, sidecar, path)
+    entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
-    lengths = {name: table.lengths[name] for name in (*([time] if time else []), *sheets) if name in table.lengths}
+    lengths = {name: table.lengths[name] for name in (*([time] if time else []), *entries) if name in table.lengths}
     samples = check_counts(lengths, str(path)) if lengths else None
     by_time = None if time is None else usual_rate(_first_times(table, time, path), name=time, where=str(path))
-    rate = agreed_rate(table.rates, sheets, by_time=by_time, time_name=time, sidecar=sidecar, where=str(path))
+    rate = agreed_rate(table.rates, entries, by_time=by_time, time_name=time, sidecar=sidecar, where=str(path))
     return RecordingStream(
         path=path,
         sample_rate=rate,
         samples=samples,
-        sheets=sheets,
+        entries=entries,
         table=table,
         run=sidecar.run if sidecar else Run(),
         origin=sidecar.origin if sidecar else {},

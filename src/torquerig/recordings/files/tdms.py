@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.pieces import PIECE
-from torquerig.recordings.files.table import Table
+from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timebase import shortest_rate
 from torquerig.recordings.recording import Recording
 
@@ -24,17 +24,17 @@ _CUT_SHORT = ("incomplete", "less data", "multiple of the chunk", "Cropping")
 
 
 def read_tdms(path: Path) -> Table:
-    """Read the channels of numbers, scaled as the file says; a name that two groups share becomes ``group/name``.
+    """Read the channels of numbers, scaled as the file states; a name that two groups share becomes ``group/name``.
 
     Raises
     ------
     RecordingError
-        When the file ends before its segments do, or a channel has a scale that npTDMS does not know (it would hand
-        over unscaled numbers).
+        When the file ends before its segments do, or a channel has a scale that npTDMS does not know (it would return
+        unscaled numbers).
     """
     from nptdms import TdmsFile
 
-    with told_by_nptdms() as warnings:
+    with nptdms_warnings() as warnings:
         try:
             file = TdmsFile.read(path)
             named = channel_names([channel for group in file.groups() for channel in group.channels()])
@@ -50,7 +50,7 @@ def read_tdms(path: Path) -> Table:
 def write_tdms(recording: Recording, path: Path) -> None:
     """Write one group ``recording`` with a waveform of float64 for each channel; same recording, same bytes.
 
-    The samples stand in segments of 2**20, so that a reader needs to hold no more than that at a time.
+    The samples are written in segments of ``PIECE`` samples, so that a reader holds no more than that at a time.
     """
     with path.open("wb") as file:
         writer = tdms_writer(file, recording)
@@ -60,7 +60,7 @@ def write_tdms(recording: Recording, path: Path) -> None:
 
 
 def tdms_writer(file: BinaryIO, recording: Recording) -> tuple[Any, Recording]:
-    """Return what writes blocks of the channels of ``recording`` one after the other."""
+    """Return a writer of consecutive blocks of the channels of ``recording``."""
     from nptdms import TdmsWriter
 
     writer = TdmsWriter(file)
@@ -92,7 +92,7 @@ def append_tdms(writer: tuple[Any, Recording], columns: Mapping[str, NDArray[np.
 
 
 def channel_names(channels: list[Any]) -> dict[str, Any]:
-    """Return the channels of numbers by name, ``group/name`` where two groups share one."""
+    """Return the channels of numbers by name; ``group/name`` where two groups share a name."""
     doubled = {name for name, count in Counter(channel.name for channel in channels).items() if count > 1}
     return {
         f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name: channel
@@ -114,45 +114,45 @@ def stated(named: Mapping[str, Any]) -> tuple[dict[str, float], dict[str, str]]:
 
 
 def check_whole(path: Path, warnings: list[str], *, incomplete: bool) -> None:
-    """Raise RecordingError where npTDMS told of a file that is cut short or of a scale that it does not know."""
+    """Raise RecordingError where npTDMS warned of an incomplete file or of a scale that it does not know."""
     size = path.stat().st_size
     if size < _LEAD_IN:
         raise RecordingError(
-            f"{path}: the file ends after {size} bytes, before a TDMS file has told what is in it; copy it again from "
-            "its source"
+            f"{path}: the file ends after {size} bytes, which is shorter than the header of a TDMS file; copy it again "
+            "from its source"
         )
-    if incomplete or any(sign in told for told in warnings for sign in _CUT_SHORT):
+    if incomplete or any(sign in message for message in warnings for sign in _CUT_SHORT):
         raise RecordingError(
             f"{path}: the TDMS file ends in the middle of its last segment (the writing was cut short); copy it again "
-            "from its source, or open it in LabVIEW and save the span that is whole"
+            "from its source, or open it in LabVIEW and save the complete part"
         )
-    for told in warnings:
-        if "scale" in told:
+    for message in warnings:
+        if "scale" in message:
             raise RecordingError(
-                f"{path}: a channel has a scale that is not supported ({told.rpartition(': ')[2]}); in LabVIEW, write "
-                "the scaled values"
+                f"{path}: a channel has a scale that is not supported ({message.rpartition(': ')[2]}); in LabVIEW, "
+                "write the scaled values"
             )
 
 
 def not_whole(path: Path, error: Exception) -> RecordingError:
-    """Return the sentence for a file that npTDMS cannot make sense of."""
+    """Return the error for a file that npTDMS cannot read."""
     return RecordingError(f"{path}: not a whole TDMS file ({error}); copy it again from its source")
 
 
 class _Collector(logging.Handler):
-    """Keeps the texts of the warnings."""
+    """Log handler that collects the texts of the warnings."""
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
-        self.told: list[str] = []
+        self.messages: list[str] = []
 
     def emit(self, record: logging.LogRecord) -> None:
-        self.told.append(record.getMessage())
+        self.messages.append(record.getMessage())
 
 
 @contextmanager
-def told_by_nptdms() -> Iterator[list[str]]:
-    """Collect what npTDMS logs instead of letting it print; its handlers are put back afterwards."""
+def nptdms_warnings() -> Iterator[list[str]]:
+    """Collect the warnings that npTDMS logs instead of printing them; its handlers are restored afterwards."""
     from nptdms.log import log_manager
 
     collector, loggers = _Collector(), list(log_manager.loggers.values())
@@ -160,7 +160,7 @@ def told_by_nptdms() -> Iterator[list[str]]:
     for logger in loggers:
         logger.handlers, logger.propagate = [collector], False
     try:
-        yield collector.told
+        yield collector.messages
     finally:
         for logger, handlers, propagate in before:
             logger.handlers, logger.propagate = handlers, propagate

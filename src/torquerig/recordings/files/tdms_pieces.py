@@ -1,4 +1,4 @@
-"""LabVIEW TDMS piece by piece: also where one chunk of the file holds an hour."""
+"""LabVIEW TDMS piece by piece, also where one chunk of the file holds an hour."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.pieces import PIECE, Columns, TablePieces
-from torquerig.recordings.files.tdms import channel_names, check_whole, not_whole, stated, told_by_nptdms
+from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces
+from torquerig.recordings.files.tdms import channel_names, check_whole, not_whole, nptdms_warnings, stated
 
-# npTDMS reads a chunk in one go; above this many samples the values are fetched here
+# npTDMS reads a chunk at once; the values of chunks with more samples are read here
 _LARGEST_CHUNK = PIECE
 _BROKEN = (ValueError, EOFError, OSError, KeyError, TypeError, struct.error)
 
 
 def tdms_pieces(path: Path) -> TablePieces:
-    """Go through the channels of numbers, scaled as the file says.
+    """Return the channels of numbers in pieces, scaled as the file states.
 
     Raises
     ------
@@ -30,7 +30,7 @@ def tdms_pieces(path: Path) -> TablePieces:
     """
     from nptdms import TdmsFile
 
-    with told_by_nptdms() as warnings:
+    with nptdms_warnings() as warnings:
         try:
             with TdmsFile.open(path) as file:
                 named = channel_names([channel for group in file.groups() for channel in group.channels()])
@@ -51,7 +51,7 @@ def _pieces(path: Path, names: Sequence[str]) -> Iterator[Columns]:
     from nptdms import TdmsFile
 
     with ExitStack() as opened:
-        opened.enter_context(told_by_nptdms())
+        opened.enter_context(nptdms_warnings())
         try:
             file = opened.enter_context(TdmsFile.open(path))
             every = channel_names([channel for group in file.groups() for channel in group.channels()])
@@ -89,7 +89,7 @@ def _read(channel: Any, raw: BinaryIO, spans: Spans | None, *, first: int, count
 
 
 def _column(raw: BinaryIO, count: int, *, stride: int, kind: np.dtype[Any]) -> NDArray[Any]:
-    """Read ``count`` values that stand ``stride`` bytes apart."""
+    """Read ``count`` values that are ``stride`` bytes apart."""
     if stride == kind.itemsize:
         return np.fromfile(raw, kind, count)
     rows = np.frombuffer(raw.read(stride * (count - 1) + kind.itemsize), dtype=np.uint8)
@@ -104,8 +104,8 @@ def _largest_chunk(file: Any, path: str) -> int:
 def _spans(file: Any, path: str) -> Spans:
     """Return (samples, place in the file, bytes from one value to the next, type) of each chunk of one channel.
 
-    npTDMS has no call that reads part of a chunk, so that its record of the segments is used here; a change of it
-    shows in the tests.
+    npTDMS has no function that reads part of a chunk, so its private list of segments is used here; the tests fail
+    where it changes.
     """
     from nptdms.common import toc_properties
 

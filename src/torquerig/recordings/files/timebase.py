@@ -1,4 +1,4 @@
-"""How many samples per second a recording has: from its sidecar, from the file itself, or from a time column."""
+"""The sample rate of a recording, from its sidecar, from the file, or from a time column."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.sidecar import Sidecar
-from torquerig.recordings.files.table import Table
 
-# a time may be off its even grid by this share of a sample; one lost sample is off by half a sample or more
+# largest deviation of a time from the even grid [samples]; one lost sample makes half a sample or more
 _UNEVEN = 0.25
-# two statements of the same rate may differ by this share (a rounded time column), no more
+# largest relative difference of two stated rates (a rounded time column) [1]
 _CONTRADICTION = 1e-3
 
 
 def sample_rate_of(table: Table, names: Iterable[str], *, sidecar: Sidecar | None, where: str) -> float:
-    """Return the sample rate of the channels ``names`` [Hz]; the sidecar's word goes first, then the file's, then time.
+    """Return the sample rate of the channels ``names`` [Hz]: the sidecar's, else the file's, else the time column's.
 
     Raises
     ------
     RecordingError
-        When nothing states the rate, or two statements differ by more than 0.1 %.
+        When the rate is not stated, or two statements differ by more than 0.1 %.
     """
     time = table.time_name()
     by_time = None if time is None else rate_of_times(table.columns[time], name=time, where=where)
@@ -45,14 +45,14 @@ def agreed_rate(
         stated[f"the column {time_name}"] = by_time
     if not stated:
         raise RecordingError(
-            f"{where}: nothing states the sample rate; write it into a sidecar {_stem(where)}.yaml as "
+            f"{where}: the sample rate is not stated; write it into a sidecar {_stem(where)}.yaml as "
             "sample_rate_Hz: NUMBER, or add a column time_s"
         )
     (first, rate), *rest = stated.items()
     for other, value in rest:
         if abs(value - rate) > _CONTRADICTION * rate:
             raise RecordingError(
-                f"{where}: {first} says {rate:.10g} samples per second and {other} says {value:.10g}; "
+                f"{where}: {first} states {rate:.10g} samples per second and {other} states {value:.10g}; "
                 "correct one of them"
             )
     return rate
@@ -64,8 +64,8 @@ def rate_of_times(times: NDArray[np.float64], *, name: str, where: str) -> float
     Raises
     ------
     RecordingError
-        When a time is no number, or off the even grid by more than a quarter of a sample (a lost sample is off by at
-        least half a one); says where and by how much.
+        When a time is not a number, or deviates from the even grid by more than a quarter of a sample; with place and
+        deviation. A lost sample makes a deviation of at least half a sample.
     """
     steps = np.diff(times)
     rising = steps > 0
@@ -73,7 +73,7 @@ def rate_of_times(times: NDArray[np.float64], *, name: str, where: str) -> float
         broken = int(np.argmin(rising & np.isfinite(steps))) + 1
         raise RecordingError(
             f"{where}: {name} does not rise at sample {broken} ({times[broken - 1]:.9g} s, then {times[broken]:.9g}); "
-            "put the rows in order and remove doubles, or join parts only where time goes on"
+            "put the rows in order and remove doubles, or join parts only where time continues"
         )
     rate = (times.size - 1) / float(times[-1] - times[0])
     off = np.abs((times - times[0]) * rate - np.arange(times.size))
@@ -89,7 +89,7 @@ def rate_of_times(times: NDArray[np.float64], *, name: str, where: str) -> float
 
 
 def shortest_rate(rate: float, *, tolerance: float) -> float:
-    """Return the number of fewest digits within the relative ``tolerance`` of ``rate``: 25000, not 24999.9999999987."""
+    """Return the shortest decimal within the relative ``tolerance`` of ``rate``: 25000, not 24999.9999999987."""
     for digits in range(1, 17):
         candidate = float(f"{rate:.{digits}g}")
         if abs(candidate - rate) <= tolerance * rate:

@@ -1,4 +1,4 @@
-"""WAV: what a sound card or an audio logger wrote; the samples are shares of full scale (FS)."""
+"""WAV files of a sound card or an audio logger; the samples are shares of full scale (FS)."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from typing import Any
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.pieces import PIECE, Columns, TablePieces, pieces_of
-from torquerig.recordings.files.table import Table
+from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces, pieces_of
 
 
 def read_wav(path: Path) -> Table:
     """Read a WAV file as ``channel_1``, ``channel_2``, ... in shares of full scale, unit ``FS``.
 
-    Integer samples are divided by half their range (-1 <= x < 1); float samples are taken as they are. What full scale
-    means (``Nm_per_FS``) only a sidecar can tell.
+    Integer samples are divided by half their range (-1 <= x < 1); float samples are not changed. The value of full
+    scale (``Nm_per_FS``) must be stated in a sidecar.
 
     Raises
     ------
     RecordingError
-        When the file is no WAV file, or ends before its header says.
+        When the file is no WAV file, or is shorter than its header states.
     """
     rate, samples = _opened(path, mapped=False)
     table = np.atleast_2d(samples.T)
@@ -34,7 +34,7 @@ def read_wav(path: Path) -> Table:
 
 
 def wav_pieces(path: Path) -> TablePieces:
-    """Go through a WAV file; one of 24 bits is read whole, because scipy cannot map it."""
+    """Return a WAV file in pieces; one of 24 bits is read at once, because scipy cannot map it."""
     try:
         rate, samples = _opened(path, mapped=True)
     except RecordingError:
@@ -44,7 +44,7 @@ def wav_pieces(path: Path) -> TablePieces:
     every = [f"channel_{number + 1}" for number in range(width)]
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
-        # read, not mapped: mapped pages would count as memory
+        # read, not memory-mapped: mapped pages would count as memory of the process
         with path.open("rb") as file:
             file.seek(position)
             for first in range(0, frames, PIECE):
@@ -66,13 +66,15 @@ def _opened(path: Path, *, mapped: bool) -> tuple[int, Any]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            # scipy stumbles over its own unset variable (a NameError) where a file has no chunks
+            # scipy raises a NameError where a file has no chunks
             rate, samples = wavfile.read(path, mmap=mapped)
         except (ValueError, EOFError, OSError, TypeError, NameError, struct.error) as error:
             raise RecordingError(f"{path}: not a whole WAV file ({error}); copy it again from its source") from None
-    # other warnings tell of text chunks that are skipped
+    # other warnings are about skipped text chunks
     if any("prematurely" in str(warning.message) for warning in caught):
-        raise RecordingError(f"{path}: the WAV file ends before its header says; copy it again from its source")
+        raise RecordingError(
+            f"{path}: the WAV file ends before the length that its header states; copy it again from its source"
+        )
     return rate, samples
 
 

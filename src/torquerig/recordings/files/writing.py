@@ -1,4 +1,4 @@
-"""A Recording to a table file and its sidecar: both whole, or neither, and nothing overwritten unasked."""
+"""Write a Recording to a table file and its sidecar: both complete, or neither; overwriting only on request."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from torquerig.errors import InputError
 from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import write_csv
 from torquerig.recordings.files.mat import refuse_variable_names, write_mat
+from torquerig.recordings.files.number_table import TIME_NAMES
 from torquerig.recordings.files.parquet import write_parquet
 from torquerig.recordings.files.sidecar import read_sidecar, sidecar_path
 from torquerig.recordings.files.sidecar_text import sidecar_text
-from torquerig.recordings.files.table import TIME_NAMES
 from torquerig.recordings.files.tdms import write_tdms
 from torquerig.recordings.recording import Recording
 from torquerig.whole_file import whole_file
@@ -28,15 +28,16 @@ WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
 def write_recording(recording: Recording, path: Path, *, overwrite: bool = False) -> list[Path]:
     """Write a recording and its sidecar; return the two paths. The same recording gives the same bytes.
 
-    Both are first written under another name in the same folder and then renamed, so that a break leaves no half file.
+    Both are first written under another name in the same folder and then renamed, so that an interruption leaves no
+    incomplete file.
 
     Raises
     ------
     InputError
-        An ending that is not written, a missing folder, a channel called like the time, a file that is there
-        already (with ``overwrite``: a file in the sidecar's place that is no sidecar).
+        An ending that cannot be written, a missing folder, a channel named like the time, a file that exists (with
+        ``overwrite``: a file in the sidecar's place that is no sidecar).
     RecordingError
-        A recording that could not be read back: no samples, unequal lengths, samples that are no numbers.
+        A recording that could not be read back: no samples, unequal lengths, samples that are not numbers.
     """
     path = Path(path)
     write = _writer_of(path)
@@ -50,7 +51,7 @@ def write_recording(recording: Recording, path: Path, *, overwrite: bool = False
 def put_in_place(
     write: Callable[[Path], None], recording: Recording, path: Path, *, overwrite: bool = False
 ) -> list[Path]:
-    """Let ``write`` write the table under another name, then its sidecar, then rename both; return their paths.
+    """Write the table by ``write`` and the sidecar under other names, then rename both; return their paths.
 
     Raises
     ------
@@ -66,7 +67,7 @@ def put_in_place(
 
 
 def check_target(path: Path, *, overwrite: bool = False) -> None:
-    """Raise the InputError that writing to ``path`` would raise, so that no long run is made in vain."""
+    """Raise the InputError that writing to ``path`` would raise; called before a long run."""
     _writer_of(path)
     _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
 
@@ -74,14 +75,14 @@ def check_target(path: Path, *, overwrite: bool = False) -> None:
 def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
     ending = path.suffix.lower()
     if ending not in WRITERS:
-        raise InputError(f"{path}: the ending {ending!r} is no format that is written; use {', '.join(WRITERS)}")
+        raise InputError(f"{path}: the ending {ending!r} cannot be written; use {', '.join(WRITERS)}")
     if not path.parent.is_dir():
         raise InputError(f"{path}: there is no folder {path.parent}; make it first")
     return WRITERS[ending]
 
 
 def refuse_names(recording: Recording, path: Path) -> None:
-    """Raise InputError for a channel called like the time, or one whose name cannot be written."""
+    """Raise InputError for a channel named like the time, or one whose name cannot be written."""
     for name in recording.channels:
         if name.strip().lower() in (*TIME_NAMES, "sample_rate_hz"):
             raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")

@@ -1,12 +1,14 @@
-"""What stands in a recording, block by block: each file summarises a stretch, and two summaries join to one.
+"""Inspection of a recording block by block: each file summarises a block, and the summaries of two blocks are joined.
 
-levels       count, mean, spread, extremes
-runs         runs of one value, and of samples that are no numbers
-extremes     how often the outermost values come: clipping
-outliers     single samples that stand out (spikes), stretches that drop to a level and come back (dropouts)
-histogram    how often each level comes, whatever the range turns out to be
-course       lowest and highest value over time, for the picture
-mean_power   the averaged spectrum
-look         all of that for a whole recording, in one pass
-recording_info  what a recording holds and what looks suspicious
+==================== =============================================================================
+``levels``           count, mean, standard deviation, extremes
+``runs``             runs of one value, and of samples that are not numbers
+``extremes``         the highest and lowest value and how often they occur: clipping
+``outliers``         spikes, and dropouts to one level
+``histogram``        histogram over a range that grows with the blocks
+``min_max_envelope`` lowest and highest value over time, for the picture
+``mean_power``       averaged spectrum
+``channel_summary``  all of these for one channel, in one pass
+``recording_info``   the summaries of a recording as figures, and suspicious findings in sentences
+==================== =============================================================================
 """

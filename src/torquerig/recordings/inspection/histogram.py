@@ -1,4 +1,4 @@
-"""How often each level comes, whatever the range turns out to be."""
+"""A histogram whose range grows with the blocks of a recording."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def histogram_of(values: NDArray[np.float64]) -> Histogram | None:
 
 
 def joined_histograms(left: Histogram | None, right: Histogram | None) -> Histogram | None:
-    """Return the histogram of both, its bins doubled until there are at most 400."""
+    """Return the histogram of both, with bins doubled in width until there are at most 400."""
     if left is None or right is None:
         return left or right
     width = max(left.width, right.width)

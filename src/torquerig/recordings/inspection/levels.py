@@ -1,4 +1,4 @@
-"""Count, mean, spread and extremes of a stretch; two stretches join to one."""
+"""Count, mean, standard deviation and extremes of a block, and of two blocks joined."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, kw_only=True)
 class Levels:
-    """Figures of the finite samples of a stretch, in the channel's unit; ``squares`` is the sum of (x - mean)^2."""
+    """Statistics of the finite samples of a block, in the channel's unit; ``squares`` is the sum of (x - mean)^2."""
 
     count: int
     mean: float
@@ -29,7 +29,7 @@ NOTHING = Levels(count=0, mean=float("nan"), squares=0.0, minimum=float("nan"), 
 
 
 def levels_of(values: NDArray[np.float64]) -> Levels:
-    """Return the figures of the finite samples of ``values``, shape (samples,); ``NOTHING`` where there are none."""
+    """Return the statistics of the finite samples of ``values``, shape (samples,); ``NOTHING`` where there are none."""
     if values.size == 0:
         return NOTHING
     mean = float(values.mean())
@@ -46,25 +46,25 @@ def levels_of(values: NDArray[np.float64]) -> Levels:
 
 
 def joined_levels(first: Levels, last: Levels) -> Levels:
-    """Return the figures of two stretches together.
+    """Return the statistics of two blocks together.
 
-    Source: Chan, Golub & LeVeque 1983, Am Stat 37, eq. 2.1: no digits are lost however long the recording.
+    Source: Chan, Golub & LeVeque 1983, Am Stat 37, eq. 2.1, without loss of digits in long recordings.
     """
     if not first.count or not last.count:
         return last if last.count else first
     count = first.count + last.count
-    apart = last.mean - first.mean
+    difference = last.mean - first.mean
     return Levels(
         count=count,
-        mean=first.mean + apart * last.count / count,
-        squares=first.squares + last.squares + apart**2 * first.count * last.count / count,
+        mean=first.mean + difference * last.count / count,
+        squares=first.squares + last.squares + difference**2 * first.count * last.count / count,
         minimum=min(first.minimum, last.minimum),
         maximum=max(first.maximum, last.maximum),
     )
 
 
 def _of_large(values: NDArray[np.float64]) -> Levels:
-    """Figures of numbers so large that their sum overflows."""
+    """Return the statistics of numbers so large that their sum overflows."""
     scaled = values / 2.0**200
     return Levels(
         count=values.size,

@@ -17,7 +17,7 @@ SEGMENT = 2**18
 class MeanPower:
     """Squared zero-to-peak amplitudes summed over segments, shape (bins,), [unit^2].
 
-    ``segment`` is the number of samples of each, and ``count`` how many were summed.
+    ``segment`` is the number of samples of each segment, and ``count`` the number of segments.
     """
 
     segment: int
@@ -31,7 +31,7 @@ class MeanPower:
 
 
 def mean_power_of(values: NDArray[np.float64], *, segment: int) -> MeanPower:
-    """Return the summed power of the whole segments of ``values`` that hold only numbers, through a Hann window."""
+    """Return the summed power of the complete segments of ``values`` without missing numbers, with a Hann window."""
     power, count = np.zeros(segment // 2 + 1), 0
     for first in range(0, values.size - segment + 1, segment):
         part = values[first : first + segment]
@@ -42,5 +42,5 @@ def mean_power_of(values: NDArray[np.float64], *, segment: int) -> MeanPower:
 
 
 def joined_powers(left: MeanPower, right: MeanPower) -> MeanPower:
-    """Return the sum over both; segments must be of one length."""
+    """Return the sum of both; segments must be equally long."""
     return MeanPower(segment=left.segment, count=left.count + right.count, power=left.power + right.power)

@@ -1,4 +1,4 @@
-"""What stands in a recording, and what looks suspicious: gaps, samples lost, clipped or stuck, spikes, dropouts."""
+"""Figures of a recording, and suspicious findings: gaps, clipping, stuck and missing samples, spikes, dropouts."""
 
 from __future__ import annotations
 
@@ -13,26 +13,27 @@ from numpy.typing import NDArray
 from torquerig.recordings.files.blocks import Block, Blocking
 from torquerig.recordings.files.gaps import Gap, gaps_in
 from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.inspection.channel_summary import LONGEST_DROPOUT, ChannelSummary, joined_summaries, summarise
 from torquerig.recordings.inspection.extremes import Extreme
-from torquerig.recordings.inspection.look import LONGEST_DROPOUT, Look, joined_looks, look_at
 from torquerig.recordings.inspection.outliers import MARGIN
 from torquerig.recordings.inspection.runs import Run as SampleRun
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 
-# these may rest on their highest or lowest value without being clipped, and jump where they start again
+# these may stay at their highest or lowest value without clipping, and jump where they overflow
 _POSITIONS = ("motor_angle", "angle", "position", "tacho")
-_NAMED = 5  # so many places are named in a sentence
+_NAMED = 5  # most places that are named in a sentence
 
 
 @dataclass(frozen=True, kw_only=True)
 class ChannelInfo:
-    """One channel in figures, in its own unit.
+    """Figures of one channel, in its unit.
 
     ``clipped_low`` and ``clipped_high`` count the samples on the lowest and highest value where that looks like
-    clipping, else 0. ``longest_repeat`` is the longest run of one value, from sample ``repeat_from`` on; ``stuck`` says
-    that it is far longer than chance makes it, and ``stuck_runs`` lists all such runs. ``not_numbers`` are runs of NaN
-    or infinity, ``spikes`` single samples that stand out, ``dropouts`` stretches that jump to a level and back.
+    clipping, else 0. ``longest_repeat`` is the length of the longest run of one value, which starts at sample
+    ``repeat_from``. ``stuck``: it is far longer than expected of independent repeats; ``stuck_runs`` lists all such
+    runs. ``not_numbers`` are runs of NaN or infinity, ``spikes`` single outliers, ``dropouts`` stretches that jump to a
+    level and back.
     """
 
     quantity: str
@@ -57,9 +58,9 @@ class ChannelInfo:
 
 @dataclass(frozen=True, kw_only=True)
 class RecordingInfo:
-    """A recording in figures; ``info["torque_V"]`` is one channel's. Rate in [Hz], duration in [s].
+    """Figures of a recording; ``info["torque_V"]`` are those of one channel. Rate in [Hz], duration in [s].
 
-    ``looks`` are what the picture is drawn from, and ``gaps`` where the column ``time_name`` jumps.
+    The picture is drawn from ``summaries``; ``gaps`` are the jumps of the column ``time_name``.
     """
 
     name: str
@@ -70,17 +71,17 @@ class RecordingInfo:
     channels: Mapping[str, ChannelInfo]
     gaps: tuple[Gap, ...] = ()
     time_name: str = "time"
-    looks: Mapping[str, Look] = field(default_factory=dict)
+    summaries: Mapping[str, ChannelSummary] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> ChannelInfo:
         return self.channels[name]
 
     def as_dict(self) -> dict[str, Any]:
-        """Return plain nested dicts, for JSON; without the looks."""
-        return {key: value for key, value in asdict(self).items() if key != "looks"}
+        """Return plain nested dicts, for JSON; without the summaries."""
+        return {key: value for key, value in asdict(self).items() if key != "summaries"}
 
     def suspicions(self) -> list[str]:
-        """Return one sentence on each thing that looks wrong; empty where nothing does."""
+        """Return one sentence per suspicious finding; empty where there is none."""
         gaps = [
             f"{self.time_name} jumps by {gap.step:.6g} s instead of {1 / self.sample_rate:.6g} s after sample "
             f"{gap.sample} ({gap.time:.6g} s)"
@@ -97,7 +98,7 @@ class RecordingInfo:
         found = []
         if one.not_numbers:
             count = sum(run.length for run in one.not_numbers)
-            what = "sample that is no number" if count == 1 else "samples that are no numbers"
+            what = "sample that is not a number" if count == 1 else "samples that are not numbers"
             found.append(f"{name} has {count} {what}: {_places(one.not_numbers)}")
         if one.constant:
             found.append(
@@ -127,50 +128,50 @@ class RecordingInfo:
     def _stuck(self, name: str, one: ChannelInfo) -> str:
         start, length = one.repeat_from / self.sample_rate, one.longest_repeat / self.sample_rate
         others = [run for run in one.stuck_runs if run.first != one.repeat_from]
-        told = (
+        longest = (
             f"{name} holds one value for {one.longest_repeat} samples ({length:.3g} s) from sample "
             f"{one.repeat_from} ({start:.6g} s) on"
         )
-        return f"{told}, and in {_counted(len(others), 'more run')}: {_places(others)}" if others else told
+        return f"{longest}, and in {_counted(len(others), 'more run')}: {_places(others)}" if others else longest
 
 
 def recording_info(recording: Recording) -> RecordingInfo:
-    """Return rate, length, and for each channel the level and what looks suspicious."""
+    """Return rate and length, and the figures and suspicious findings of each channel."""
     whole = slice(0, recording.samples)
-    looks = {
-        name: look_at(
+    summaries = {
+        name: summarise(
             channel.values, whole, first=0, rate=recording.sample_rate, judged=channel.quantity not in _POSITIONS
         )
         for name, channel in recording.channels.items()
     }
-    return _info(recording, looks, samples=recording.samples)
+    return _info(recording, summaries, samples=recording.samples)
 
 
 def stream_info(stream: RecordingStream) -> RecordingInfo:
-    """Return the same of a recording on disk, block by block; its samples may be no numbers and its time may jump."""
-    looks: dict[str, Look] = {}
+    """Return the same for a recording on disk, block by block; it may have missing numbers and jumps of time."""
+    summaries: dict[str, ChannelSummary] = {}
     gaps: list[Gap] = []
     samples, last_time = 0, None
     recording = None
     margin = max(MARGIN, round(LONGEST_DROPOUT * stream.sample_rate) + 8)
     for block in Blocking(samples=2**20, overlap=margin).cut(stream):
         recording = block.recording
-        looks = _joined(looks, block)
+        summaries = _joined(summaries, block)
         samples = block.first + block.kept.stop - block.kept.start
         if block.times is not None:
             gaps += gaps_in(block.times, stream.sample_rate, first=block.first, before=last_time)
             last_time = float(block.times[-1])
     if recording is None:  # a stream without blocks raises before
-        recording = stream.of({name: np.empty(0) for name in stream.sheets})
-    return _info(recording, looks, samples=samples, gaps=tuple(gaps), time_name=stream.table.time_name() or "time")
+        recording = stream.of({name: np.empty(0) for name in stream.entries})
+    return _info(recording, summaries, samples=samples, gaps=tuple(gaps), time_name=stream.table.time_name() or "time")
 
 
-def _joined(looks: Mapping[str, Look], block: Block) -> dict[str, Look]:
-    answer = {}
+def _joined(summaries: Mapping[str, ChannelSummary], block: Block) -> dict[str, ChannelSummary]:
+    joined = {}
     for name, channel in block.recording.channels.items():
-        before = looks.get(name)
+        before = summaries.get(name)
         judged = channel.quantity not in _POSITIONS
-        look = look_at(
+        summary = summarise(
             channel.values,
             block.kept,
             first=block.first,
@@ -178,13 +179,13 @@ def _joined(looks: Mapping[str, Look], block: Block) -> dict[str, Look]:
             judged=judged,
             before=before,
         )
-        answer[name] = look if before is None else joined_looks(before, look)
-    return answer
+        joined[name] = summary if before is None else joined_summaries(before, summary)
+    return joined
 
 
 def _info(
     recording: Recording,
-    looks: Mapping[str, Look],
+    summaries: Mapping[str, ChannelSummary],
     *,
     samples: int,
     gaps: tuple[Gap, ...] = (),
@@ -196,32 +197,32 @@ def _info(
         samples=samples,
         duration=samples / recording.sample_rate,
         run=recording.run,
-        channels={name: channel_info(channel, looks[name]) for name, channel in recording.channels.items()},
+        channels={name: channel_info(channel, summaries[name]) for name, channel in recording.channels.items()},
         gaps=gaps,
         time_name=time_name,
-        looks=looks,
+        summaries=summaries,
     )
 
 
-def channel_info(channel: Channel, look: Look) -> ChannelInfo:
-    """Return the level of one channel and what looks suspicious in it.
+def channel_info(channel: Channel, summary: ChannelSummary) -> ChannelInfo:
+    """Return the figures and suspicious findings of one channel.
 
-    Clipping: see :class:`Extreme`. Stuck: runs of one value over three times as long as independent repeats of that
-    frequency make them, and over 8 samples. Spikes and dropouts: see ``inspection.outliers``. All are suspicions: a
-    square wave looks clipped, and a resting rig stuck. Angles, positions and tachos are judged for none of them.
+    Clipping: see :class:`Extreme`. Stuck: runs of one value longer than 8 samples and than three times the longest
+    expected run of independent repeats. Spikes and dropouts: see ``inspection.outliers``. All are suspicions: a square
+    wave looks clipped, and a rig at rest stuck. Angles, positions and tachos are not tested.
     """
-    levels = look.levels
+    levels = summary.levels
     judged = channel.quantity not in _POSITIONS and levels.minimum < levels.maximum
-    dropouts = look.dropouts if judged else ()
+    dropouts = summary.dropouts if judged else ()
     clipped_low, clipped_high = (
-        _clipped(one, sign, dropouts) if judged else 0 for one, sign in ((look.low, -1.0), (look.high, 1.0))
+        _clipped(one, sign, dropouts) if judged else 0 for one, sign in ((summary.low, -1.0), (summary.high, 1.0))
     )
     limits = [limit for limit, count in ((levels.minimum, clipped_low), (levels.maximum, clipped_high)) if count]
-    told = {run.first for run in dropouts} | {run.first - 1 for run in dropouts}
-    # a run on the limit is told as clipping, one in a dropout as that
-    runs = [run for run in look.repeats.stuck() if run.first not in told and run.value not in limits]
+    dropped = {run.first for run in dropouts} | {run.first - 1 for run in dropouts}
+    # a run at the limit is reported as clipping, a run in a dropout as a dropout
+    runs = [run for run in summary.repeats.stuck() if run.first not in dropped and run.value not in limits]
     stuck = tuple(runs) if judged else ()
-    longest = max(stuck, key=lambda run: run.length, default=look.repeats.longest)
+    longest = max(stuck, key=lambda run: run.length, default=summary.repeats.longest)
     return ChannelInfo(
         quantity=channel.quantity,
         unit=channel.unit,
@@ -238,14 +239,14 @@ def channel_info(channel: Channel, look: Look) -> ChannelInfo:
         repeat_from=longest.first,
         stuck=bool(stuck),
         stuck_runs=stuck,
-        not_numbers=look.gone,
-        spikes=look.spikes if judged else (),
+        not_numbers=summary.gone,
+        spikes=summary.spikes if judged else (),
         dropouts=dropouts,
     )
 
 
 def _clipped(extreme: Extreme | None, sign: float, dropouts: Sequence[SampleRun]) -> int:
-    """Return the samples on the limit, unless they are those of dropouts to that level."""
+    """Return the number of samples at the limit, 0 where most of them belong to dropouts to that level."""
     if extreme is None:
         return 0
     lost = sum(run.length for run in dropouts if run.value == sign * extreme.value)
@@ -253,7 +254,7 @@ def _clipped(extreme: Extreme | None, sign: float, dropouts: Sequence[SampleRun]
 
 
 def longest_run(values: NDArray[np.float64]) -> tuple[int, int]:
-    """Return the length of the longest run of one value and the sample it starts at."""
+    """Return the length of the longest run of one value [samples] and its first sample."""
     from torquerig.recordings.inspection.runs import repeats_of
 
     longest = repeats_of(values).longest

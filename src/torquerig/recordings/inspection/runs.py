@@ -1,4 +1,4 @@
-"""Runs of one value, and of samples that are no numbers, across the blocks of a recording."""
+"""Runs of one value, and of samples that are not numbers, across the blocks of a recording."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 KEPT = 1000
-"""As many runs of one kind are kept; the others are counted."""
+"""Most runs of one kind that are kept [1]; further ones are dropped."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,17 +28,17 @@ class Run:
 
 @dataclass(frozen=True, kw_only=True)
 class Repeats:
-    """The runs of one value of a stretch.
+    """The runs of one value in a block.
 
     Parameters
     ----------
     samples, repeats : int
-        Of the stretch, and how many of them are the same as the one before.
+        Number of samples, and number of samples that equal the one before.
     leading, trailing : Run
-        At the ends of the stretch; the same run where all samples are equal.
+        At the ends of the block; the same run where all samples are equal.
     longest : Run
     long : tuple of Run
-        At least eight samples each, in order, without leading and trailing.
+        Runs of eight samples or more, in order, without leading and trailing.
     """
 
     samples: int
@@ -49,20 +49,20 @@ class Repeats:
     long: tuple[Run, ...]
 
     @property
-    def by_chance(self) -> float:
-        """How long the longest run is where repeats are independent of each other [samples]."""
+    def expected_longest(self) -> float:
+        """The expected longest run [samples] where repeats are independent of each other."""
         share = self.repeats / max(self.samples - 1, 1)
         return 1.0 + (log(self.samples * (1 - share) + 1) / -log(share) if 0 < share < 1 else 0.0)
 
     def stuck(self) -> list[Run]:
-        """Return the runs that are over three times as long as chance makes them, and over 8 samples."""
-        least = max(8.0, 3 * self.by_chance)
+        """Return the runs longer than 8 samples and than three times the longest that is expected."""
+        least = max(8.0, 3 * self.expected_longest)
         every = {run.first: run for run in (self.leading, *self.long, self.trailing)}
         return [run for _, run in sorted(every.items()) if run.length > least]
 
 
 def repeats_of(values: NDArray[np.float64], first: int = 0) -> Repeats:
-    """Return the runs of one value among ``values``, shape (samples,), the first of them sample ``first``."""
+    """Return the runs of one value in ``values``, shape (samples,); ``first`` is the number of its first sample."""
     starts = np.concatenate([[0], np.flatnonzero(values[1:] != values[:-1]) + 1])
     lengths = np.diff(np.append(starts, values.size))
 
@@ -81,7 +81,7 @@ def repeats_of(values: NDArray[np.float64], first: int = 0) -> Repeats:
 
 
 def joined_repeats(left: Repeats, right: Repeats) -> Repeats:
-    """Return the runs of two stretches that follow each other; a run over the seam is one."""
+    """Return the runs of two consecutive blocks; a run over the seam is one run."""
     same = left.trailing.value == right.leading.value
     seam = replace(left.trailing, length=left.trailing.length + right.leading.length) if same else None
     left_is_one, right_is_one = left.leading.length == left.samples, right.leading.length == right.samples
@@ -113,7 +113,7 @@ def not_numbers(values: NDArray[np.float64], first: int = 0) -> tuple[Run, ...]:
 
 
 def joined_runs(left: tuple[Run, ...], right: tuple[Run, ...]) -> tuple[Run, ...]:
-    """Return the runs of two stretches that follow each other, one over the seam as one."""
+    """Return the runs of two consecutive blocks, with one over the seam as one run."""
     if left and right and left[-1].last + 1 == right[0].first:
         over = replace(left[-1], length=left[-1].length + right[0].length)
         return (*left[:-1], over, *right[1:])

@@ -1,8 +1,14 @@
-"""How the set-point runs over time, one profile per file; each is a value that answers by the same questions.
+"""The set-point over time, one profile per file.
 
-profile     the questions: word, length, speed and load at a time, corners
-steady      holds the set-point            ramp        10 % to 100 %, then holds (both as CONTRACTS.md fixes them)
-reversal    two sine periods               duty_cycle  segments, repeated
-tabulated   the rows of a file             from_file   reading such a file; gaps: what no profile may have
-corners     straight lines between points in time, with jumps
+=============== ======================================================================================
+``profile``     the interface: name, length, speed and load at a time, breakpoints
+``steady``      constant set-point
+``ramp``        10 % to 100 % of the set-point, then constant
+``reversal``    two sine periods
+``duty_cycle``  segments, repeated
+``tabulated``   straight lines between the rows of a table, once or repeated
+``from_file``   reads a profile from a table file
+``table_checks`` refuses gaps in a table and profiles that are shorter than the run
+``breakpoints`` speed and load at points in time, straight lines between them, with steps
+=============== ======================================================================================
 """

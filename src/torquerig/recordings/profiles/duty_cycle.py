@@ -1,4 +1,4 @@
-"""Segments of constant or evenly changing speed, each with its load, one cycle after the other."""
+"""A duty cycle: segments of constant or linearly changing speed, each with its load, repeated."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig.errors import InputError
-from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.breakpoints import Breakpoints
 from torquerig.recordings.profiles.tabulated import Tabulated
 
 
@@ -21,9 +21,9 @@ class Segment:
     speed : float
         Of the motor at the end of the segment [rad/s].
     ramp : bool
-        Whether it is reached evenly over the segment; otherwise it holds from the start.
+        Whether it is reached linearly over the segment; otherwise it is constant from the start.
     load : float or None
-        Mean torque against the wear part's motion [N m]; None leaves it to the rig.
+        Mean torque against the wear part's motion [N m]; None: the rig's load applies.
     """
 
     duration: float
@@ -35,13 +35,12 @@ class Segment:
 def duty_cycle(segments: Sequence[Segment], *, repeats: int | None = None) -> Tabulated:
     """Return the profile of a duty cycle; ``repeats`` None repeats it as long as the run lasts.
 
-    A ramp starts where the segment before it ended; in the first segment that is the end of the last one, as in every
-    repetition.
+    A ramp starts at the speed at which the previous segment ended. For the first segment this is the last one.
 
     Raises
     ------
     InputError
-        When there is no segment, one lasts no time, or some but not all state a load.
+        When there is no segment, a duration is 0 or less, or some but not all state a load.
     """
     if not segments:
         raise InputError("a duty cycle needs at least one segment; write its duration and speed")
@@ -58,8 +57,8 @@ def duty_cycle(segments: Sequence[Segment], *, repeats: int | None = None) -> Ta
             if point != (time[-1], speed[-1], load[-1]):
                 for kept, value in zip((time, speed, load), point, strict=True):
                     kept.append(value)
-    rows = Corners(time=tuple(time), speed=tuple(speed), load=tuple(load) if all(stated) else None)
-    return Tabulated(rows=rows, repeats=repeats, word="duty_cycle")
+    rows = Breakpoints(time=tuple(time), speed=tuple(speed), load=tuple(load) if all(stated) else None)
+    return Tabulated(rows=rows, repeats=repeats, name="duty_cycle")
 
 
 def _start(segments: Sequence[Segment], number: int) -> float:

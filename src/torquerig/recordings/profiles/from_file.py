@@ -1,4 +1,4 @@
-"""A profile from a table file: time_s, a speed, and a load torque where wanted."""
+"""Read a profile from a table file with the columns time_s, a speed, and optionally a load torque."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError, did_you_mean
 from torquerig.recordings.files.reading import readers
-from torquerig.recordings.profiles.corners import Corners
-from torquerig.recordings.profiles.gaps import refuse_gaps
+from torquerig.recordings.profiles.breakpoints import Breakpoints
+from torquerig.recordings.profiles.table_checks import refuse_gaps
 from torquerig.units import UNITS
 
 TEXTS = (".csv", ".tsv", ".txt", ".dat")
-# column -> whether it is counted at the output shaft; a bare speed_rpm is the motor's, as on a test sheet
+# column -> whether it is the output shaft's; a bare speed_rpm is the motor's, as in a sidecar
 SPEEDS = {"speed_rpm": False, "motor_speed_rpm": False, "output_speed_rpm": True}
 LOADS = ("torque_Nm", "load_torque_Nm")
 
 
-def read_profile(path: Path) -> tuple[Corners, bool]:
-    """Return the rows of a profile, and whether its speeds are counted at the output shaft.
+def read_profile(path: Path) -> tuple[Breakpoints, bool]:
+    """Return the breakpoints of a profile, and whether its speeds are those of the output shaft.
 
-    Any table that can be read as a recording; columns ``time_s`` [s], one of ``speed_rpm`` (of the motor),
-    ``motor_speed_rpm`` and ``output_speed_rpm``, and, where wanted, ``torque_Nm``: the load at the wear part.
+    Any table file in a format of recordings. Columns: ``time_s`` [s], one of ``speed_rpm`` (of the motor),
+    ``motor_speed_rpm`` and ``output_speed_rpm``, and optionally ``torque_Nm``, the load at the wear part.
 
     Raises
     ------
@@ -50,24 +50,26 @@ def read_profile(path: Path) -> tuple[Corners, bool]:
     if load is not None and np.any(used[load] < 0):
         at = place(int(np.argmax(used[load] < 0)))
         raise InputError(f"{at}: {load} is negative; a load opposes the motion, write its size")
-    corners = Corners(
+    breakpoints = Breakpoints(
         time=tuple(used["time_s"].tolist()),
         speed=tuple((used[found[0]] * UNITS["speed"]["rpm"]).tolist()),
         load=tuple(used[load].tolist()) if load else None,
     )
-    return corners, SPEEDS[found[0]]
+    return breakpoints, SPEEDS[found[0]]
 
 
 def _columns(path: Path) -> Mapping[str, NDArray[np.float64]]:
     if not path.is_file():
         raise InputError(f"{path}: there is no such file of a profile; check the path")
     if path.suffix.lower() not in readers():
-        raise InputError(f"{path}: the ending {path.suffix!r} is no format of a table; read are {', '.join(readers())}")
+        raise InputError(
+            f"{path}: the ending {path.suffix!r} is no known table format; readable are {', '.join(readers())}"
+        )
     return readers()[path.suffix.lower()](path).columns
 
 
 def _places(path: Path, rows: int) -> Callable[[int], str]:
-    """Return what names a row: file and line in a text, file and row elsewhere."""
+    """Return the function that names a row in messages: file and line of a text, file and row of other formats."""
     if path.suffix.lower() not in TEXTS:
         return lambda row: f"{path}: row {row + 1}"
     text = path.read_text(encoding="utf-8", errors="replace").splitlines()

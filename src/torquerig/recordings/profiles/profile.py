@@ -1,4 +1,4 @@
-"""What every profile answers: how fast the motor is to turn at a time, and with which load."""
+"""The interface of a profile: the set-point of the motor speed and the load over time."""
 
 from __future__ import annotations
 
@@ -7,24 +7,24 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.breakpoints import Breakpoints
 
 
 class SpeedProfile(Protocol):
     """The set-point of the motor speed over one run.
 
-    ``top`` is the set-point that the test sheet states [rad/s] and ``duration`` the length of the recording [s]; a
-    profile with times and speeds of its own needs neither.
+    ``top`` is the set-point that the test conditions state [rad/s] and ``duration`` the length of the recording [s].
+    A tabulated profile needs neither.
     """
 
     @property
-    def word(self) -> str:
-        """The word by which a test sheet names it."""
+    def name(self) -> str:
+        """The name in a sidecar."""
         ...
 
     @property
     def length(self) -> float:
-        """How long it can run [s]; infinite where it takes the length of the recording or repeats without end."""
+        """The longest run [s] that it covers; infinite where it takes the recording's length or repeats without end."""
         ...
 
     def speed(self, time: NDArray[np.float64], *, top: float, duration: float) -> NDArray[np.float64]:
@@ -32,9 +32,9 @@ class SpeedProfile(Protocol):
         ...
 
     def load(self, time: NDArray[np.float64]) -> NDArray[np.float64] | None:
-        """Return the mean load at the wear part [N m] at each ``time`` [s]; None leaves it to the rig."""
+        """Return the mean load at the wear part [N m] at each ``time`` [s]; None: the rig's load applies."""
         ...
 
-    def corners(self, *, top: float, duration: float) -> Corners:
-        """Return the recording, or one cycle of what repeats, as straight lines."""
+    def breakpoints(self, *, top: float, duration: float) -> Breakpoints:
+        """Return the profile over the recording, or one cycle of a repeated one, as straight lines."""
         ...

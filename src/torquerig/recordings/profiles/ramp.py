@@ -1,4 +1,4 @@
-"""From a tenth of the set-point up to it, then held."""
+"""Ramp: from a tenth of the set-point to all of it, then constant."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.breakpoints import Breakpoints
 
 
 @dataclass(frozen=True)
 class Ramp:
     """``w = top min(0.1 + t / duration, 1)``: held for the last tenth (CONTRACTS.md, section 1)."""
 
-    word: ClassVar[str] = "ramp"
+    name: ClassVar[str] = "ramp"
     length: ClassVar[float] = inf
 
     def speed(self, time: NDArray[np.float64], *, top: float, duration: float) -> NDArray[np.float64]:
@@ -26,6 +26,6 @@ class Ramp:
     def load(self, time: NDArray[np.float64]) -> None:
         """Return None: the load is the rig's."""
 
-    def corners(self, *, top: float, duration: float) -> Corners:
-        """Return the rise and the hold."""
-        return Corners(time=(0.0, 0.9 * duration, duration), speed=(0.1 * top, top, top))
+    def breakpoints(self, *, top: float, duration: float) -> Breakpoints:
+        """Return the ramp and the constant part."""
+        return Breakpoints(time=(0.0, 0.9 * duration, duration), speed=(0.1 * top, top, top))

@@ -1,4 +1,4 @@
-"""Two sine periods of speed, both directions."""
+"""Reversal: two sine periods of speed, both directions."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.breakpoints import Breakpoints
 
 LINES = 400  # straight lines for two periods: off the sine by 1.2e-4 of the set-point at most
 
@@ -18,7 +18,7 @@ LINES = 400  # straight lines for two periods: off the sine by 1.2e-4 of the set
 class Reversal:
     """``w = top sin(4 pi t / duration)`` (CONTRACTS.md, section 1)."""
 
-    word: ClassVar[str] = "reversal"
+    name: ClassVar[str] = "reversal"
     length: ClassVar[float] = inf
 
     def speed(self, time: NDArray[np.float64], *, top: float, duration: float) -> NDArray[np.float64]:
@@ -28,9 +28,9 @@ class Reversal:
     def load(self, time: NDArray[np.float64]) -> None:
         """Return None: the load is the rig's."""
 
-    def corners(self, *, top: float, duration: float) -> Corners:
+    def breakpoints(self, *, top: float, duration: float) -> Breakpoints:
         """Return the two periods as straight lines."""
         time = np.linspace(0.0, duration, LINES + 1)
         speed = self.speed(time, top=top, duration=duration)
-        speed[:: LINES // 4] = 0.0  # where the sine passes zero, to the last bit
-        return Corners(time=tuple(time.tolist()), speed=tuple(speed.tolist()))
+        speed[:: LINES // 4] = 0.0  # exact zeros where the sine crosses zero
+        return Breakpoints(time=tuple(time.tolist()), speed=tuple(speed.tolist()))

@@ -1,4 +1,4 @@
-"""The set-point is held."""
+"""Steady: a constant set-point."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.profiles.corners import Corners
+from torquerig.recordings.profiles.breakpoints import Breakpoints
 
 
 @dataclass(frozen=True)
 class Steady:
     """``w = top`` (CONTRACTS.md, section 1)."""
 
-    word: ClassVar[str] = "steady"
+    name: ClassVar[str] = "steady"
     length: ClassVar[float] = inf
 
     def speed(self, time: NDArray[np.float64], *, top: float, duration: float) -> NDArray[np.float64]:
@@ -26,6 +26,6 @@ class Steady:
     def load(self, time: NDArray[np.float64]) -> None:
         """Return None: the load is the rig's."""
 
-    def corners(self, *, top: float, duration: float) -> Corners:
+    def breakpoints(self, *, top: float, duration: float) -> Breakpoints:
         """Return one straight line."""
-        return Corners(time=(0.0, duration), speed=(top, top))
+        return Breakpoints(time=(0.0, duration), speed=(top, top))

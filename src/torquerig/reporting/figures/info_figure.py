@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
-from torquerig.recordings.inspection.look import Look
+from torquerig.recordings.inspection.channel_summary import ChannelSummary
 from torquerig.recordings.inspection.recording_info import ChannelInfo, RecordingInfo
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
@@ -33,7 +33,7 @@ def info_figure(info: RecordingInfo, *, main: str, output_speed: float | None = 
     Parameters
     ----------
     info : RecordingInfo
-        With its looks.
+        With its summaries.
     main : str
         The channel whose spectrum and levels are drawn, the torque as a rule; it stands first.
     output_speed : float, optional
@@ -46,7 +46,7 @@ def info_figure(info: RecordingInfo, *, main: str, output_speed: float | None = 
     panels = [figure.add_subplot(rows[0, :])]
     panels += [figure.add_subplot(rows[row, :], sharex=panels[0]) for row in range(1, len(shown))]
     for axes, name in zip(panels, shown, strict=True):
-        _draw_course(axes, info, name)
+        _draw_envelope(axes, info, name)
         axes.set_axisbelow(True)
         axes.tick_params(labelbottom=axes is panels[-1])
     panels[-1].set_xlabel("time [s]")
@@ -54,20 +54,20 @@ def info_figure(info: RecordingInfo, *, main: str, output_speed: float | None = 
         f"{info.name}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s", loc="left"
     )
     _draw_spectrum(figure.add_subplot(rows[-1, 0]), info, main, output_speed)
-    _draw_levels(figure.add_subplot(rows[-1, 1]), info[main], info.looks[main], main)
+    _draw_levels(figure.add_subplot(rows[-1, 1]), info[main], info.summaries[main], main)
     left_out = others[_MOST_CHANNELS - 1 :]
     if left_out:
         figure.text(0.01, 0.002, f"not drawn: {', '.join(left_out)}", fontsize=7, color="#5b6770")
     return figure
 
 
-def _draw_course(axes: Axes, info: RecordingInfo, name: str) -> None:
-    one, course = info[name], info.looks[name].course
-    time = course.centres() / info.sample_rate
-    if course.width == 1:
-        axes.plot(time, course.low, color=AFTER, linewidth=0.8)
+def _draw_envelope(axes: Axes, info: RecordingInfo, name: str) -> None:
+    one, envelope = info[name], info.summaries[name].envelope
+    time = envelope.centres() / info.sample_rate
+    if envelope.width == 1:
+        axes.plot(time, envelope.low, color=AFTER, linewidth=0.8)
     else:
-        axes.fill_between(time, course.low, course.high, color=AFTER, linewidth=0.4)
+        axes.fill_between(time, envelope.low, envelope.high, color=AFTER, linewidth=0.4)
     axes.set_ylabel(f"{name}\n[{one.unit}]" if not name.endswith(f"_{one.unit}") else name)
     axes.set_xlim(0, info.duration)
     axes.grid(color=GRID, linewidth=0.6)
@@ -97,7 +97,7 @@ def _mark(axes: Axes, info: RecordingInfo, one: ChannelInfo) -> None:
 
 
 def _draw_spectrum(axes: Axes, info: RecordingInfo, name: str, output_speed: float | None) -> None:
-    one, power = info[name], info.looks[name].power
+    one, power = info[name], info.summaries[name].power
     axes.set_xlabel("frequency [Hz]")
     axes.set_ylabel(f"amplitude [{one.unit}]")
     frequencies, amplitudes = power.spectrum(info.sample_rate)
@@ -129,13 +129,13 @@ def _plain_ticks(axes: Axes) -> None:
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
-def _draw_levels(axes: Axes, one: ChannelInfo, look: Look, name: str) -> None:
+def _draw_levels(axes: Axes, one: ChannelInfo, summary: ChannelSummary, name: str) -> None:
     axes.set_xlabel(f"{name} [{one.unit}]" if not name.endswith(f"_{one.unit}") else name)
     axes.set_ylabel("share of samples [%]")
-    if look.histogram is None:
+    if summary.histogram is None:
         return
-    counts = look.histogram.counts
-    axes.stairs(100 * counts / max(int(counts.sum()), 1), look.histogram.edges(), fill=True, color=AFTER)
+    counts = summary.histogram.counts
+    axes.stairs(100 * counts / max(int(counts.sum()), 1), summary.histogram.edges(), fill=True, color=AFTER)
     for limit, clipped in ((one.minimum, one.clipped_low), (one.maximum, one.clipped_high)):
         if clipped:
             upper = limit == one.maximum

@@ -1,4 +1,4 @@
-"""Straight lines between points in time; two points at one time are a jump."""
+"""Piecewise linear speed and load over time; two points at one time are a step."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from numpy.typing import NDArray
 
 
 @dataclass(frozen=True, kw_only=True)
-class Corners:
-    """Speed, and load where stated, at points in time, straight between them.
+class Breakpoints:
+    """Speed, and load where stated, at points in time, with straight lines between them.
 
     Parameters
     ----------
     time : tuple of float, shape (points,)
-        [s] from 0 on, never falling; a time that stands twice is a jump, the second value counts from there on.
+        [s] from 0, not decreasing; a time that occurs twice is a step, and the second value holds from there.
     speed : tuple of float, shape (points,)
         [rad/s]
     load : tuple of float, shape (points,), or None
-        Torque against the wear part's motion [N m]; None leaves the load to the rig.
+        Torque against the wear part's motion [N m]; None: the rig's load applies.
     """
 
     time: tuple[float, ...]
@@ -36,12 +36,12 @@ class Corners:
         """The largest speed in either direction [rad/s]."""
         return max(map(abs, self.speed))
 
-    def times(self, factor: float) -> Corners:
-        """Return the same with every speed multiplied: from output to motor speed."""
-        return Corners(time=self.time, speed=tuple(factor * one for one in self.speed), load=self.load)
+    def times(self, factor: float) -> Breakpoints:
+        """Return the same with every speed multiplied by ``factor`` [1], such as from output to motor speed."""
+        return Breakpoints(time=self.time, speed=tuple(factor * one for one in self.speed), load=self.load)
 
     def speed_at(self, time: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the speed [rad/s] at ``time`` [s]; before the first and after the last point it stands."""
+        """Return the speed [rad/s] at ``time`` [s]; constant before the first and after the last point."""
         return self._at(time, self.speed)
 
     def load_at(self, time: NDArray[np.float64]) -> NDArray[np.float64] | None:

@@ -1,4 +1,4 @@
-"""Columns of numbers as a format's reader hands them over, before anything is known of what they mean."""
+"""Columns of numbers as a format's reader returns them, before quantity and unit are determined."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ TIME_NAMES = ("time_s", "time", "t", "x_value", "time (s)", "time [s]")
 
 @dataclass(frozen=True, kw_only=True)
 class Table:
-    """What a file holds.
+    """Columns of numbers of one file.
 
     Parameters
     ----------
     columns : mapping of str to ndarray, shape (samples,), float64
         In the order of the file; the lengths may still differ.
     rates : mapping of str to float
-        Samples per second [Hz] of the columns for which the file itself states it.
+        Sample rates [Hz] of the columns for which the file states one.
     units : mapping of str to str
-        Units that the file itself states.
+        Units that the file states.
     """
 
     columns: Mapping[str, NDArray[np.float64]]
@@ -30,7 +30,7 @@ class Table:
     units: Mapping[str, str] = field(default_factory=dict)
 
     def time_name(self) -> str | None:
-        """Return the name of the time column [s], or None; ``time_s`` goes before ``time``, and that before ``t``."""
+        """Return the name of the time column [s], or None; ``time_s`` is preferred to ``time``, and that to ``t``."""
         return time_among(self.columns)
 
     def signal_names(self) -> list[str]:
@@ -40,13 +40,13 @@ class Table:
 
 
 def time_among(names: Iterable[str]) -> str | None:
-    """Return the name among ``names`` that means the time [s], or None; ``time_s`` goes before ``time`` and ``t``."""
+    """Return the name of the time column [s] among ``names``, or None; ``time_s`` before ``time`` before ``t``."""
     lowered = {name.strip().lower(): name for name in reversed(list(names))}
     return next((lowered[known] for known in TIME_NAMES if known in lowered), None)
 
 
 def distinct(names: Iterable[str]) -> list[str]:
-    """Return the names with the second of two equal ones ending in ``_2``, the third in ``_3``."""
+    """Return the names made distinct: the second of equal ones ends with ``_2``, the third with ``_3``."""
     given: list[str] = []
     for name in names:
         candidate, count = name, 1

@@ -1,4 +1,4 @@
-"""What a column means by its name alone, where there is no sidecar: ``torque_V``, ``speed_rpm``, ``angle_rad``."""
+"""Quantity and unit from a column's name, where there is no sidecar: ``torque_V``, ``speed_rpm``, ``angle_rad``."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from difflib import get_close_matches
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.scale import known_si_per_unit, scale_key
-from torquerig.recordings.files.sidecar import ChannelSheet
+from torquerig.recordings.files.sidecar import ChannelEntry
 from torquerig.recordings.recording import QUANTITIES
 
 _STEMS = {**{quantity: quantity for quantity in QUANTITIES}, "encoder": "motor_angle"}
-_SPOKEN = {"volt": "V", "volts": "V", "amp": "A", "amps": "A", "amperes": "A", "newton": "N", "celsius": "degC"}
+_UNIT_SYMBOLS = {"volt": "V", "volts": "V", "amp": "A", "amps": "A", "amperes": "A", "newton": "N", "celsius": "degC"}
 
 
-def sheet_by_name(name: str, *, unit: str | None, where: str) -> ChannelSheet:
+def entry_by_name(name: str, *, unit: str | None, where: str) -> ChannelEntry:
     """Return quantity, unit and scale of a column called ``<quantity>_<unit>``, or of one whose file states the unit.
 
     A ``torque_V`` is read as 1 V = 1 N m.
@@ -21,39 +21,40 @@ def sheet_by_name(name: str, *, unit: str | None, where: str) -> ChannelSheet:
     Parameters
     ----------
     name : str
-        Of the column; ``/`` in a unit is written ``_`` (``speed_rad_s``).
+        Name of the column; ``/`` in a unit is written ``_`` (``speed_rad_s``).
     unit : str or None
-        Where the file states one (TDMS, LVM), for a column that is called as a quantity and nothing more.
+        The unit that the file states (TDMS, LVM), for a column whose name is only a quantity.
     where : str
         The file, for the message.
 
     Raises
     ------
     RecordingError
-        When the name does not tell quantity and unit, or the unit needs a scale.
+        When the name does not determine quantity and unit, or the unit needs a scale.
 
-    Source: the scale of the bare volts is the reference report's, Appendix A, line 2. Another sensor needs a sidecar.
+    Source: the scale of the bare volts is from the reference report, Appendix A, line 2. Another sensor needs a
+    sidecar.
     """
     quantity, found = _split(name, unit)
     if quantity is None or found is None:
         raise RecordingError(
-            f"{where}: what the column {name!r} measures is not known{_hint(name)}; call it for example torque_V, "
+            f"{where}: the quantity of the column {name!r} is not known{_hint(name)}; name it for example torque_V, "
             f"torque_Nm, speed_rpm or angle_rad, or describe it in a sidecar: {_example(name, 'torque', unit or 'V')}"
         )
     si_per_unit = 1.0 if (quantity, found) == ("torque", "V") else known_si_per_unit(quantity, found)
     if si_per_unit is None:
         raise RecordingError(
-            f"{where}: the column {name!r} is a {quantity} in {found}, and how much that is in SI is not known; "
+            f"{where}: the column {name!r} is a {quantity} in {found}, whose scale to SI is not known; "
             f"describe it in a sidecar: {_example(name, quantity, found)}"
         )
-    return ChannelSheet(quantity=quantity, unit=found, si_per_unit=si_per_unit)
+    return ChannelEntry(quantity=quantity, unit=found, si_per_unit=si_per_unit)
 
 
 def _split(name: str, unit: str | None) -> tuple[str | None, str | None]:
     for stem in sorted(_STEMS, key=len, reverse=True):
         if name.lower() == stem:
-            spoken = unit.strip() if unit else None
-            return _STEMS[stem], _SPOKEN.get(spoken.lower(), spoken) if spoken else None
+            stated = unit.strip() if unit else None
+            return _STEMS[stem], _UNIT_SYMBOLS.get(stated.lower(), stated) if stated else None
         if name.lower().startswith(f"{stem}_"):
             written = name[len(stem) + 1 :]
             sliced = written.replace("_", "/")

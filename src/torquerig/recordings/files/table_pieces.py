@@ -1,4 +1,4 @@
-"""What a file holds without its samples, and how to go through them piece by piece."""
+"""A table file that is read piece by piece: names, lengths, rates and units, without the samples."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.files.table import Table, time_among
+from torquerig.recordings.files.number_table import Table, time_among
 
 PIECE = 2**18
-"""Samples of one piece [1]; a format may hand over fewer or somewhat more."""
+"""Samples of one piece [1]; a format may return fewer or somewhat more."""
 
 Columns = Mapping[str, NDArray[np.float64]]
 
@@ -25,13 +25,13 @@ class TablePieces:
     names : tuple of str
         The columns of numbers, in the order of the file.
     lengths : mapping of str to int
-        Samples of each column; empty where only reading to the end tells.
+        Samples of each column; empty where they are known only after reading to the end.
     pieces : callable
-        Given names of columns, goes through them from the start: mappings of equally long arrays, one after the other.
+        Takes names of columns and yields mappings of equally long arrays, from the start.
     rates, units : mapping
         As in :class:`Table`.
     read_whole : str
-        Why the file had to be read as a whole first; empty where it was not.
+        The reason why the file was read at once; empty where it was not.
     """
 
     names: tuple[str, ...]
@@ -47,7 +47,7 @@ class TablePieces:
 
 
 def pieces_of(table: Table, *, reason: str) -> TablePieces:
-    """Return a table that is in memory already as pieces; ``reason`` says why it had to be read whole."""
+    """Return a table in memory as pieces; ``reason`` is why the file had to be read at once."""
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
         size = max((table.columns[name].size for name in names), default=0)

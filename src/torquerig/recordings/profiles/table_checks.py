@@ -1,4 +1,4 @@
-"""What no profile may have: rows that are no numbers, a time that does not rise or jumps, an end before the run's."""
+"""Checks of a tabulated profile: numbers in every row, a time that rises evenly, an end not before the run's."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 
-EVEN_ROWS = 8  # so many rows before their spacing counts as even
-EVEN_SHARE = 0.9  # of the steps that are alike
-EVEN_WITHIN = 0.25  # relative spread of steps that count as alike
+EVEN_ROWS = 8  # fewest rows of a table that counts as evenly spaced
+EVEN_SHARE = 0.9  # share of equal steps from which a table counts as evenly spaced
+EVEN_WITHIN = 0.25  # relative deviation within which steps count as equal
 
 
 def refuse_gaps(
     time: NDArray[np.float64], columns: Mapping[str, NDArray[np.float64]], *, place: Callable[[int], str]
 ) -> None:
-    """Refuse a table that does not say at each time what the set-point is.
+    """Refuse a table that does not determine the set-point at each time.
 
-    An evenly spaced table has a gap where one step is more than half as long again as the others; in one with rows of
-    its own choice (fewer than ``EVEN_ROWS``, or uneven ones) straight lines between them are what is meant.
+    An evenly spaced table has a gap where one step is more than 1.5 times the median step. A table of fewer than
+    ``EVEN_ROWS`` rows, or of uneven ones, is read as straight lines between its rows.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def refuse_gaps(
         raise InputError(f"{place(0)}: a profile needs at least two rows; add the time at which it ends")
     if time[0] != 0:
         raise InputError(
-            f"{place(0)}: the profile starts at {time[0]:g} s; nothing is said of the time before it: count the time "
+            f"{place(0)}: the profile starts at {time[0]:g} s, and the time before it is not stated; count the time "
             "from 0"
         )
     steps = np.diff(time)
@@ -65,10 +65,10 @@ def refuse_gaps(
         )
 
 
-def refuse_short(word: str, length: float, *, duration: float) -> None:
-    """Refuse the profile ``word`` that ends after ``length`` [s] for a run of ``duration`` [s] that is longer."""
+def refuse_short(profile: str, length: float, *, duration: float) -> None:
+    """Refuse a profile that ends after ``length`` [s] for a longer run of ``duration`` [s]."""
     if duration > length * (1 + 1e-9):
         raise InputError(
-            f"the profile {word} ends after {length:g} s, and the run lasts {duration:g} s; make the run shorter, go "
-            "on with the profile, or raise its repeats"
+            f"the profile {profile} ends after {length:g} s, and the run lasts {duration:g} s; make the run shorter, "
+            "extend the profile, or raise its repeats"
         )

@@ -1,4 +1,4 @@
-"""All that is looked at in one channel, for a stretch; two stretches join to one."""
+"""The summary of one channel over a block: levels, runs, extremes, outliers, histogram, spectrum; blocks are joined."""
 
 from __future__ import annotations
 
@@ -8,11 +8,17 @@ from math import ceil, log2
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.inspection.course import COLUMNS, Course, course_of, joined_courses, thinned
 from torquerig.recordings.inspection.extremes import Extreme, extreme_of, joined_extremes
 from torquerig.recordings.inspection.histogram import Histogram, histogram_of, joined_histograms
 from torquerig.recordings.inspection.levels import Levels, joined_levels, levels_of
 from torquerig.recordings.inspection.mean_power import SEGMENT, MeanPower, joined_powers, mean_power_of
+from torquerig.recordings.inspection.min_max_envelope import (
+    COLUMNS,
+    MinMaxEnvelope,
+    envelope_of,
+    joined_envelopes,
+    thinned,
+)
 from torquerig.recordings.inspection.outliers import dropouts_in, spikes_in
 from torquerig.recordings.inspection.runs import (
     KEPT,
@@ -25,12 +31,12 @@ from torquerig.recordings.inspection.runs import (
 )
 
 LONGEST_DROPOUT = 0.1
-"""A dropout lasts this long at most [s]; what lasts longer is a level of the signal."""
+"""Longest dropout [s]; a longer stretch is a level of the signal."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Look:
-    """What a stretch of a channel holds; ``spikes`` and ``dropouts`` count those beyond the first thousand too."""
+class ChannelSummary:
+    """The summary of a block of one channel; of each kind of finding the first thousand are kept."""
 
     levels: Levels
     gone: tuple[Run, ...]
@@ -40,54 +46,60 @@ class Look:
     spikes: tuple[int, ...]
     dropouts: tuple[Run, ...]
     histogram: Histogram | None
-    course: Course
+    envelope: MinMaxEnvelope
     power: MeanPower
 
 
-def look_at(
-    values: NDArray[np.float64], kept: slice, *, first: int, rate: float, judged: bool, before: Look | None = None
-) -> Look:
-    """Return what ``values[kept]`` holds.
+def summarise(
+    values: NDArray[np.float64],
+    kept: slice,
+    *,
+    first: int,
+    rate: float,
+    judged: bool,
+    before: ChannelSummary | None = None,
+) -> ChannelSummary:
+    """Return the summary of ``values[kept]``.
 
     Parameters
     ----------
     values : ndarray, shape (samples,)
-        A stretch with its neighbours, which help to judge the samples at its ends.
+        A block with its overlap, which is needed to find outliers near its ends.
     kept : slice
-        What the answer is about.
+        The block without the overlap.
     first : int
         The number of the first kept sample in the recording.
     rate : float
         [Hz].
     judged : bool
-        Whether spikes and dropouts are looked for; an angle may jump.
-    before : Look, optional
-        Of an earlier stretch, with which the answer is to be joined.
+        Whether spikes and dropouts are searched; False for an angle, which may jump.
+    before : ChannelSummary, optional
+        Of an earlier block, with which the result will be joined.
     """
-    own = values[kept]
-    gone = not_numbers(own, first)
-    finite = own[np.isfinite(own)] if gone else own
-    width = before.course.width if before else 2 ** max(ceil(log2(max(own.size, 1) / COLUMNS)), 0)
-    segment = before.power.segment if before else min(SEGMENT, own.size)
+    inner = values[kept]
+    gone = not_numbers(inner, first)
+    finite = inner[np.isfinite(inner)] if gone else inner
+    width = before.envelope.width if before else 2 ** max(ceil(log2(max(inner.size, 1) / COLUMNS)), 0)
+    segment = before.power.segment if before else min(SEGMENT, inner.size)
     spikes, dropouts = _outliers(values, kept, first=first, rate=rate) if judged else ((), ())
-    return Look(
-        levels=levels_of(own),
+    return ChannelSummary(
+        levels=levels_of(inner),
         gone=gone,
-        repeats=repeats_of(own, first),
+        repeats=repeats_of(inner, first),
         high=extreme_of(finite) if finite.size else None,
         low=extreme_of(-finite) if finite.size else None,
         spikes=spikes,
         dropouts=dropouts,
         histogram=histogram_of(finite),
-        course=thinned(course_of(own, width=width)),
-        # a straight line where no numbers stand, so that one lost sample does not cost the spectrum
-        power=mean_power_of(_bridged(own) if gone else own, segment=segment),
+        envelope=thinned(envelope_of(inner, width=width)),
+        # interpolated over missing numbers, so that one lost sample does not remove a segment
+        power=mean_power_of(_interpolated(inner) if gone else inner, segment=segment),
     )
 
 
-def joined_looks(left: Look, right: Look) -> Look:
-    """Return what two stretches that follow each other hold together."""
-    return Look(
+def joined_summaries(left: ChannelSummary, right: ChannelSummary) -> ChannelSummary:
+    """Return the summary of two consecutive blocks together."""
+    return ChannelSummary(
         levels=joined_levels(left.levels, right.levels),
         gone=joined_runs(left.gone, right.gone),
         repeats=joined_repeats(left.repeats, right.repeats),
@@ -96,7 +108,7 @@ def joined_looks(left: Look, right: Look) -> Look:
         spikes=(*left.spikes, *right.spikes)[:KEPT],
         dropouts=(*left.dropouts, *right.dropouts)[:KEPT],
         histogram=joined_histograms(left.histogram, right.histogram),
-        course=joined_courses(left.course, right.course),
+        envelope=joined_envelopes(left.envelope, right.envelope),
         power=joined_powers(left.power, right.power),
     )
 
@@ -108,14 +120,14 @@ def _outer(left: Extreme | None, right: Extreme | None) -> Extreme | None:
 def _outliers(
     values: NDArray[np.float64], kept: slice, *, first: int, rate: float
 ) -> tuple[tuple[int, ...], tuple[Run, ...]]:
-    """Spikes and dropouts that begin among the kept samples, numbered as in the recording."""
-    whole = _bridged(values)
+    """Return the spikes and dropouts that begin among the kept samples, numbered as in the recording."""
+    whole = _interpolated(values)
     if whole.size == 0:
         return (), ()
     start, stop = kept.start or 0, values.size if kept.stop is None else kept.stop
     shift = first - start
     dropouts = dropouts_in(whole, longest=max(round(LONGEST_DROPOUT * rate), 4))
-    # a dropout of three samples also looks like spikes
+    # the edges of a short dropout are also found as spikes
     inside = {sample for run in dropouts for sample in range(run.first - 1, run.last + 2)}
     spikes = [one for one in spikes_in(whole) if one not in inside]
     return (
@@ -124,8 +136,8 @@ def _outliers(
     )
 
 
-def _bridged(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return ``values`` with straight lines where no numbers stand; nothing where no number stands at all."""
+def _interpolated(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``values`` with missing numbers interpolated linearly; empty where there is no number at all."""
     good = np.isfinite(values)
     if good.all():
         return values

@@ -32,7 +32,7 @@ class _Number:
 
 @dataclass(frozen=True)
 class _Word:
-    """One of a few words; another is refused with the close matches."""
+    """One of a list of words; another one is refused with the close matches."""
 
     check: Callable[[str], str]
 
@@ -50,7 +50,7 @@ def _one_of(words: Iterable[str], kind: str, written: str) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class WrittenChannel:
-    """One entry of ``channels:`` without its scale, whose key depends on the unit."""
+    """One entry of ``channels:`` without its scale, because the key of the scale depends on the unit."""
 
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012 (pydantic's own protocol)
 
@@ -61,7 +61,7 @@ class WrittenChannel:
 
 @dataclass(frozen=True, kw_only=True)
 class WrittenSetPoint:
-    """The points of a profile that a word does not say: straight lines, ``repeats`` times (null: without end)."""
+    """The points of a tabulated profile: straight lines between them, ``repeats`` times (null: without end)."""
 
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
 
@@ -73,7 +73,7 @@ class WrittenSetPoint:
 
 @dataclass(frozen=True, kw_only=True)
 class WrittenRun:
-    """The known keys of ``run:``, in the units that they carry in their names."""
+    """The known keys of ``run:``, in the units of their names."""
 
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
 
