@@ -9,7 +9,7 @@ from torquerig.errors import InputError, RecordingError
 from torquerig.filters.block_regression import block_amplitudes, blocks_of
 from torquerig.filters.order_bandstop import OrderBandstop
 from torquerig.filters.weighed_lines import WeighedLines
-from torquerig.orders.analysis.order_envelope import hop_sums, hops_of, less_lines, seen_orders
+from torquerig.orders.analysis.order_envelope import hop_sums, hops_of, resolved_orders, without_lines
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
@@ -90,13 +90,13 @@ def test_hop_sums_and_lines_are_what_their_names_say():
     assert sums == pytest.approx(expected, abs=1e-11 * np.abs(values).sum())
     amplitudes = np.ones((2, 3, hops.edges.size))
     lines = sum(np.cos(order * angle) + np.sin(order * angle) for order in orders)
-    assert values - less_lines(values, hops, orders, amplitudes) == pytest.approx(lines, abs=1e-11)
+    assert values - without_lines(values, hops, orders, amplitudes) == pytest.approx(lines, abs=1e-11)
 
 
 def test_amplitudes_in_blocks_are_fitted_jointly():
     angle = turned(0.02)
     hops = hops_of(angle, ratio=5.0)
-    orders = seen_orders(ORDERS, hops.fastest)
+    orders = resolved_orders(ORDERS, hops.fastest)
     blocks = blocks_of(hops, length=20_000)
     fitted = block_amplitudes(3.0 + disturbance(angle), hops, orders, blocks)
     assert fitted.shape == (2, len(ORDERS), len(blocks.spans))
@@ -107,7 +107,7 @@ def test_amplitudes_in_blocks_are_fitted_jointly():
 def test_lines_near_half_the_rate_are_left_alone():
     angle = turned(0.0)
     hops = hops_of(angle, ratio=5.0)
-    assert seen_orders([1.0, 130.0, 140.0], hops.fastest) == pytest.approx([1.0, 130.0])
+    assert resolved_orders([1.0, 130.0, 140.0], hops.fastest) == pytest.approx([1.0, 130.0])
 
 
 def test_what_cannot_be_is_refused():

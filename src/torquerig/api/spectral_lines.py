@@ -11,8 +11,8 @@ from torquerig.api.inputs import recording_from, scenario_from
 from torquerig.api.result import Result
 from torquerig.api.values import folders
 from torquerig.catalog.search import catalog_for
-from torquerig.orders.analysis.even_angle import output_turns
-from torquerig.orders.analysis.found_lines import FoundLine, found_lines
+from torquerig.orders.analysis.angle_resampling import output_turns
+from torquerig.orders.analysis.line_detection import DetectedLine, found_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Recording
@@ -36,7 +36,7 @@ class OrderLines(Result):
     recording : Recording
     kinematics : Kinematics
         The motor and gearbox that the causes follow from.
-    lines : tuple of FoundLine
+    lines : tuple of DetectedLine
         Lines of the shaft first, then fixed frequencies, then those that one speed cannot separate.
     angle_origin : str
         Where the angle of the shaft comes from.
@@ -46,7 +46,7 @@ class OrderLines(Result):
 
     recording: Recording
     kinematics: Kinematics
-    lines: tuple[FoundLine, ...]
+    lines: tuple[DetectedLine, ...]
     angle_origin: str
     turns: NDArray[np.float64] = field(repr=False)
 
@@ -67,8 +67,8 @@ class OrderLines(Result):
         rows = [
             {
                 "belongs_to": words[one.belongs_to],
-                "output_order": one.place if one.seen_over == "order" else None,
-                "frequency_Hz": one.place if one.seen_over == "frequency" else None,
+                "output_order": one.place if one.detected_over == "order" else None,
+                "frequency_Hz": one.place if one.detected_over == "frequency" else None,
                 "amplitude_Nm": one.amplitude, "above_floor_dB": one.above_dB, "cause": one.label,
             }
             for one in self.lines

@@ -12,9 +12,9 @@ import numpy as np
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.inputs import catalog_option
 from torquerig.errors import InputError, UnitError
-from torquerig.orders.analysis.even_angle import output_turns, over_angle
-from torquerig.orders.analysis.found_lines import FoundLine, found_lines
+from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
 from torquerig.orders.analysis.labels import label_of
+from torquerig.orders.analysis.line_detection import DetectedLine, detected_lines
 from torquerig.orders.analysis.line_domain import DECIDED
 from torquerig.orders.analysis.order_spectrum import line_amplitude, order_spectrum
 from torquerig.orders.analysis.peaks import floor_of
@@ -65,7 +65,7 @@ def command(
     lines = kinematics.lines(harmonics)
     angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
     turns = output_turns(angle.values, ratio=kinematics.ratio)
-    found = found_lines(read, turns, lines, mains=grid_frequency)
+    found = detected_lines(read, turns, lines, mains=grid_frequency)
     click.echo(_about(read, angle, turns, kinematics.ratio))
     click.echo(_known_table(read, turns, lines) + "\n")
     click.echo(_found_table(found))
@@ -136,23 +136,23 @@ def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLi
     return grid(rows)
 
 
-def _found_table(found: Sequence[FoundLine]) -> str:
+def _found_table(found: Sequence[DetectedLine]) -> str:
     if not found:
         return "nothing stands out of the floor beside it"
     rows = [["stands out", "place", "amplitude N*m", "gathered by angle %", "by time %", "angle over time dB", "what"]]
     for one in found:
-        unit = "order" if one.seen_over == "order" else "Hz"
+        unit = "order" if one.detected_over == "order" else "Hz"
         rows.append([
-            {"order": "shaft", "frequency": "fixed", "either": "either"}[one.belongs_to], f"{one.place:.6g} {unit}",
+            {"order": "shaft", "frequency": "fixed", "either": "either"}[one.axis], f"{one.place:.6g} {unit}",
             f"{one.amplitude:.5f}", f"{100 * one.domain.by_order:.1f}", f"{100 * one.domain.by_frequency:.1f}",
             f"{one.domain.contrast_dB:+.1f}", cut(one.label or "no known cause", 60),
         ])  # fmt: skip
     return grid(rows)
 
 
-def _sentences(found: Sequence[FoundLine], kinematics: Kinematics) -> list[str]:
+def _sentences(found: Sequence[DetectedLine], kinematics: Kinematics) -> list[str]:
     told = [f"No {family.replace('_', ' ')} lines: {reason}." for family, reason in kinematics.left_out.items()]
-    undecided = [one for one in found if one.belongs_to == "either"]
+    undecided = [one for one in found if one.axis == "either"]
     if undecided:
         told.insert(0, f"{len(undecided)} lines gather alike on both axes (within {DECIDED:g} dB): the speed changes "
                        "too little to tell the shaft from a fixed frequency; record a ramp.")  # fmt: skip

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.orders.analysis.order_envelope import seen_orders
+from torquerig.orders.analysis.order_envelope import resolved_orders
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.orders.angle.tacho import motor_angle_from_tacho
-from torquerig.orders.turning.sums import adaptively_cancelled
+from torquerig.orders.line_sums.sums import adaptively_cancelled
 from torquerig.recordings.set_point import set_point_profile, set_point_speed
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ class AdaptiveCanceller:
         values = recording.channels[name].values
         turns = _turned(recording, self.lines[0].output_order / self.lines[0].motor_order) / (2 * pi)
         fastest = float(np.abs(np.diff(turns)).max(initial=0.0))
-        orders = seen_orders([line.motor_order for line in self.lines], fastest)
+        orders = resolved_orders([line.motor_order for line in self.lines], fastest)
         if not values.size:
             return recording
         first = values[0]  # the mean is no line: from rest it would ring

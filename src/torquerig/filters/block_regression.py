@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.orders.analysis.order_envelope import Hops, hop_sums
-from torquerig.orders.turning.sums import gram_of
+from torquerig.orders.line_sums.sums import gram_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

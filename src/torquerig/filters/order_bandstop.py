@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.orders.analysis.order_envelope import HOPS_PER_TURN, envelope, hop_sums, hops_of, less_lines, seen_orders
+from torquerig.orders.analysis.order_envelope import (
+    HOPS_PER_TURN,
+    envelope,
+    hop_sums,
+    hops_of,
+    resolved_orders,
+    without_lines,
+)
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.recordings.set_point import set_point_speed
 
@@ -62,10 +69,10 @@ class OrderBandstop:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
+        orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
         window = max(2 * round(0.5 * HOPS_PER_TURN / self.half_width), 2)
         sums = hop_sums(values, hops, orders)
-        return recording.with_values(name, less_lines(values, hops, orders, envelope(sums, hops.samples, window)))
+        return recording.with_values(name, without_lines(values, hops, orders, envelope(sums, hops.samples, window)))
 
     def reach(self, head: Recording) -> float:
         """Return how far a window reaches to either side [s]; one whole window at the ends."""

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.orders.analysis.order_envelope import HOPS_PER_TURN, hop_sums, hops_of, less_lines, seen_orders
+from torquerig.orders.analysis.order_envelope import HOPS_PER_TURN, hop_sums, hops_of, resolved_orders, without_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
-from torquerig.orders.angle.smooth_course import second_difference_bands
+from torquerig.orders.angle.second_differences import second_difference_bands
 from torquerig.recordings.set_point import set_point_speed
 
 if TYPE_CHECKING:
@@ -67,10 +67,10 @@ class VoldKalman:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
+        orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
         sums = hop_sums(values, hops, orders)
         amplitudes = smoothest(sums, hops.samples, half_width=self.half_width / HOPS_PER_TURN)
-        return recording.with_values(name, less_lines(values, hops, orders, amplitudes))
+        return recording.with_values(name, without_lines(values, hops, orders, amplitudes))
 
     def reach(self, head: Recording) -> float:
         """Return how far its memory reaches to either side [s]."""

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.block_regression import at_edges, block_amplitudes, blocks_of
 from torquerig.filters.standing_out import weights
-from torquerig.orders.analysis.order_envelope import hops_of, less_lines, seen_orders
+from torquerig.orders.analysis.order_envelope import hops_of, resolved_orders, without_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
-from torquerig.orders.turning.sums import put_in
+from torquerig.orders.line_sums.sums import put_in
 
 if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import KinematicLine
@@ -68,14 +68,14 @@ class WeighedLines:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = seen_orders([line.motor_order for line in self.lines], hops.fastest)
+        orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
         if not isnan(speed_sd):  # where it is known at all how well the speed is known
             turns = abs(float(hops.turns[-1] - hops.turns[0]))
             orders = orders[orders * turns * speed_sd < _PLACED]
         length = self.block if recording.run.profile == "steady" else self.changing_block
         blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
         fitted = block_amplitudes(values, hops, orders, blocks)
-        rest = less_lines(values, hops, orders, at_edges(fitted, hops, blocks))
+        rest = without_lines(values, hops, orders, at_edges(fitted, hops, blocks))
         kept = fitted * (1 - weights(rest, fitted, hops, orders, blocks))
         put_in(rest, hops.turns, orders, hops.edges, at_edges(kept, hops, blocks), gain=1.0)
         return recording.with_values(name, rest)

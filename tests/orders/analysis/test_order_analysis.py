@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from torquerig.errors import RecordingError
-from torquerig.orders.analysis.even_angle import cubic, output_turns, over_angle
-from torquerig.orders.analysis.found_lines import found_lines
+from torquerig.orders.analysis.angle_resampling import cubic, output_turns, over_angle
 from torquerig.orders.analysis.labels import causes_of, label_of, mains_multiple
+from torquerig.orders.analysis.line_detection import detected_lines
 from torquerig.orders.analysis.line_domain import DomainTest
-from torquerig.orders.analysis.maps import order_map, speed_map
+from torquerig.orders.analysis.order_maps import order_map, speed_map
 from torquerig.orders.analysis.order_spectrum import LineSpectrum, line_amplitude, order_spectrum
 from torquerig.orders.analysis.peaks import floor_of, peaks_of
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -73,9 +73,9 @@ def test_a_cubic_keeps_cubics_and_loses_what_it_says():
 
 def test_on_a_ramp_the_lines_of_the_shaft_are_told_from_the_fixed_one():
     recording = made(ramp_angle(), fixed=[(150.37, 0.03), (50.0, 0.02)])
-    found = found_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4))
-    shaft = {round(one.place, 1): one for one in found if one.belongs_to == "order"}
-    fixed = {round(one.place, 1): one for one in found if one.belongs_to == "frequency"}
+    found = detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4))
+    shaft = {round(one.place, 1): one for one in found if one.axis == "order"}
+    fixed = {round(one.place, 1): one for one in found if one.axis == "frequency"}
     assert set(shaft) == set(LINES)
     assert set(fixed) == {50.0, 150.4}
     for order, amplitude in LINES.items():
@@ -92,8 +92,8 @@ def test_on_a_ramp_the_lines_of_the_shaft_are_told_from_the_fixed_one():
 def test_one_order_line_and_one_fixed_line_at_the_same_place_of_the_top_speed_are_told_apart():
     # order 84 passes 280 Hz at the top speed, where a fixed line stands as well
     recording = made(ramp_angle(), fixed=[(280.0, 0.02)])
-    found = found_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4))
-    told = {(one.belongs_to, round(one.place)) for one in found}
+    found = detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4))
+    told = {(one.axis, round(one.place)) for one in found}
     assert ("order", 84) in told
     assert ("frequency", 280) in told
     assert len(found) == len(LINES) + 1
@@ -101,8 +101,8 @@ def test_one_order_line_and_one_fixed_line_at_the_same_place_of_the_top_speed_ar
 
 def test_a_steady_run_cannot_tell_and_says_so():
     recording = made(steady_angle(), fixed=[(150.37, 0.03)])
-    found = found_lines(recording, output_turns(steady_angle(), ratio=5.0), DRIVE.lines(4))
-    assert {one.belongs_to for one in found} == {"either"}
+    found = detected_lines(recording, output_turns(steady_angle(), ratio=5.0), DRIVE.lines(4))
+    assert {one.axis for one in found} == {"either"}
     assert len(found) == len(LINES) + 1
 
 
@@ -110,7 +110,7 @@ def test_noise_alone_shows_no_line():
     torque = np.random.default_rng(3).normal(size=TIME.size)
     channel = Channel(values=torque, quantity="torque", unit="V")
     recording = Recording(sample_rate=RATE, channels={"torque_V": channel}, run=Run(speed=TOP))
-    assert found_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4)) == ()
+    assert detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4)) == ()
 
 
 def test_the_contrast_of_a_pure_sine_is_what_the_sweep_makes_it():

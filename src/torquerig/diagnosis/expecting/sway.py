@@ -16,7 +16,7 @@ from torquerig.diagnosis.expecting.skirts import FOLLOWED
 from torquerig.diagnosis.linear.twin import LineSource, Twin, passed, sources
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.side_lines import REACH
-from torquerig.orders.angle.angle_within_a_turn import SLOW
+from torquerig.orders.angle.periodic_angle_error import SLOW
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ class Sway:
     the angle (Jacobi and Anger's expansion, Abramowitz & Stegun 1964, 9.1.41). Along an angle that was measured the
     line is whole, and of the side lines that is left which the shafts pass otherwise there than at the line.
 
-    In a steady run the sway of the slowest lines is followed in the torque (``angle_within_a_turn``): they
+    In a steady run the sway of the slowest lines is followed in the torque (``periodic_angle_error``): they
     take nothing, and only their side lines stay in doubt. True while the slow lines are far below the shafts' modes or
     known with them; side lines of side lines are left out.
 

@@ -17,7 +17,7 @@ from torquerig.diagnosis.looking.order_or_fixed import ONE_SPEED
 from torquerig.diagnosis.looking.peaks import LEADING, over_floor
 from torquerig.diagnosis.looking.places import Place, frequency
 from torquerig.diagnosis.looking.steady_tone import spectrum_of_seen
-from torquerig.orders.angle.coherence import coherence, floor_beside, order_power
+from torquerig.orders.angle.comb_score import comb_score, noise_floor_at, order_power
 from torquerig.recordings.spectrum import between_bins
 
 _LOWEST = 20.0  # [Hz] slower tones are the shaft's own business
@@ -64,8 +64,8 @@ def lead_astray(
         part = slice(other.stretches[0].start, next((each.start for each in other.stretches if each.held), None))
         torque, (along, otherwise) = other.torque[part], (each.angle[part] for each in (run, other))
         power, per_bin = order_power(torque, otherwise - otherwise[0])
-        floor = floor_beside(power, asked / per_bin, within=_BESIDE)
-        gained += coherence(torque, otherwise, asked, floor) - coherence(torque, along, asked, floor)
+        floor = noise_floor_at(power, asked / per_bin, within=_BESIDE)
+        gained += comb_score(torque, otherwise, asked, floor) - comb_score(torque, along, asked, floor)
     return gained > _DECIDED
 
 

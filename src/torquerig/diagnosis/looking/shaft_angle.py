@@ -15,8 +15,8 @@ from torquerig.diagnosis.looking.own_factor import own_factor
 from torquerig.diagnosis.side_by_side import of_each
 from torquerig.mechanisms import TorqueRipple
 from torquerig.orders.angle.measured_angle import MotorAngle, measured_motor_angle
-from torquerig.orders.angle.speed_far_off import speed_far_off
 from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
+from torquerig.orders.angle.wide_speed_search import wide_speed_search
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.set_point import set_point_speed
 from torquerig.rig.assembly import Rig
@@ -92,10 +92,10 @@ def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAng
     run = recording.run
     stated = run.speed or 0.0
     known = [line.order for line in Twin(rig.at(run)).lines()]
-    told = speed_far_off(recording.torque(), recording.sample_rate, set_point=stated, orders=[*known, *also])
+    told = wide_speed_search(recording.torque(), recording.sample_rate, set_point=stated, orders=[*known, *also])
     if told is not None and abs(told / stated - 1) > _NEAR:
         recording = replace(recording, run=replace(run, speed=told))
-    angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also, strays=_STRAYED)
+    angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also, largest_deviation=_STRAYED)
     return angle if angle.speed_sd < _FOLLOWED else None
 
 

@@ -1,10 +1,14 @@
-"""What a recording shows over the angle of its shaft: order spectrum, order map, and lines told from fixed ones.
+"""Order analysis of a recording: order spectrum, order map, and shaft lines separated from fixed frequencies.
 
-even_angle      a signal at equal steps of the angle instead of time
-order_spectrum  amplitudes over the order of the output shaft; the amplitude of one line, exactly at its order
-peaks           what stands out of the floor beside it
-line_domain     whether a line belongs to the shaft or to the clock: which of the two gathers it more
-found_lines     all lines that stand out, each with its domain; what is decided is taken out before the next look
-labels          what a found line is: causes of its order, or a multiple of the mains
-maps            amplitudes by speed (or time) over order, and over frequency: order map and measured Campbell diagram
+==================== =================================================================================
+``angle_resampling`` a signal at equal steps of the angle instead of time, and back
+``order_spectrum``   amplitudes over the order of the output shaft; the amplitude of one line
+``peaks``            local peaks above the noise floor
+``line_domain``      whether a line follows the shaft or has a fixed frequency
+``line_detection``   all lines above the noise floor, each with its domain, found in several passes
+``labels``           names of a line: causes of its order, or a multiple of the mains
+``order_envelope``   the amplitude of each order line over the turns of a shaft
+``line_fit``         least-squares fit of order lines, block by block
+``order_maps``       amplitudes by speed (or time) over order and over frequency: order map, Campbell diagram
+==================== =================================================================================
 """

@@ -1,4 +1,4 @@
-"""Whether a line belongs to the shaft or to the clock: which of the two axes gathers it more."""
+"""Whether a line follows the shaft or has a fixed frequency: on which of the two axes it is narrower."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ if TYPE_CHECKING:
     Complexes = NDArray[np.complex128]
 
 Domain = Literal["order", "frequency", "either"]
-DECIDED = 4.0  # [dB]; the part of a ramp that holds its speed shows a line of either kind on both axes, 2.3 dB apart
+DECIDED = 4.0  # [dB] least contrast; the constant part of a ramp alone gives either kind of line 2.3 dB
 _HALF_BAND = NEIGHBOURS  # bins kept on either side of a line
-_BEST = 2  # bins on either side of the highest that count as one place
+_BEST = 2  # bins on either side of the highest that count as the line
 _STEEPEST, _MOST_POINTS = 30.0, 2**19
 
 
 @dataclass(frozen=True)
 class LineDomain:
-    """How far a line gathers on each axis.
+    """How narrow a line is on each axis.
 
     Parameters
     ----------
@@ -38,19 +38,19 @@ class LineDomain:
 
     @property
     def contrast_dB(self) -> float:  # noqa: N802  (decibel is written dB)
-        """By how much the angle gathers the line more than time does [dB]; negative for a fixed frequency."""
+        """The ratio of the two shares, over the angle to over time [dB]; negative for a fixed frequency."""
         return 10 * log10(max(self.by_order, 1e-12) / max(self.by_frequency, 1e-12))
 
     @property
     def domain(self) -> Domain:
-        """``order``, ``frequency``, or ``either`` where the speed changes too little to tell."""
+        """``order``, ``frequency``, or ``either`` where the speed changes too little to decide."""
         if abs(self.contrast_dB) < DECIDED:
             return "either"
         return "order" if self.contrast_dB > 0 else "frequency"
 
 
 class DomainTest:
-    """Tells lines of one signal by their domain; holds the two transforms that all tests share.
+    """Determines the domain of lines of one signal; holds the two transforms that all tests share.
 
     Parameters
     ----------
@@ -70,40 +70,40 @@ class DomainTest:
         self._over_angle = np.fft.rfft(even - even.mean())
 
     def of_order(self, order: float) -> LineDomain:
-        """Return how far what stands within a dozen bins of an order [1/rev] gathers on each axis."""
-        own, other = _shares(self._over_angle, order * self._turns, self._share_passed, self._share_turned)
-        return LineDomain(own, other)
+        """Return how narrow the content within a dozen bins of an order [1/rev] is on each axis."""
+        by_order, by_time = _shares(self._over_angle, order * self._turns, self._share_passed, self._share_turned)
+        return LineDomain(by_order, by_time)
 
     def of_periods(self, periods: float) -> LineDomain:
-        """Return the same for a fixed frequency, counted in periods over the whole recording."""
-        own, other = _shares(self._over_time, periods, self._share_turned, self._share_passed)
-        return LineDomain(other, own)
+        """Return the same for a fixed frequency, given in periods over the whole recording."""
+        by_time, by_order = _shares(self._over_time, periods, self._share_turned, self._share_passed)
+        return LineDomain(by_order, by_time)
 
 
-def _shares(spectrum: Complexes, periods: float, other: Floats, own: Floats) -> tuple[float, float]:
-    """Return the shares of the best place on a line's own axis and on the other one.
+def _shares(spectrum: Complexes, periods: float, other: Floats, along: Floats) -> tuple[float, float]:
+    """Return the shares of power in the best bins, on the axis of ``spectrum`` and on the other axis.
 
-    ``other`` and ``own`` are what share of either axis has passed at each sample. The line is the sum of its few bins,
-    taken at equal steps of the other axis.
+    ``along`` and ``other`` are the shares of the two axes that have passed at each sample. The line is the sum of its
+    few bins, resampled at equal steps of the other axis.
     """
     centre = round(periods)
     low, high = max(centre - _HALF_BAND, 1), min(centre + _HALF_BAND + 1, spectrum.size)
     bins = spectrum[low:high]
-    steepest = float(np.max(np.diff(own)) / max(float(np.mean(np.diff(other))), 1e-300))
+    steepest = float(np.max(np.diff(along)) / max(float(np.mean(np.diff(other))), 1e-300))
     slope = min(steepest, _STEEPEST) + 1
     points = min(int(4 * (centre + _HALF_BAND) * slope) + 256, _MOST_POINTS)
-    at = np.interp(np.linspace(0, 1, points, endpoint=False), other, own)
+    at = np.interp(np.linspace(0, 1, points, endpoint=False), other, along)
     turned = np.exp(2j * np.pi * at)
     line = np.full(points, bins[-1], dtype=np.complex128)
     for one in bins[-2::-1]:
         line *= turned
         line += one
     line *= np.exp(2j * np.pi * low * at)
-    return _gathered(bins), _gathered(np.fft.fft(line))
+    return _concentration(bins), _concentration(np.fft.fft(line))
 
 
-def _gathered(amplitudes: Complexes) -> float:
-    """Share of the power in the best few bins that lie side by side."""
+def _concentration(amplitudes: Complexes) -> float:
+    """Return the largest share of the power in a few adjacent bins [1]."""
     power = np.abs(amplitudes) ** 2
     whole = float(power.sum())
     if not whole > 0:

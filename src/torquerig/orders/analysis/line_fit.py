@@ -1,4 +1,4 @@
-"""What of a signal are sines of given orders of an angle: least squares, block by block, so that change is followed."""
+"""Least-squares fit of order lines to a signal, block by block, so that changing amplitudes are followed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-# a line must turn so often within a block to be told from the load, and stand so far below half the sample rate
+# fewest periods of a line in a block, to be separated from the load; highest line as a share of the sample rate
 FEWEST_PERIODS, _HIGHEST_SHARE_OF_RATE = 2.0, 0.45
 _RIDGE = 1e-9
 
@@ -21,27 +21,27 @@ def fitted_lines(
 ) -> NDArray[np.float64]:
     """Return the sum of the fitted lines a cos(n angle) + b sin(n angle), shape (samples,).
 
-    Each block of ``block`` samples is fitted with its own a and b, beside a straight line per half block that is not
-    part of the answer; blocks overlap by half, and a and b run straight from one block's middle to the next.
+    In each block of ``block`` samples a and b are fitted together with a straight line per half block, which is not
+    part of the result. Blocks overlap by half; a and b are linear from one block's middle to the next.
 
     Parameters
     ----------
     values, angle : ndarray, shape (samples,)
         The signal in any unit and the angle [rad]; the angle need not rise evenly.
     orders : sequence of float
-        n [1/rev of that angle]; equal ones count once.
+        n [1/rev] of that angle; equal ones count once.
     block : int
         Samples per block, >= 4; a shorter signal is one block.
 
     Notes
     -----
-    A line is left alone in a block in which it passes fewer than two periods, or comes nearer than a tenth to half the
-    sample rate. What the load has within about 1 / block of a line is taken along.
+    A line is not fitted in a block in which it has fewer than two periods, or exceeds 0.45 of the sample rate. The
+    part of the load within about 1 / block of a line is fitted with it.
     """
     unique = tuple(sorted({float(f"{order:.9g}") for order in orders}))
-    answer = np.zeros_like(values)
+    fitted = np.zeros_like(values)
     if not unique or values.size < 4:
-        return answer
+        return fitted
     plan = _product_plan(unique)
     halves = max(2, round(2 * values.size / block))
     edges = np.linspace(0, values.size, halves + 1).astype(int)
@@ -50,16 +50,16 @@ def fitted_lines(
     for index in range(1, halves):
         right = _segment(values, angle, plan, edges[index], edges[index + 1])
         after = _solved(left, right, unique)
-        answer[edges[index - 1] : edges[index]] = _blended(left, after if before is None else before, after)
+        fitted[edges[index - 1] : edges[index]] = _blended(left, after if before is None else before, after)
         left, before = right, after
     if before is not None:
-        answer[edges[-2] :] = _blended(left, before, before)
-    return answer
+        fitted[edges[-2] :] = _blended(left, before, before)
+    return fitted
 
 
 @dataclass(frozen=True)
 class _Segment:
-    """Half a block: cosines and sines of its lines (rows), and what the normal equations need of them."""
+    """Half a block: cosines and sines of its lines (rows), and their parts of the normal equations."""
 
     basis: NDArray[np.float64]
     gram: NDArray[np.float64]
@@ -73,7 +73,7 @@ def _segment(values: NDArray[np.float64], angle: NDArray[np.float64], plan: _Pla
     basis = _basis(theta, plan)
     straight = np.stack([np.ones(signal.size), np.linspace(-1.0, 1.0, signal.size)])
     straight /= np.sqrt((straight**2).sum(axis=1, keepdims=True))
-    # the straight line is orthonormal, so taking it out of both sides is one product each
+    # the straight line is orthonormal, so projecting it out of both sides is one product each
     cross = basis @ straight.T
     gram = basis @ basis.T - cross @ cross.T
     moment = basis @ signal - cross @ (straight @ signal)
@@ -82,18 +82,18 @@ def _segment(values: NDArray[np.float64], angle: NDArray[np.float64], plan: _Pla
 
 
 def _solved(left: _Segment, right: _Segment, orders: tuple[float, ...]) -> NDArray[np.float64]:
-    """Coefficients of the block made of two segments, shape (2 lines,); zero for lines that are left alone."""
+    """Return the coefficients of a block of two segments, shape (2 lines,); zero for lines that are not fitted."""
     each = np.array(orders)
     active = (each * (left.turns + right.turns) >= FEWEST_PERIODS) & (
         each * max(left.fastest, right.fastest) <= _HIGHEST_SHARE_OF_RATE
     )
     rows = np.flatnonzero(np.repeat(active, 2))
-    answer = np.zeros(2 * each.size)
+    coefficients = np.zeros(2 * each.size)
     if rows.size:
         gram = (left.gram + right.gram)[np.ix_(rows, rows)]
         gram += _RIDGE * np.trace(gram) / rows.size * np.eye(rows.size)
-        answer[rows] = np.linalg.solve(gram, (left.moment + right.moment)[rows])
-    return answer
+        coefficients[rows] = np.linalg.solve(gram, (left.moment + right.moment)[rows])
+    return coefficients
 
 
 def _blended(segment: _Segment, start: NDArray[np.float64], stop: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -102,12 +102,12 @@ def _blended(segment: _Segment, start: NDArray[np.float64], stop: NDArray[np.flo
     return np.asarray(at_start + change * ((np.arange(size) + 0.5) / size))
 
 
-# how each line's unit vector is made: from the angle where the second entry is None, else as a product of two others
+# a line's unit vector: from the angle where the second entry is None, else the product of two others
 _Plan = tuple[tuple[float, tuple[int, int] | None], ...]
 
 
 def _product_plan(orders: tuple[float, ...]) -> _Plan:
-    """Write each order as a sum of two lower ones where that is possible: a product is cheaper than a cosine."""
+    """Return each order as a sum of two lower ones where possible, because a product is faster than a cosine."""
     plan: list[tuple[float, tuple[int, int] | None]] = []
     for index, order in enumerate(orders):
         pairs = (

@@ -1,4 +1,4 @@
-"""The amplitude of each order line over the turns of a shaft: torque times the turning unit vector, averaged."""
+"""The amplitude of each order line over the turns of a shaft: torque times the line's unit vector, averaged."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.orders.turning.sums import order_sums, put_in
+from torquerig.orders.line_sums.sums import order_sums, put_in
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
 
-HOPS_PER_TURN = 8  # a whole number: the lines that differ by whole orders then fall on zeros of a hop's mean
+HOPS_PER_TURN = 8  # a whole number, so that lines that differ by whole orders fall on zeros of a hop's mean
 _HIGHEST_SHARE_OF_RATE = 0.45
 
 
@@ -28,23 +28,23 @@ class Hops:
 
     @property
     def fastest(self) -> float:
-        """The most that the motor turns from one sample to the next [turns]."""
+        """The largest step of the motor's angle from one sample to the next [turns]."""
         steps = np.diff(self.turns)
         return float(max(steps.max(initial=0.0), -steps.min(initial=0.0)))
 
     @property
     def samples(self) -> Floats:
-        """How many samples each hop has, shape (hops,)."""
+        """The number of samples of each hop, shape (hops,)."""
         return np.diff(self.edges).astype(np.float64)
 
 
 def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
-    """Return hops of an eighth of an output turn, or None where the shaft does not turn so far.
+    """Return hops of an eighth of an output turn, or None where the shaft turns less than that.
 
     Parameters
     ----------
     angle : ndarray, shape (samples,)
-        Of the motor [rad]; it may stand or turn back.
+        Of the motor [rad]; it may stop or turn back.
     ratio : float
         Motor turns per output turn [1].
     """
@@ -61,8 +61,8 @@ def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
     return Hops(np.unique(edges), np.ascontiguousarray(turns))
 
 
-def seen_orders(orders: Sequence[float], fastest: float) -> Floats:
-    """Return the orders, each once, that stay below 0.45 periods a sample at ``fastest`` [turns per sample]."""
+def resolved_orders(orders: Sequence[float], fastest: float) -> Floats:
+    """Return the distinct orders that stay below 0.45 periods a sample at ``fastest`` [turns per sample]."""
     unique = {f"{order:.9g}": order for order in orders}
     return np.array(sorted(order for order in unique.values() if order * fastest <= _HIGHEST_SHARE_OF_RATE))
 
@@ -72,11 +72,11 @@ def hop_sums(values: Floats, hops: Hops, orders: Floats) -> Floats:
     return order_sums(values, hops.turns, orders, hops.edges, offset=float(values.mean()))
 
 
-def less_lines(values: Floats, hops: Hops, orders: Floats, amplitudes: Floats) -> Floats:
+def without_lines(values: Floats, hops: Hops, orders: Floats, amplitudes: Floats) -> Floats:
     """Return the values less the lines whose amplitudes (2, orders, hops + 1) are given at the edges of the hops."""
-    answer = np.array(values, dtype=np.float64)
-    put_in(answer, hops.turns, orders, hops.edges, amplitudes, gain=-1.0)
-    return answer
+    residual = np.array(values, dtype=np.float64)
+    put_in(residual, hops.turns, orders, hops.edges, amplitudes, gain=-1.0)
+    return residual
 
 
 def envelope(sums: Floats, samples: Floats, window: int) -> Floats:
@@ -85,11 +85,11 @@ def envelope(sums: Floats, samples: Floats, window: int) -> Floats:
     Parameters
     ----------
     sums : ndarray, shape (2, orders, hops)
-        Of the torque times cos and sin.
+        Sums of the torque times cos and sin.
     samples : ndarray, shape (hops,)
-        Per hop.
+        Samples per hop.
     window : int
-        Hops of a whole window, even; no more than there are.
+        Length of the window [hops], even; limited to the number of hops.
     """
     count = samples.size
     window = min(window, count)

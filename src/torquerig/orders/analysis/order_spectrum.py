@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.orders.analysis.even_angle import OverAngle
+from torquerig.orders.analysis.angle_resampling import OverAngle
 from torquerig.recordings.spectrum import hann_spectrum
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ class LineSpectrum:
     places : ndarray, shape (bins,)
         Orders of the output shaft [1/rev], or frequencies [Hz].
     amplitudes : ndarray, shape (bins,)
-        Zero to peak [N m], through a Hann window.
+        Zero to peak [N m], with a Hann window.
     """
 
     places: Floats
@@ -33,14 +33,14 @@ class LineSpectrum:
 
     @property
     def width(self) -> float:
-        """From one bin to the next, in the unit of ``places``."""
+        """The bin width in the unit of ``places``."""
         return float(self.places[1])
 
 
 def order_spectrum(signal: OverAngle, *, highest: float | None = None) -> LineSpectrum:
     """Return the amplitudes over the order of the output shaft, up to ``highest`` [1/rev].
 
-    A line on a bin shows its amplitude; between two bins 85 % or more. Its mean amplitude over the angle counts.
+    A line on a bin gives its amplitude, averaged over the angle; between two bins it gives 85 % or more.
     """
     orders, amplitudes = hann_spectrum(signal.values, signal.per_turn)
     kept = orders <= (highest or np.inf)
@@ -48,7 +48,7 @@ def order_spectrum(signal: OverAngle, *, highest: float | None = None) -> LineSp
 
 
 def frequency_spectrum(values: Floats, rate: float, *, highest: float | None = None) -> LineSpectrum:
-    """Return the amplitudes over frequency up to ``highest`` [Hz], through the same window."""
+    """Return the amplitudes over frequency up to ``highest`` [Hz], with the same window."""
     frequencies, amplitudes = hann_spectrum(values, rate)
     kept = frequencies <= (highest or np.inf)
     return LineSpectrum(frequencies[kept], amplitudes[kept])
@@ -57,8 +57,8 @@ def frequency_spectrum(values: Floats, rate: float, *, highest: float | None = N
 def line_amplitude(values: Floats, turns: Floats, order: float) -> float:
     """Return the zero-to-peak amplitude of the sine of one order of the turned angle, in the unit of ``values``.
 
-    ``|2 sum w x exp(-2 pi i n turns) dturns| / sum w dturns`` with a Hann window w over the turns: no resampling, so
-    that no interpolation touches it. Lines three bins of 1 / turns away or more disturb it by less than 1 %.
+    ``|2 sum w x exp(-2 pi i n turns) dturns| / sum w dturns`` with a Hann window w over the turns, without resampling
+    and so without interpolation error. Lines three bins of 1 / turns away or more change it by less than 1 %.
 
     Parameters
     ----------

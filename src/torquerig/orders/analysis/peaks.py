@@ -1,4 +1,4 @@
-"""What stands out of a spectrum: local peaks above the floor beside them."""
+"""Peaks of a spectrum above the local noise floor."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_BINS = 48  # a floor is the median of so many bins, and straight between them
-_APART = 4  # [bins] of the larger of two peaks from the other
-_FALSE_ALARMS = 1e-3  # peaks that noise alone is to show in a whole spectrum
-NEIGHBOURS = 12  # [bins] in which a weaker peak is a skirt or a sideband of the larger one's changes
-_WEAKER = 10 ** (-12 / 20)  # [1] than the larger one
+_BINS = 48  # bins whose median is one point of the noise floor, which is linear between the points
+_APART = 4  # [bins] least distance of two peaks
+_FALSE_ALARMS = 1e-3  # expected number of noise peaks above the threshold in a whole spectrum
+NEIGHBOURS = 12  # [bins] within which a weaker peak counts as a skirt or sideband of a larger one
+_WEAKER = 10 ** (-12 / 20)  # [1] amplitude of such a peak relative to the larger one, at most
 
 
 @dataclass(frozen=True)
 class Peak:
-    """A peak at ``place``, its amplitude on the bin, and by how much its power exceeds the floor's mean [dB]."""
+    """A peak at ``place``, its amplitude on the bin, and its level above the mean noise power [dB]."""
 
     place: float
     amplitude: float
@@ -33,7 +33,7 @@ class Peak:
 
 
 def floor_of(amplitudes: Floats) -> Floats:
-    """Return the rms amplitude of the noise at each bin, from medians that lines hardly move, shape (bins,)."""
+    """Return the rms amplitude of the noise at each bin, shape (bins,), from medians, which lines hardly change."""
     power = amplitudes**2
     count = max(power.size // _BINS, 1)
     pieces = np.array_split(power, count)
@@ -46,23 +46,24 @@ def floor_of(amplitudes: Floats) -> Floats:
 def peaks_of(
     spectrum: LineSpectrum, *, lowest: float, expected: Sequence[float] = (), most: int = 60
 ) -> tuple[Peak, ...]:
-    """Return the peaks of a spectrum that noise would hardly show, the most outstanding first.
+    """Return the significant peaks of a spectrum, the highest above the noise floor first.
 
     Parameters
     ----------
     spectrum : LineSpectrum
     lowest : float
-        Peaks below this place are not looked for, in the unit of the places.
+        Lowest place of a peak, in the unit of the places.
     expected : sequence of float
-        Places where a line would be no surprise, such as multiples of the mains: there a weaker one counts.
+        Places where a line is expected, such as multiples of the mains; the threshold is lower there.
     most : int
+        Largest number of peaks.
 
     Notes
     -----
     The threshold is the power that one bin in a thousand spectra of exponential noise reaches: ln(bins / 0.001) times
-    the floor; at the expected places only their own bins count, so that a lower one gives no more false alarms. What is
-    12 dB or more below a peak within a dozen bins is no peak of its own: an amplitude that changes
-    over a ramp makes such skirts.
+    the floor. At the expected places only these bins are counted, so that the lower threshold gives no more false
+    alarms. A peak 12 dB or more below another one within a dozen bins is rejected: an amplitude that changes over a
+    ramp causes such skirts.
     """
     height = spectrum.amplitudes / floor_of(spectrum.amplitudes)
     limit = _limits(spectrum, expected)
@@ -82,7 +83,7 @@ def peaks_of(
 
 
 def _limits(spectrum: LineSpectrum, expected: Sequence[float]) -> Floats:
-    """Return how far above the floor a peak must stand at each bin [1]."""
+    """Return the threshold at each bin, relative to the noise floor [1]."""
     bins = np.round(np.array(expected, dtype=np.float64) / spectrum.width).astype(np.int64)
     near = np.unique(bins[:, None] + np.array([-1, 0, 1])[None, :])
     near = near[(near >= 0) & (near < spectrum.places.size)]
@@ -93,13 +94,13 @@ def _limits(spectrum: LineSpectrum, expected: Sequence[float]) -> Floats:
 
 
 def _hidden(amplitudes: Floats, one: int, larger: int) -> bool:
-    apart = abs(one - larger)
-    return apart < _APART or (apart <= NEIGHBOURS and amplitudes[one] < _WEAKER * amplitudes[larger])
+    distance = abs(one - larger)
+    return distance < _APART or (distance <= NEIGHBOURS and amplitudes[one] < _WEAKER * amplitudes[larger])
 
 
 def _between(spectrum: LineSpectrum, one: int) -> float:
-    """Where a line stands between two bins, from the ratio of its two highest bins through a Hann window."""
+    """Return the place of a line between two bins, from the ratio of its two highest bins with a Hann window."""
     left, middle, right = spectrum.amplitudes[one - 1 : one + 2]
     side, ratio = (1, right / middle) if right > left else (-1, left / middle)
-    # sin x / x through a Hann window: the ratio r of neighbours puts the line (2 r - 1) / (r + 1) beyond the bin
+    # Hann window: with the ratio r of neighbours the line is (2 r - 1) / (r + 1) bins from the higher bin
     return float(spectrum.places[one] + side * spectrum.width * min(max((2 * ratio - 1) / (ratio + 1), 0.0), 0.5))

@@ -1,4 +1,4 @@
-"""The best angle or speed of the motor that a recording has, and which that is."""
+"""The motor's angle and mean speed from the best source that a recording has."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MotorSpeed:
-    """The mean motor speed [rad/s], its relative standard uncertainty [1], and where it comes from, in words."""
+    """The mean motor speed [rad/s], its relative standard uncertainty [1], and its source in words."""
 
     value: float
     relative_sd: float
@@ -25,25 +25,23 @@ class MotorSpeed:
 
 
 def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine], *, ratio: float | None = None) -> MotorAngle:
-    """Return the motor's angle from the best source that the recording has; its ``origin`` says which.
+    """Return the motor's angle from the best source that the recording has; ``origin`` names the source.
 
-    An encoder or another angle or speed channel comes first, then a tacho's pulses, then the comb of ``lines`` in the
-    torque around the set-point.
+    The sources in order of preference: an encoder or another angle or speed channel, the pulses of a tacho, the comb
+    of ``lines`` in the torque near the set-point.
 
     Parameters
     ----------
     recording : Recording
-        With any of them.
     lines : sequence of KinematicLine
-        The lines to look for in the torque.
+        The lines to search in the torque.
     ratio : float, optional
-        Motor turns per output turn, which channels of the output shaft are counted with; by default that of the lines,
-        or of the run's sheet.
+        Motor turns per output turn [1], for channels of the output shaft; by default that of the lines, or of the run.
 
     Raises
     ------
     RecordingError
-        Where none of them can serve.
+        Where no source is usable.
     """
     ratio = _ratio(recording, lines) if ratio is None else ratio
     return (

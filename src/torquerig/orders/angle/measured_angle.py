@@ -1,4 +1,4 @@
-"""What angle the motor turned through, by its encoder or by any other channel that knows it."""
+"""The motor's angle from an encoder, an angle channel or a speed channel."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MotorAngle:
-    """The angle of the motor shaft at each sample [rad], shape (samples,), and where it comes from, in words.
+    """The angle of the motor shaft at each sample [rad], shape (samples,), and its source in words.
 
-    ``speed_sd`` is the standard uncertainty of the mean speed as a share of it [1]; nan where the source states none.
+    ``speed_sd`` is the relative standard uncertainty of the mean speed [1]; nan where it is not known.
     """
 
     values: NDArray[np.float64]
@@ -40,13 +40,13 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
     Parameters
     ----------
     recording : Recording
-        Channels of quantity motor_angle, angle, motor_speed and speed serve, in this order.
+        Channels of quantity motor_angle, angle, motor_speed and speed are used, in this order.
     ratio : float
         Motor turns per output turn [1]; angle and speed channels belong to the output shaft.
 
     Notes
     -----
-    Counts are unwrapped where the counter runs over, and smoothed over about 16 counts, at most 2 ms.
+    Counts are unwrapped where the counter overflows, and smoothed over about 16 counts, at most 2 ms.
     """
     readers = (
         ("motor_angle", 1.0, angle_of),
@@ -64,7 +64,7 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
 
 
 def _rounding(channel: Channel, angle: NDArray[np.float64], factor: float) -> float:
-    """Return the share of the mean speed that whole counts leave unknown: 1/sqrt(12) of a count at both ends."""
+    """Return the relative uncertainty of the mean speed [1] by counts: 1/sqrt(12) of a count at both ends."""
     turned = abs(float(angle[-1] - angle[0])) if angle.size else 0.0
     if channel.unit != "count" or not turned:
         return float("nan")

@@ -1,4 +1,4 @@
-"""What angle the motor turned through, by a tacho that gives a pulse at equal parts of a turn."""
+"""The motor's angle from a tacho with one or more evenly spaced pulses per turn."""
 
 from __future__ import annotations
 
@@ -16,30 +16,31 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 PULSES_KEY = "tacho_pulses_per_motor_turn"
-_SET_POINT_ERROR = 0.015  # share by which the real speed may differ from the set-point
+_SET_POINT_ERROR = 0.015  # [1] largest relative deviation of the speed from the set-point
 
 
 def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> MotorAngle | None:
-    """Return the motor's angle by the rising edges of a tacho channel, or None where the recording has none.
+    """Return the motor's angle from the rising edges of a tacho channel, or None where the recording has none.
 
     Parameters
     ----------
     recording : Recording
-        With a channel of quantity tacho. Pulses per turn of the motor stand in the run's sheet as
-        ``tacho_pulses_per_motor_turn``; without it they are the multiple of 1 / ratio that fits the set-point.
+        With a channel of quantity tacho. The sidecar's ``run`` may state the pulses per motor turn as
+        ``tacho_pulses_per_motor_turn``; otherwise they are the multiple of 1 / ratio that fits the set-point.
     ratio : float
         Motor turns per output turn [1].
 
     Raises
     ------
     RecordingError
-        Where fewer than three pulses came, or the set-point does not tell how many a turn has.
+        With fewer than three pulses, or where the set-point does not determine the pulses per turn.
 
     Notes
     -----
-    An edge is where the signal crosses the middle of its 5th and 95th percentile, between samples by a straight line,
-    and a quarter of the height has to be crossed back before the next. The angle runs smoothly (monotone cubic) from
-    edge to edge, and on at the outer edges' speed: nothing faster than the pulses is seen.
+    An edge is where the signal crosses the middle of its 5th and 95th percentile, interpolated linearly between
+    samples; the signal must fall by a quarter of its height before the next edge. Between edges the angle is a
+    monotone cubic, and beyond the outer edges it continues at constant speed. Changes of speed between two pulses are
+    not resolved.
     """
     name = recording.find("tacho")
     if name is None:
@@ -50,7 +51,7 @@ def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> Motor
     if edges.size < 3:
         raise RecordingError(
             f"{recording.name}: the tacho channel {name} has {edges.size} pulses and an angle needs three; "
-            "check the channel, or leave it out"
+            "check the channel, or remove it"
         )
     pulses = _pulses_per_turn(recording, float(1 / np.diff(edges).mean()) * recording.sample_rate, ratio)
     at = np.arange(recording.samples, dtype=np.float64)
@@ -58,25 +59,25 @@ def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> Motor
     inner = PchipInterpolator(edges, turned)(np.clip(at, edges[0], edges[-1]))
     first, last = 1 / (edges[1] - edges[0]), 1 / (edges[-1] - edges[-2])
     outer = first * np.minimum(at - edges[0], 0.0) + last * np.maximum(at - edges[-1], 0.0)
-    # an edge is known to about a sample's rounding: 1/sqrt(12) each, both ends
+    # each of the two end edges is uncertain by the rounding to a sample: 1/sqrt(12)
     sd = float(np.sqrt(1 / 6) / (edges[-1] - edges[0]))
     angle = (inner + outer) * 2 * np.pi / pulses
     return MotorAngle(np.asarray(angle), f"from the tacho {name}, {pulses:g} pulses a motor turn", speed_sd=sd)
 
 
 def rising_edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return where a pulse train rises through its middle [samples, with fractions], shape (edges,)."""
+    """Return the positions [samples, with fractions] where a pulse train rises through its middle, shape (edges,)."""
     if values.size < 3:
         return np.zeros(0)
     low, high = np.percentile(values, [5, 95])
-    if high <= low:  # pulses shorter than a twentieth of their distance
+    if high <= low:  # pulses shorter than a twentieth of the period
         low, high = values.min(), values.max()
     if high <= low:
         return np.zeros(0)
     middle, armed = 0.5 * (low + high), 0.5 * (low + high) - 0.25 * (high - low)
     above = np.flatnonzero((values[1:] >= middle) & (values[:-1] < middle))
     low_before = np.maximum.accumulate(np.where(values < armed, np.arange(values.size), -1))[above]
-    kept = np.flatnonzero(np.diff(low_before, prepend=-1) > 0)  # noise on a flank gives one edge
+    kept = np.flatnonzero(np.diff(low_before, prepend=-1) > 0)  # one edge per pulse in spite of noise
     at = above[kept]
     return np.asarray(at + (middle - values[at]) / (values[at + 1] - values[at]))
 
@@ -96,5 +97,6 @@ def _pulses_per_turn(recording: Recording, frequency: float, ratio: float) -> fl
         ):
             return pulses
     raise RecordingError(
-        f"{recording.name}: {frequency:.4g} pulses a second do not tell how many a turn has at the set-point; {remedy}"
+        f"{recording.name}: the pulses per turn do not follow from {frequency:.4g} pulses a second and the set-point; "
+        f"{remedy}"
     )

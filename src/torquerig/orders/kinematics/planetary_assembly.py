@@ -17,7 +17,7 @@ def stage_ratio(sun: int, ring: int, fixed: Fixed = "ring") -> float:
     return {"ring": 1 + ring / sun, "carrier": ring / sun, "sun": 1 + sun / ring}[fixed]
 
 
-def why_not(sun: int, ring: int, planets: int | None = None, planet: int | None = None) -> str:
+def assembly_fault(sun: int, ring: int, planets: int | None = None, planet: int | None = None) -> str:
     """Return why a set cannot be put together, or nothing where it can.
 
     Conditions: ``(sun + ring) / planets`` whole, so that equal planets at equal angles find the teeth; neighbours
@@ -55,7 +55,7 @@ def nearest_sets(
     fixed : {"ring", "carrier", "sun"}
     """
     suns = range(max(6, sun - 12), sun + 13)
-    able = [(s, r) for s in suns for r in range(s + 2, 12 * s + 1) if not why_not(s, r, planets)]
+    able = [(s, r) for s in suns for r in range(s + 2, 12 * s + 1) if not assembly_fault(s, r, planets)]
 
     def distance(teeth: tuple[int, int]) -> float:
         away = abs(stage_ratio(*teeth, fixed) / ratio - 1)
@@ -64,7 +64,7 @@ def nearest_sets(
     return tuple(sorted(able, key=distance)[:3])
 
 
-def told_sets(sets: tuple[tuple[int, int], ...], ratio: float, fixed: Fixed = "ring") -> str:
+def assembly_remedy(sets: tuple[tuple[int, int], ...], ratio: float, fixed: Fixed = "ring") -> str:
     """Return the remedy that names the sets: ``near a ratio of 5, 21/84 (5) and 22/86 (4.909) can be assembled``."""
     if not sets:
         return "take fewer planets"

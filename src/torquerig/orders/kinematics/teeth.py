@@ -8,7 +8,13 @@ from math import gcd, pi
 
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
-from torquerig.orders.kinematics.planetary_assembly import Fixed, nearest_sets, stage_ratio, told_sets, why_not
+from torquerig.orders.kinematics.planetary_assembly import (
+    Fixed,
+    assembly_fault,
+    assembly_remedy,
+    nearest_sets,
+    stage_ratio,
+)
 
 
 @dataclass(frozen=True)
@@ -54,11 +60,11 @@ class Planetary:
             raise InputError(f"{self.planets} planets cannot be; write at least 1, or leave planets out")
         if self.fixed not in ("ring", "carrier", "sun"):
             raise InputError(f"fixed: {self.fixed!r} is no member of a planetary stage; write ring, carrier or sun")
-        if reason := why_not(self.sun, self.ring, self.planets, self.planet):
+        if reason := assembly_fault(self.sun, self.ring, self.planets, self.planet):
             ratio = stage_ratio(self.sun, self.ring, self.fixed)
             near = nearest_sets(self.sun, self.ring, self.planets, ratio=ratio, fixed=self.fixed)
             set_of = f"{self.planets} equal planets do" if self.planets else "the planets do"
-            remedy = told_sets(near, ratio, self.fixed)
+            remedy = assembly_remedy(near, ratio, self.fixed)
             raise InputError(f"{set_of} not fit between sun {self.sun} and ring {self.ring}: {reason}; {remedy}")
 
     @property

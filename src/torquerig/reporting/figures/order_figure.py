@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from torquerig.orders.analysis.even_angle import over_angle
-from torquerig.orders.analysis.found_lines import FoundLine
-from torquerig.orders.analysis.maps import LineMap, order_map, speed_map
+from torquerig.orders.analysis.angle_resampling import over_angle
+from torquerig.orders.analysis.line_detection import DetectedLine
+from torquerig.orders.analysis.order_maps import LineMap, order_map, speed_map
 from torquerig.orders.analysis.order_spectrum import LineSpectrum, order_spectrum
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.recordings.recording import Recording
@@ -41,7 +41,7 @@ class OrderPicture:
     spectrum : LineSpectrum
         Over the order of the output shaft.
     order_map, speed_map : LineMap
-    found : tuple of FoundLine
+    found : tuple of DetectedLine
         What stands out, with its domain.
     ratio : float
         Motor turns per output turn [1].
@@ -54,20 +54,20 @@ class OrderPicture:
     spectrum: LineSpectrum
     order_map: LineMap
     speed_map: LineMap
-    found: tuple[FoundLine, ...]
+    found: tuple[DetectedLine, ...]
     ratio: float
     fastest: float
     modes: dict[str, float] = field(default_factory=dict)
 
 
 def order_picture(
-    recording: Recording, turns: NDArray[np.float64], *, lines: Sequence[KinematicLine], found: Sequence[FoundLine],
+    recording: Recording, turns: NDArray[np.float64], *, lines: Sequence[KinematicLine], found: Sequence[DetectedLine],
     ratio: float, modes: Mapping[str, float] | None = None,
 ) -> OrderPicture:  # fmt: skip
     """Return what is drawn of a recording whose output shaft turned by ``turns``: spectrum, maps and lines."""
     even, rate = over_angle(recording, turns), recording.sample_rate
     fastest = float(np.percentile(np.diff(turns), 99.9)) * rate
-    orders = [one.place if one.seen_over == "order" else one.place / fastest for one in found]
+    orders = [one.place if one.detected_over == "order" else one.place / fastest for one in found]
     wanted = 1.3 * max([*orders, *(line.output_order for line in lines if line.harmonic == 1)])
     highest = min(wanted, 0.4 * rate / fastest)
     return OrderPicture(
@@ -106,12 +106,12 @@ def draw_order_spectrum(axes: Axes, shown: OrderPicture) -> None:
     axes.set_xlabel("order of the output shaft [1/rev]")
     axes.grid(axis="y", color=_GRID, linewidth=0.6)
     _plain(axes.xaxis)
-    on_shaft = [one for one in shown.found if one.seen_over == "order" and one.place >= _LOWEST_ORDER]
+    on_shaft = [one for one in shown.found if one.detected_over == "order" and one.place >= _LOWEST_ORDER]
     last = -1.0
     span = np.log(np.array([_LOWEST_ORDER, places[-1]]))
     for one in sorted(on_shaft, key=lambda one: one.place):
         colour, name = _style(one)
-        sure = one.belongs_to == "order"
+        sure = one.axis == "order"
         axes.plot(one.place, one.amplitude, marker="o" if sure else "D", markersize=4, color=colour, linestyle="none",
                   markerfacecolor=colour if sure else "none")  # fmt: skip
         last = max((np.log(one.place) - span[0]) / (span[1] - span[0]), last + _LABEL_STEP)
@@ -131,11 +131,11 @@ def draw_order_map(axes: Axes, shown: OrderPicture) -> None:
     axes.set_ylabel("motor speed [rpm]" if one.by_speed else "time [s]")
     if one.by_speed:
         for line in shown.found:
-            if line.belongs_to == "frequency":
+            if line.axis == "frequency":
                 axes.plot(line.place / one.rows, _row_axis(one, shown.ratio), color=FIXED, linewidth=0.9,
                           linestyle=(0, (4, 3)))  # fmt: skip
     for line in shown.found:
-        if line.belongs_to == "order":
+        if line.axis == "order":
             axes.plot([line.place], [1.0], transform=axes.get_xaxis_transform(), marker="v", markersize=5,
                       color=_style(line)[0], clip_on=False, linestyle="none")  # fmt: skip
     axes.set_xlim(_LOWEST_ORDER, float(one.places[-1]))
@@ -159,10 +159,10 @@ def draw_campbell_map(axes: Axes, shown: OrderPicture) -> None:
     axes.set_ylabel("frequency [Hz]")
     if one.by_speed:
         for line in shown.found:
-            if line.belongs_to == "order":
+            if line.axis == "order":
                 axes.plot(rows, line.place * one.rows, color=_style(line)[0], linewidth=0.9)
     for line in shown.found:
-        if line.belongs_to == "frequency" and line.place <= highest:
+        if line.axis == "frequency" and line.place <= highest:
             axes.axhline(line.place, color=FIXED, linewidth=0.9, linestyle=(0, (4, 3)))
             axes.text(0.995, line.place, f"{line.place:.4g} Hz {line.label}", transform=axes.get_yaxis_transform(),
                       ha="right", va="bottom", fontsize=7, color=FIXED, bbox=_BOX)  # fmt: skip
@@ -194,11 +194,11 @@ def _row_axis(one: LineMap, ratio: float) -> np.ndarray:
 
 def _highest(shown: OrderPicture) -> float:
     """Return the frequency up to which something was found, and some more [Hz]."""
-    tops = [one.place * shown.fastest if one.seen_over == "order" else one.place for one in shown.found]
+    tops = [one.place * shown.fastest if one.detected_over == "order" else one.place for one in shown.found]
     return min(1.15 * max([*tops, *shown.modes.values(), 50.0]), float(shown.speed_map.places[-1]))
 
 
-def _style(one: FoundLine) -> tuple[str, str]:
+def _style(one: DetectedLine) -> tuple[str, str]:
     """Return colour and short name of a line."""
     if not one.causes:
         return UNNAMED, one.label or "no known cause"

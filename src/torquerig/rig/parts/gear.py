@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import prod
 from typing import Annotated, ClassVar, Literal
 
-from torquerig.orders.kinematics.planetary_assembly import RATIO_KEPT, nearest_sets, told_sets
+from torquerig.orders.kinematics.planetary_assembly import RATIO_KEPT, assembly_remedy, nearest_sets
 from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.orders.kinematics.teeth_reading import TeethList
 from torquerig.parameter import Parameter
@@ -78,4 +78,4 @@ class Gear(Part):
             return ""
         one, ratio = self.teeth[0], abs(self.ratio)
         near = nearest_sets(one.sun, one.ring, one.planets, ratio=ratio, fixed=one.fixed)
-        return "; " + told_sets(near, ratio, one.fixed)
+        return "; " + assembly_remedy(near, ratio, one.fixed)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from torquerig.mechanisms import TorqueRipple
-from torquerig.orders.analysis.even_angle import output_turns
+from torquerig.orders.analysis.angle_resampling import output_turns
 from torquerig.orders.analysis.order_spectrum import line_amplitude
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.recordings.recording import Recording

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from torquerig.orders.angle.speed_far_off import speed_far_off
+from torquerig.orders.angle.wide_speed_search import wide_speed_search
 
 RATE = 2000.0
 TIME = np.arange(20_000) / RATE
@@ -19,19 +19,19 @@ def recording(seed, *, size):
 
 @pytest.mark.parametrize("factor", [0.6, 0.77, 1.0, 1.3, 1.9])
 def test_it_is_found_whatever_the_sheet_says(factor):
-    found = speed_far_off(recording(1, size=0.2), RATE, set_point=TRUE * factor, orders=ORDERS)
+    found = wide_speed_search(recording(1, size=0.2), RATE, set_point=TRUE * factor, orders=ORDERS)
     assert found == pytest.approx(TRUE, rel=1e-3)
 
 
 @pytest.mark.parametrize("seed", range(8))
 def test_noise_has_no_speed(seed):
-    assert speed_far_off(recording(seed, size=0.0), RATE, set_point=TRUE, orders=ORDERS) is None
+    assert wide_speed_search(recording(seed, size=0.0), RATE, set_point=TRUE, orders=ORDERS) is None
 
 
 def test_one_strong_line_is_no_comb():
     torque = recording(2, size=0.0) + 5 * np.cos(2 * np.pi * 50 * TIME)
-    assert speed_far_off(torque, RATE, set_point=TRUE, orders=ORDERS) is None
+    assert wide_speed_search(torque, RATE, set_point=TRUE, orders=ORDERS) is None
 
 
 def test_beyond_half_and_twice_nothing_is_looked_for():
-    assert speed_far_off(recording(3, size=0.2), RATE, set_point=TRUE * 3, orders=ORDERS) is None
+    assert wide_speed_search(recording(3, size=0.2), RATE, set_point=TRUE * 3, orders=ORDERS) is None

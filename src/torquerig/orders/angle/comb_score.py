@@ -1,4 +1,4 @@
-"""How far lines stand out of the noise along an angle: what tells a right angle from a wrong one."""
+"""Score of a comb of order lines along an angle: a correct angle gives a higher score than a wrong one."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.orders.turning.sums import order_sums
+from torquerig.orders.line_sums.sums import order_sums
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 _OF_NOISE = 0.6  # mean of log(1 + x) of an exponential x of mean 1 (exactly 0.596)
-_FEWEST = 20  # bins either way that make a floor
+_FEWEST = 20  # bins on either side of a line from which its noise floor is taken, at least
 
 
-def coherence(torque: Floats, angle: Floats, orders: Floats, floor: Floats) -> float:
-    """Sum of the logs by which the lines stand over the noise if the angle is right, less what noise itself has.
+def comb_score(torque: Floats, angle: Floats, orders: Floats, floor: Floats) -> float:
+    """Return the sum of the logs of the lines' power over the noise floor, less the value expected of noise alone.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def coherence(torque: Floats, angle: Floats, orders: Floats, floor: Floats) -> f
     orders : ndarray, shape (lines,)
         [1/rev].
     floor : ndarray, shape (lines,)
-        Power of the noise in a bin beside each line [unit of the torque squared]; infinite where it is not known.
+        Noise power of a bin near each line [unit of the torque squared]; infinite where it is not known.
     """
     known = np.isfinite(floor)
     edges = np.array([0, torque.size])
@@ -37,7 +37,10 @@ def coherence(torque: Floats, angle: Floats, orders: Floats, floor: Floats) -> f
 
 
 def order_power(torque: Floats, angle: Floats) -> tuple[Floats, float]:
-    """Return the power of each bin over a growing angle [rad], white noise in each alike, and the order of one bin."""
+    """Return the power of each bin of the order spectrum, and the bin width [1/rev]; white noise is equal in all bins.
+
+    ``angle`` [rad] rises.
+    """
     turned = np.abs(angle)
     even = np.linspace(turned[0], turned[-1], torque.size)
     signal = np.interp(even, turned, torque) if np.ptp(np.diff(turned)) > 1e-9 * turned[-1] else torque
@@ -46,8 +49,8 @@ def order_power(torque: Floats, angle: Floats) -> tuple[Floats, float]:
     return power, float(2 * np.pi / ((turned[-1] - turned[0]) * signal.size / (signal.size - 1)))
 
 
-def floor_beside(power: Floats, positions: Floats, *, within: float) -> Floats:
-    """Return the noise power of a bin beside each position [bins], from the bins ``within`` that share of it."""
+def noise_floor_at(power: Floats, positions: Floats, *, within: float) -> Floats:
+    """Return the noise power of a bin near each position [bins], from the bins within the share ``within`` of it."""
     return np.array([_floor(power, float(position), within) for position in positions])
 
 

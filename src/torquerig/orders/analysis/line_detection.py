@@ -1,4 +1,4 @@
-"""All lines of a recording that stand out, each with its domain; what is decided is taken out before the next look."""
+"""Detection of the lines of a recording, each with its domain; decided lines are subtracted before the next pass."""
 
 from __future__ import annotations
 
@@ -8,10 +8,17 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from torquerig.orders.analysis.even_angle import over_angle
+from torquerig.orders.analysis.angle_resampling import over_angle
 from torquerig.orders.analysis.labels import causes_of, label_of, mains_multiple
 from torquerig.orders.analysis.line_domain import Domain, DomainTest, LineDomain
-from torquerig.orders.analysis.order_envelope import HOPS_PER_TURN, envelope, hop_sums, hops_of, less_lines, seen_orders
+from torquerig.orders.analysis.order_envelope import (
+    HOPS_PER_TURN,
+    envelope,
+    hop_sums,
+    hops_of,
+    resolved_orders,
+    without_lines,
+)
 from torquerig.orders.analysis.order_spectrum import frequency_spectrum, line_amplitude, order_spectrum
 from torquerig.orders.analysis.peaks import NEIGHBOURS, Peak, peaks_of
 
@@ -24,36 +31,36 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 PASSES = 3
-_LOWEST_BINS = 8  # a line must turn so often in the recording to be told from drift
-_ENVELOPE = 6.0  # [periods of the axis] over which a line's amplitude is taken as one when it is subtracted
-_SECONDS = 1.0  # [s] that count as a turn of the clock
+_LOWEST_BINS = 8  # periods of a line in the recording, at least, to be distinguished from drift
+_ENVELOPE = 6.0  # [turns or periods of _SECONDS] over which an amplitude is averaged when a line is subtracted
+_SECONDS = 1.0  # [s] the period of time that corresponds to one turn
 _HUMS = 20  # multiples of the mains that are expected
-_HIGHEST_SHARE = 0.4  # of the sample rate up to which lines are looked for
+_HIGHEST_SHARE = 0.4  # highest frequency of a line, as a share of the sample rate
 
 
 @dataclass(frozen=True, kw_only=True)
-class FoundLine:
-    """A line that stands out.
+class DetectedLine:
+    """A line above the noise floor.
 
     Parameters
     ----------
-    seen_over : {"order", "frequency"}
-        The axis on which it was found.
+    detected_over : {"order", "frequency"}
+        The axis on which it was detected.
     place : float
-        Order of the output shaft [1/rev], or frequency [Hz], by ``seen_over``.
+        Order of the output shaft [1/rev], or frequency [Hz], by ``detected_over``.
     amplitude : float
-        Of the sine at that place, mean over the recording [N m].
+        Zero-to-peak amplitude, mean over the recording [N m].
     above_dB : float
-        By how much it exceeds the floor beside it [dB].
+        Level above the local noise floor [dB].
     domain : LineDomain
-        Which axis gathers it more.
+        How narrow it is on each axis.
     causes : tuple of KinematicLine
-        Those that have its order.
+        The kinematic lines of its order.
     label : str
         Its causes or its multiple of the mains in words; empty where neither is known.
     """
 
-    seen_over: Literal["order", "frequency"]
+    detected_over: Literal["order", "frequency"]
     place: float
     amplitude: float
     above_dB: float  # noqa: N815  (decibel is written dB)
@@ -62,62 +69,62 @@ class FoundLine:
     label: str = ""
 
     @property
-    def belongs_to(self) -> Domain:
-        """The axis that gathers it more, or ``either``."""
+    def axis(self) -> Domain:
+        """The axis on which it is narrower, or ``either`` where that is undecided."""
         return self.domain.domain
 
 
-def found_lines(
+def detected_lines(
     recording: Recording, turns: Floats, lines: Sequence[KinematicLine], *, mains: float = 50.0, passes: int = PASSES
-) -> tuple[FoundLine, ...]:
-    """Return the lines of the torque that stand out, orders first, then fixed frequencies, then undecided ones.
+) -> tuple[DetectedLine, ...]:
+    """Return the lines of the torque above the noise floor: orders, then fixed frequencies, then undecided ones.
 
-    In each pass the peaks over order and those over frequency are tested (``line_domain``); what belongs to the axis
-    on which it was found is kept and subtracted, so that its shadow on the other axis goes with it. What is still
-    there after the last pass and belongs to neither is listed as such.
+    In each pass the peaks over order and over frequency are tested (``line_domain``). A line that belongs to the axis
+    on which it was detected is kept and subtracted, which also removes its smeared image on the other axis. The
+    undecided lines of the last pass are added.
 
     Parameters
     ----------
     turns : ndarray, shape (samples,)
         Of the output shaft.
     lines : sequence of KinematicLine
-        The causes to name orders by.
+        The kinematic lines, for the names of the orders.
     mains : float
         [Hz].
 
     Notes
     -----
-    In a run whose speed hardly changes every line is undecided: no test can tell what no experiment shows (handbook,
+    In a run at nearly constant speed every line is undecided, because order and frequency are proportional (handbook,
     signatures 0, "speed rule"). Source for the need of the angle: Fyfe & Munck 1997, MSSP 11(2).
     """
     values = recording.torque()
-    kept: list[FoundLine] = []
-    open_: list[FoundLine] = []
+    kept: list[DetectedLine] = []
+    open_: list[DetectedLine] = []
     for _ in range(passes):
-        seen = _look(recording, turns, values, lines, mains)
-        seen = [one for one in seen if not any(_left_of(one, other, turns, recording.duration) for other in kept)]
-        decided = [one for one in seen if one.belongs_to == one.seen_over]
-        open_ = [one for one in seen if one.belongs_to == "either"]
+        seen = _tested_peaks(recording, turns, values, lines, mains)
+        seen = [one for one in seen if not any(_residual_of(one, other, turns, recording.duration) for other in kept)]
+        decided = [one for one in seen if one.axis == one.detected_over]
+        open_ = [one for one in seen if one.axis == "either"]
         kept += decided
         if not decided:
             break
         values = _without(values, turns, recording.sample_rate, decided)
     named = [_named(one, recording, turns, lines, mains) for one in (*kept, *_once(open_, recording, turns))]
     rank = {"order": 0, "frequency": 1, "either": 2}
-    return tuple(sorted(named, key=lambda one: (rank[one.belongs_to], one.place)))
+    return tuple(sorted(named, key=lambda one: (rank[one.axis], one.place)))
 
 
-def _left_of(one: FoundLine, other: FoundLine, turns: Floats, duration: float) -> bool:
-    """Return whether a line is only what subtracting a kept one has left beside it."""
-    if one.seen_over != other.seen_over:
+def _residual_of(one: DetectedLine, other: DetectedLine, turns: Floats, duration: float) -> bool:
+    """Return whether a line is only the residual of a kept line that was subtracted."""
+    if one.detected_over != other.detected_over:
         return False
-    length = float(turns[-1] - turns[0]) if one.seen_over == "order" else duration
+    length = float(turns[-1] - turns[0]) if one.detected_over == "order" else duration
     return abs(one.place - other.place) <= max(NEIGHBOURS / length, 1.5 / _ENVELOPE)
 
 
-def _look(
+def _tested_peaks(
     recording: Recording, turns: Floats, values: Floats, lines: Sequence[KinematicLine], mains: float
-) -> list[FoundLine]:
+) -> list[DetectedLine]:
     rate = recording.sample_rate
     even = over_angle(recording, turns, values)
     top = _HIGHEST_SHARE * rate
@@ -135,29 +142,31 @@ def _look(
     ]  # fmt: skip
 
 
-def _found(over: Literal["order", "frequency"], peak: Peak, domain: LineDomain) -> FoundLine:
-    return FoundLine(seen_over=over, place=peak.place, amplitude=peak.amplitude, above_dB=peak.above_dB, domain=domain)
+def _found(over: Literal["order", "frequency"], peak: Peak, domain: LineDomain) -> DetectedLine:
+    return DetectedLine(
+        detected_over=over, place=peak.place, amplitude=peak.amplitude, above_dB=peak.above_dB, domain=domain
+    )
 
 
-def _without(values: Floats, turns: Floats, rate: float, decided: Sequence[FoundLine]) -> Floats:
-    """Return the values less the lines, whose amplitudes may change over a few turns, or seconds."""
+def _without(values: Floats, turns: Floats, rate: float, decided: Sequence[DetectedLine]) -> Floats:
+    """Return the values less the lines, whose amplitudes may change over a few turns or seconds."""
     time = np.arange(values.size) / rate / _SECONDS
     for over, axis in (("order", turns - turns[0]), ("frequency", time)):
         hops = hops_of(2 * np.pi * axis, ratio=1.0)
-        places = [one.place for one in decided if one.seen_over == over]
+        places = [one.place for one in decided if one.detected_over == over]
         if hops is None or not places:
             continue
-        orders = seen_orders(places, hops.fastest)
-        # the sums are taken line by line, so that lines nearer than a window would be subtracted twice
+        orders = resolved_orders(places, hops.fastest)
+        # lines are subtracted one by one: lines nearer than a window would be subtracted twice
         for some in _apart(orders, 1 / _ENVELOPE):
             sums = hop_sums(values, hops, some)
             window = max(2 * round(0.5 * HOPS_PER_TURN * _ENVELOPE), 2)
-            values = less_lines(values, hops, some, envelope(sums, hops.samples, window))
+            values = without_lines(values, hops, some, envelope(sums, hops.samples, window))
     return values
 
 
 def _apart(orders: Floats, least: float) -> list[Floats]:
-    """Split orders into groups whose members are ``least`` or more from each other."""
+    """Return the orders in groups whose members differ by ``least`` or more."""
     groups: list[list[float]] = []
     for order in orders:
         for group in groups:
@@ -169,33 +178,33 @@ def _apart(orders: Floats, least: float) -> list[Floats]:
     return [np.array(group) for group in groups]
 
 
-def _once(found: Sequence[FoundLine], recording: Recording, turns: Floats) -> list[FoundLine]:
-    """Undecided lines are seen on both axes: keep the one over order where both are the same line at the mean speed."""
+def _once(found: Sequence[DetectedLine], recording: Recording, turns: Floats) -> list[DetectedLine]:
+    """Return the undecided lines without duplicates: of a line detected on both axes the one over order is kept."""
     mean_speed = float(turns[-1] - turns[0]) / recording.duration
     width = 3 / recording.duration
-    orders = [one for one in found if one.seen_over == "order"]
+    orders = [one for one in found if one.detected_over == "order"]
     places = [one.place * mean_speed for one in orders]
-    rest = [
+    others = [
         one for one in found
-        if one.seen_over == "frequency" and all(abs(one.place - place) > width for place in places)
+        if one.detected_over == "frequency" and all(abs(one.place - place) > width for place in places)
     ]  # fmt: skip
-    return [*orders, *rest]
+    return [*orders, *others]
 
 
 def _named(
-    one: FoundLine, recording: Recording, turns: Floats, lines: Sequence[KinematicLine], mains: float
-) -> FoundLine:
+    one: DetectedLine, recording: Recording, turns: Floats, lines: Sequence[KinematicLine], mains: float
+) -> DetectedLine:
     from dataclasses import replace
 
-    if one.seen_over == "frequency":
+    if one.detected_over == "frequency":
         amplitude = line_amplitude(recording.torque(), recording.time(), one.place)
         multiple = mains_multiple(one.place, mains=mains, width=1.5 / recording.duration)
         return replace(one, amplitude=amplitude, label=f"{multiple} x mains" if multiple else "")
     amplitude = line_amplitude(recording.torque(), turns, one.place)
     causes = causes_of(one.place, lines, width=1.5 / float(turns[-1] - turns[0]))
     label = label_of(causes)
-    if one.belongs_to == "either":
-        # at one speed an order is a frequency too, and the mains are a rival
+    if one.axis == "either":
+        # at one speed an order is also a frequency, and the mains are an alternative cause
         frequency = one.place * float(turns[-1] - turns[0]) / recording.duration
         multiple = mains_multiple(frequency, mains=mains, width=1.5 / recording.duration)
         label = " or ".join(word for word in (label, f"{multiple} x mains" if multiple else "") if word)

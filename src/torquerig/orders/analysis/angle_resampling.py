@@ -1,4 +1,4 @@
-"""A signal at equal steps of the angle instead of time, and back."""
+"""Resampling of a signal at equal steps of the angle instead of time, and back."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_FINEST = 4.0  # times as many steps per turn as the samples of the fastest turn
-_SLOWEST_COUNTED = 0.1  # of the fastest speed: slower turns are not what the step is fitted to
+_FINEST = 4.0  # steps per turn at most, in samples of the fastest turn
+_SLOWEST_COUNTED = 0.1  # of the fastest speed: slower turns do not determine the step
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class OverAngle:
     per_turn : float
         Steps per turn of the output shaft [1/rev].
     turns : float
-        Turned altogether [rev].
+        Total turns [rev].
     """
 
     values: Floats
@@ -44,8 +44,7 @@ def output_turns(angle: Floats, *, ratio: float) -> Floats:
     Parameters
     ----------
     angle : ndarray, shape (samples,)
-        Of the motor [rad]. Where the shaft turns back its turns count on, so that a reversal has one axis; where it
-        stands they stand.
+        Of the motor [rad]. Where the shaft turns back, its turns count upwards, so that a reversal has one axis.
     ratio : float
         Motor turns per output turn [1].
     """
@@ -55,7 +54,7 @@ def output_turns(angle: Floats, *, ratio: float) -> Floats:
 def over_angle(recording: Recording, turns: Floats, values: Floats | None = None) -> OverAngle:
     """Return the torque (or ``values``) at equal steps of the turned angle, by local cubics.
 
-    As many steps per turn as the slowest turns that count have samples, but at most four times those of the fastest.
+    Steps per turn: the samples of the slowest counted turn, but at most four times those of the fastest turn.
 
     Raises
     ------
@@ -78,9 +77,9 @@ def over_angle(recording: Recording, turns: Floats, values: Floats | None = None
 
 
 def over_time(values: Floats, turns: Floats) -> Floats:
-    """Return a signal given at equal steps of the angle at the samples of ``turns``, shape (samples,).
+    """Return a signal that is given at equal steps of the angle at the samples of ``turns``, shape (samples,).
 
-    ``values`` reach from the first turn to just before the last.
+    ``values`` extend from the first turn to just before the last.
     """
     total = float(turns[-1] - turns[0])
     return cubic(values, (turns - turns[0]) / total * values.size)
@@ -89,8 +88,8 @@ def over_time(values: Floats, turns: Floats) -> Floats:
 def cubic(values: Floats, at: Floats) -> Floats:
     """Return ``values`` between their samples by the cubic through the four nearest, shape of ``at``.
 
-    Its gain at a frequency f of the sample rate is 1 - (pi f)^4 / 4 or so at worst: 1e-3 at f = 0.08. Beyond the ends
-    the outermost sample is held.
+    Its gain at the frequency f (share of the sample rate) is at least about 1 - (pi f)^4 / 4: off by 1e-3 at f = 0.08.
+    Beyond the ends the outermost sample is held.
     """
     place = np.clip(at, 0, values.size - 1)
     low = np.clip(place.astype(np.int64), 0, max(values.size - 2, 0))
@@ -107,5 +106,5 @@ def cubic(values: Floats, at: Floats) -> Floats:
 
 
 def _place_of(turns: Floats, wanted: Floats) -> Floats:
-    """Return at which sample, and between which, the shaft has turned so far."""
+    """Return the sample number, with fraction, at which the shaft has turned by ``wanted`` [rev]."""
     return np.asarray(np.interp(wanted, turns, np.arange(turns.size)))

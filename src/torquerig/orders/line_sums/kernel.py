@@ -1,17 +1,17 @@
-"""The compiled loops over order lines: their turning unit vectors, sums with them, and lines put into a signal."""
+"""Compiled loops over order lines: unit vectors, sums, lines added to a signal, adaptive cancelling."""
 
 from __future__ import annotations
 
 import numpy as np
 from numba import njit
 
-BLOCK = 512  # samples whose cosines and sines are held at a time: fewer cost calls, more leave the nearest caches
+BLOCK = 512  # samples per block: smaller ones cost function calls, larger ones leave the fast caches
 SUMMED = {"reassoc", "contract", "nsz", "arcp"}
 
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
 def _multiplied(c1, s1, c2, s2, cosine, sine, size):
-    """Turn one unit vector on by another; rows by themselves, so that the loop fills the vector lanes."""
+    """Multiply two unit vectors as complex numbers; separate rows, so that the loop is vectorised."""
     for n in range(size):
         cosine[n] = c1[n] * c2[n] - s1[n] * s2[n]
         sine[n] = s1[n] * c2[n] + c1[n] * s2[n]
@@ -34,7 +34,7 @@ def _by_polynomials(turns, order, cosine, sine):
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
 def unit_vectors(turns, start, stop, orders, first, second, cosine, sine):
-    """Fill cosine and sine (orders, BLOCK) of each order times the turned angle, by a ladder (``ladder_of``)."""
+    """Fill cosine and sine (orders, BLOCK) of each order times the turned angle, by products (``ladder_of``)."""
     for k in range(orders.size):
         if first[k] >= 0:
             _multiplied(
@@ -69,7 +69,7 @@ def summed(values, offset, turns, edges, orders, first, second):
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
 def put_in(out, turns, edges, orders, first, second, amplitudes, gain):
-    """Add ``gain`` times the lines to ``out``; ``amplitudes`` (2, orders, hops + 1) run straight from edge to edge."""
+    """Add ``gain`` times the lines to ``out``; ``amplitudes`` (2, orders, hops + 1) are linear between the edges."""
     cosine, sine = np.empty((orders.size, BLOCK)), np.empty((orders.size, BLOCK))
     block = np.empty(BLOCK)
     for hop in range(edges.size - 1):
@@ -92,7 +92,7 @@ def put_in(out, turns, edges, orders, first, second, amplitudes, gain):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _sinc_of_pair(si, ci, sj, cj, half):
-    """Return sin(x) / x of x = half, given sines and cosines of its two summands."""
+    """Return sin(x) / x of x = half, from sines and cosines of its two summands."""
     return (si * cj + ci * sj) / half if abs(half) > 1e-6 else 1.0
 
 
@@ -100,8 +100,8 @@ def _sinc_of_pair(si, ci, sj, cj, half):
 def products(middle, width, size, orders):
     """Return the sums over hops of cos and sin of all sums and differences of orders, shape (4, orders, orders).
 
-    Rows: cos and sin of the sums, cos and sin of the differences. A hop of ``size`` samples is taken as turned through
-    evenly, by ``width`` around ``middle`` [turns].
+    Rows: cos and sin of the sums, cos and sin of the differences. In a hop of ``size`` samples the speed is taken as
+    constant; it turns by ``width`` around ``middle`` [turns].
     """
     count = orders.size
     total = np.zeros((4, count, count))
@@ -130,12 +130,12 @@ def products(middle, width, size, orders):
 
 @njit(cache=True, nogil=True, error_model="numpy", fastmath=SUMMED)
 def cancelled(values, turns, orders, first, second, step):
-    """Return the values less what adaptive amplitudes of the orders predict; each error moves them by ``step``.
+    """Return the values less the prediction of adaptive amplitudes of the orders, updated by ``step`` per error (LMS).
 
-    What is left is the mean of the errors before and after the step, which leaves the gain at 0 Hz at 1.
+    The residual is the mean of the errors before and after the update, so that the gain at 0 Hz is 1.
     """
     size, count = values.size, orders.size
-    answer = np.empty(size)
+    residual = np.empty(size)
     cosine, sine = np.empty((count, BLOCK)), np.empty((count, BLOCK))
     a, b = np.zeros(count), np.zeros(count)
     for start in range(0, size, BLOCK):
@@ -146,8 +146,8 @@ def cancelled(values, turns, orders, first, second, step):
             for k in range(count):
                 predicted += a[k] * cosine[k, n] + b[k] * sine[k, n]
             error = values[start + n] - predicted
-            answer[start + n] = error * (1 - 0.5 * step * count)
+            residual[start + n] = error * (1 - 0.5 * step * count)
             for k in range(count):
                 a[k] += step * error * cosine[k, n]
                 b[k] += step * error * sine[k, n]
-    return answer
+    return residual

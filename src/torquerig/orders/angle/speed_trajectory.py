@@ -1,4 +1,4 @@
-"""How the speed went in a run that wanders: the likeliest path through the combs of short blocks."""
+"""The speed over time of a run that varies by per cents: the most likely path through the combs of short blocks."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 _TURNS = 8.0  # motor turns of a block; blocks overlap by half
-_REACH = 0.04  # share by which the speed may leave the set-point at any time
-_STEPS = 200  # of the speed, either way
-_FASTEST = 0.03  # 1/s, relative change of speed that costs one sigma
+_REACH = 0.04  # [1] largest relative deviation of the speed from the set-point
+_STEPS = 200  # grid points of the speed on either side of the set-point
+_FASTEST = 0.03  # [1/s] standard deviation of the relative change of speed
 _FEWEST_BLOCKS = 8
 
 
-def speed_course(torque: Floats, nominal: Floats, orders: Floats, *, rate: float) -> Floats | None:
-    """Return the speed as a multiple of the nominal one at each sample, or None for a run of too few turns.
+def speed_trajectory(torque: Floats, nominal: Floats, orders: Floats, *, rate: float) -> Floats | None:
+    """Return the speed relative to the nominal one at each sample [1], or None for a run of too few turns.
 
     Parameters
     ----------
     torque, nominal : ndarray, shape (samples,)
-        The torque in any unit and the set-point's angle [rad], steady.
+        The torque in any unit, and the angle of a constant set-point [rad].
     orders : ndarray, shape (orders,)
-        Of the comb.
+        Orders of the comb [1/rev].
     rate : float
         Samples per second [Hz].
 
     Notes
     -----
-    Each block of eight turns scores speeds within 4 % by the summed log power at the comb's orders; the course is the
-    path of the highest score less (change / sigma)^2 / 2 from block to block, sigma 3 % a second (Viterbi 1967).
+    Each block of eight turns scores the speeds within 4 % by the summed log power at the comb's orders. The result is
+    the path of highest score less (change / sigma)^2 / 2 from block to block, with sigma 3 % a second (Viterbi 1967).
     """
     per_sample = float(nominal[-1] - nominal[0]) / (nominal.size - 1)
     half = round(_TURNS * np.pi / abs(per_sample))
@@ -50,7 +50,7 @@ def speed_course(torque: Floats, nominal: Floats, orders: Floats, *, rate: float
 
 
 def _score(piece: Floats, per_sample: float, orders: Floats, factors: Floats) -> Floats:
-    """Return the summed log power over the floor of one block at each speed, shape (factors,)."""
+    """Return the summed log power over the noise floor of one block at each speed, shape (factors,)."""
     from scipy.fft import next_fast_len, rfft
 
     size = next_fast_len(2 * piece.size, real=True)
@@ -66,7 +66,7 @@ def _score(piece: Floats, per_sample: float, orders: Floats, factors: Floats) ->
 
 
 def _likeliest(scores: Floats, *, reach: int, cost: float) -> NDArray[np.int64]:
-    """Return the path of the highest score, changing by at most ``reach`` steps at ``cost`` times their square."""
+    """Return the path of highest score; a change of up to ``reach`` steps costs ``cost`` times its square."""
     blocks, count = scores.shape
     moves = np.arange(-reach, reach + 1)
     back = np.zeros((blocks, count), dtype=np.int64)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.orders.analysis.even_angle import OverAngle
+from torquerig.orders.analysis.angle_resampling import OverAngle
 from torquerig.orders.analysis.order_spectrum import frequency_spectrum, order_spectrum
 
 if TYPE_CHECKING:
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-BY_SPEED = 0.1  # share by which the speed must change for a map to be drawn over it
+BY_SPEED = 0.1  # [1] relative change of speed from which a map is drawn over speed
 ROWS = 80
-_OVERLAP = 8  # blocks that share a sample
+_OVERLAP = 8  # blocks that contain each sample
 _PER_ORDER_BLOCK, _PER_TIME_BLOCK = 5.0, 0.5  # [turns of the output shaft], [s]
 
 
@@ -30,11 +30,11 @@ class LineMap:
     rows : ndarray, shape (rows,)
         Output speed [rev/s], or time [s]: the middle of each row, rising.
     by_speed : bool
-        Which of the two.
+        Whether the rows are speeds.
     places : ndarray, shape (bins,)
         Orders of the output shaft [1/rev], or frequencies [Hz].
     amplitudes : ndarray, shape (rows, bins)
-        Zero to peak, rms over the blocks of a row; a row without a block lies between its neighbours.
+        Zero to peak, rms over the blocks of a row; a row without a block is interpolated.
     """
 
     rows: Floats
@@ -67,7 +67,7 @@ def order_map(even: OverAngle, turns: Floats, rate: float, *, highest: float) ->
 
 
 def speed_map(values: Floats, turns: Floats, rate: float, *, highest: float) -> LineMap:
-    """Return amplitudes over frequency up to ``highest`` [Hz], by speed where it changes: Campbell as measured."""
+    """Return amplitudes over frequency up to ``highest`` [Hz], by speed where it changes (Campbell diagram)."""
     size = max(min(int(_PER_TIME_BLOCK * rate), values.size // 3), 16)
     starts = np.arange(0, max(values.size - size, 0) + 1, max(size // _OVERLAP, 1))
     spectra = [frequency_spectrum(values[at : at + size], rate, highest=highest) for at in starts]
@@ -96,11 +96,11 @@ def _rows(places: Floats, amplitudes: Floats, speeds: Floats, times: Floats) -> 
 
 
 def _closed(power: Floats) -> Floats:
-    """Fill rows without a block by straight lines between their neighbours; the first and last have one."""
+    """Interpolate rows without a block linearly; the first and the last row have one."""
     has = np.flatnonzero(np.isfinite(power[:, 0]))
     at = np.arange(power.shape[0])
     right = np.clip(np.searchsorted(has, at), 0, has.size - 1)
     left = np.clip(np.searchsorted(has, at, side="right") - 1, 0, has.size - 1)
-    apart = np.maximum(has[right] - has[left], 1)
-    share = ((at - has[left]) / apart)[:, None]
+    distance = np.maximum(has[right] - has[left], 1)
+    share = ((at - has[left]) / distance)[:, None]
     return np.asarray((1 - share) * power[has[left]] + share * power[has[right]])

@@ -1,4 +1,4 @@
-"""Sums of a signal times order lines over stretches of it, lines put into a signal, and the products that fit them."""
+"""Sums of a signal times order lines over stretches, lines added to a signal, and the Gram matrix of lines."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.orders.turning.ladder import ladder_of
+from torquerig.orders.line_sums.product_ladder import ladder_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,7 +28,7 @@ def order_sums(
     edges : ndarray of int, shape (stretches + 1,)
         [samples]
     """
-    from torquerig.orders.turning.kernel import summed
+    from torquerig.orders.line_sums.kernel import summed
 
     ladder = ladder_of(orders)
     return np.asarray(
@@ -43,7 +43,7 @@ def put_in(
     out: Floats, turns: Floats, orders: Floats, edges: NDArray[np.int64], amplitudes: Floats, *, gain: float
 ) -> None:
     """Add ``gain`` times the lines to ``out``; their ``amplitudes`` (2, orders, stretches + 1) at the edges."""
-    from torquerig.orders.turning import kernel
+    from torquerig.orders.line_sums import kernel
 
     ladder = ladder_of(orders)
     kernel.put_in(
@@ -53,15 +53,15 @@ def put_in(
 
 
 def gram_of(turns: Floats, orders: Floats, edges: NDArray[np.int64]) -> Floats:
-    """Return the sums of products of all cosines (first half) and sines (second half), shape (2 orders, 2 orders).
+    """Return the Gram matrix of all cosines (first half) and sines (second half), shape (2 orders, 2 orders).
 
-    Each stretch is taken as turned through evenly; a stretch's sum then has a closed form (sinc).
+    The speed is taken as constant within each stretch, whose sum then has a closed form (sinc).
     """
-    from torquerig.orders.turning.kernel import products
+    from torquerig.orders.line_sums.kernel import products
 
     start, stop = turns[edges[:-1]], turns[np.minimum(edges[1:], turns.size - 1)]
     size = np.diff(edges).astype(np.float64)
-    # samples stand at the start of each of `size` equal steps: the middle lies half a step before that of the ends
+    # samples are at the start of each of `size` equal steps: their middle is half a step before that of the ends
     width = stop - start
     middle = start + 0.5 * width * (1 - 1 / size)
     plus_cos, plus_sin, minus_cos, minus_sin = products(middle, width, size, np.ascontiguousarray(orders))
@@ -71,8 +71,8 @@ def gram_of(turns: Floats, orders: Floats, edges: NDArray[np.int64]) -> Floats:
 
 
 def adaptively_cancelled(values: Floats, turns: Floats, orders: Floats, step: float) -> Floats:
-    """Return ``values`` less what amplitudes that each error moves by ``step`` predict of the orders."""
-    from torquerig.orders.turning.kernel import cancelled
+    """Return ``values`` less the lines predicted by adaptive amplitudes, updated by ``step`` per error (LMS)."""
+    from torquerig.orders.line_sums.kernel import cancelled
 
     ladder = ladder_of(orders)
     return np.asarray(cancelled(values, turns, ladder.orders, ladder.first, ladder.second, step))

@@ -1,4 +1,4 @@
-"""What a course costs whose second differences are to be small: the banded matrix of the penalty."""
+"""The banded matrix of a penalty on squared second differences (Whittaker smoother)."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 def second_difference_bands(size: int) -> NDArray[np.float64]:
-    """Return the upper bands of D'D, shape (3, size), as ``scipy.linalg.solveh_banded`` takes them.
+    """Return the upper bands of D'D, shape (3, size), in the layout of ``scipy.linalg.solveh_banded``.
 
-    D takes second differences, shape (size - 2, size); the last row is the diagonal.
+    D is the matrix of second differences, shape (size - 2, size); the last row of the result is the diagonal.
     """
     bands = np.zeros((3, size))
     row = (1.0, -2.0, 1.0)
@@ -25,9 +25,9 @@ def second_difference_bands(size: int) -> NDArray[np.float64]:
 
 def times_bands(bands: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the symmetric matrix of three upper ``bands`` times a vector, shape (size,)."""
-    answer = np.asarray(bands[2] * values)
-    for away in (1, 2):
-        off = bands[2 - away, away:]
-        answer[:-away] += off * values[away:]
-        answer[away:] += off * values[:-away]
-    return np.asarray(answer)
+    product = np.asarray(bands[2] * values)
+    for offset in (1, 2):
+        band = bands[2 - offset, offset:]
+        product[:-offset] += band * values[offset:]
+        product[offset:] += band * values[:-offset]
+    return np.asarray(product)

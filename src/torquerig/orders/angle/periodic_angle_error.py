@@ -1,4 +1,4 @@
-"""How a shaft's angle strays within each turn, judged from the side lines that it gives to every line of the torque."""
+"""Deviations of a shaft's angle that repeat with each turn, estimated from the side lines of the torque's lines."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.orders.turning.sums import order_sums, put_in
+from torquerig.orders.line_sums.sums import order_sums, put_in
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -14,32 +14,32 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Phasors = NDArray[np.complex128]
 
-SLOW = 2.05  # orders of the motor up to here turn slowly enough to move it
-_SLOWEST_CARRIER = 2.5  # [1/rev] what is slower moves the shaft more than it shows it
-_APART = 0.03  # a side line nearer than this to a known line tells nothing
-_CLEAR = 30.0  # power over the floor that makes a line a carrier
-_ROUNDS = 3  # the angle found sharpens the carriers that it is found by
-_REWEIGHED = 6  # times: a side line that is a line of its own is left out by its weight
+SLOW = 2.05  # [1/rev] highest order whose torque moves the motor's angle noticeably
+_SLOWEST_CARRIER = 2.5  # [1/rev] lowest order of a carrier: slower lines move the shaft themselves
+_APART = 0.03  # [1/rev] a side line nearer than this to a known line is not used
+_CLEAR = 30.0  # [1] power of a carrier over the noise floor, at least
+_ROUNDS = 3  # iterations: a better angle makes sharper carriers
+_REWEIGHED = 6  # iterations of the Cauchy weights, which reject side lines that are separate lines
 
 
-def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Floats) -> Floats:
-    """Return what must be added to ``angle`` [rad], shape (samples,), that each turn's speed ripple is in it.
+def periodic_angle_error(torque: Floats, angle: Floats, orders: Floats, floor: Floats) -> Floats:
+    """Return the periodic correction [rad], shape (samples,), to be added to ``angle``.
 
-    A torque at order m moves the shaft by ``Re(c exp(i m theta))``; to first order, that gives each line ``A`` of order
-    n the side lines ``i n A c / 2`` at n + m and ``i n A conj(c) / 2`` at n - m (narrow-band phase modulation). The
-    same c in all of them is what a least-squares fit over many lines finds; amplitude modulation and lines of their own
-    have no such pattern, and weigh little (Cauchy weights).
+    A torque at order m moves the shaft by ``Re(c exp(i m theta))``. To first order, each line ``A`` of order n then has
+    the side lines ``i n A c / 2`` at n + m and ``i n A conj(c) / 2`` at n - m (narrow-band phase modulation). A
+    least-squares fit over many lines finds the common c. Amplitude modulation and separate lines do not have this
+    pattern and get little weight (Cauchy weights).
 
     Parameters
     ----------
     torque, angle : ndarray, shape (samples,)
-        The torque in any unit, and the angle [rad] that misses only what repeats within some turns.
+        The torque in any unit, and the angle [rad], correct but for deviations that repeat within a few turns.
     orders, floor : ndarray, shape (orders,)
-        Known orders of the motor, and the noise's power in a bin beside each [unit^2].
+        Known orders of the motor [1/rev], and the noise power of a bin near each [unit^2].
 
     Notes
     -----
-    True while ``n |c|`` stays below about 1. What moves the shaft at other orders than the slow known ones stays.
+    Valid while ``n |c|`` is below about 1. Deviations at other orders than the slow known ones are not corrected.
     """
     slow = orders[orders < SLOW]
     if not slow.size:
@@ -47,18 +47,18 @@ def angle_within_a_turn(torque: Floats, angle: Floats, orders: Floats, floor: Fl
     window = np.hanning(torque.size)
     windowed = (torque - torque.mean()) * window
     noise = floor * float((window**2).sum())
-    strayed = np.zeros_like(angle)
+    correction = np.zeros_like(angle)
     for _ in range(_ROUNDS):
-        found = _fitted(windowed, angle + strayed, orders, noise, slow)
+        found = _fitted(windowed, angle + correction, orders, noise, slow)
         if found is None:
             break
         sizes = np.repeat(np.stack([found.real, -found.imag])[:, :, None], 2, axis=2)
-        put_in(strayed, (angle + strayed) / (2 * np.pi), slow, np.array([0, angle.size]), sizes, gain=1.0)
-    return np.asarray(strayed)
+        put_in(correction, (angle + correction) / (2 * np.pi), slow, np.array([0, angle.size]), sizes, gain=1.0)
+    return np.asarray(correction)
 
 
 def _fitted(windowed: Floats, angle: Floats, orders: Floats, noise: Floats, slow: Floats) -> Phasors | None:
-    """Return the complex amplitude of the angle at each slow order [rad], or None where nothing tells it."""
+    """Return the complex amplitude of the angle at each slow order [rad], or None where there are too few carriers."""
     lines = _phasors(windowed, angle, orders)
     carries = (np.abs(lines) ** 2 > _CLEAR * noise) & (orders > _SLOWEST_CARRIER) & np.isfinite(noise)
     if not carries.any():
@@ -86,8 +86,8 @@ def _fitted(windowed: Floats, angle: Floats, orders: Floats, noise: Floats, slow
     for _ in range(_REWEIGHED):
         each = np.repeat(np.sqrt(weight), 2)
         solved = np.linalg.lstsq(rows * each[:, None], seen * each, rcond=1e-8)[0]
-        left = ((seen - rows @ solved) ** 2).reshape(-1, 2).sum(axis=1)
-        weight = 1 / (1 + left / max(2 * float(np.median(left)), 2.0))
+        residual = ((seen - rows @ solved) ** 2).reshape(-1, 2).sum(axis=1)
+        weight = 1 / (1 + residual / max(2 * float(np.median(residual)), 2.0))
     return np.asarray(solved.reshape(-1, 2) @ np.array([1.0, 1j]))
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from torquerig.filters.order_bandstop import OrderBandstop
-from torquerig.orders.angle.smooth_course import second_difference_bands, times_bands
-from torquerig.orders.angle.speed_course import speed_course
+from torquerig.orders.angle.second_differences import second_difference_bands, times_bands
 from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
+from torquerig.orders.angle.speed_trajectory import speed_trajectory
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
@@ -36,7 +36,7 @@ def recording(torque):
 
 def test_a_course_of_two_per_cent_is_found_to_a_thousandth():
     relative, _, lines, load = wandering(0.02)
-    course = speed_course(load + lines, SPEED * AT, ORDERS, rate=RATE)
+    course = speed_trajectory(load + lines, SPEED * AT, ORDERS, rate=RATE)
     assert np.std((course - relative)[5000:-5000]) < 1e-3
 
 
@@ -52,7 +52,7 @@ def test_lines_fall_by_the_torque_alone(share, wanted):
 
 
 def test_a_run_of_few_turns_has_no_course():
-    assert speed_course(np.zeros(5000), SPEED * AT[:5000], ORDERS, rate=RATE) is None
+    assert speed_trajectory(np.zeros(5000), SPEED * AT[:5000], ORDERS, rate=RATE) is None
 
 
 def test_the_bands_are_those_of_second_differences():

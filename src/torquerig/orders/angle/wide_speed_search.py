@@ -1,4 +1,4 @@
-"""Whether a steady run turns at quite another speed than its sheet says: the comb of its orders, far and wide."""
+"""The speed of a steady run whose stated speed is far off: search for the comb of its orders over a wide range."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_LOW, _HIGH = 0.5, 2.0  # times the set-point
-_HIGHEST = 30.0  # [1/rev] of the motor: what turns faster is smeared, and chance falls on it sooner
-_FLOOR = 60  # bins either way that make the local floor
-_STANDS_OUT = 8.0  # robust standard deviations over the median of all speeds
-_AHEAD = 1.3  # times the score of any speed that is no near neighbour
-_NEAR = 0.01  # speeds nearer than this are one
-_CAPPED = 6.0  # of the logarithm: one strong line shall not make a comb
+_LOW, _HIGH = 0.5, 2.0  # range of the search, times the set-point
+_HIGHEST = 30.0  # [1/rev] highest motor order: faster lines are smeared and coincide with noise peaks more often
+_FLOOR = 60  # bins on either side from which the local noise floor is taken
+_CLEAR = 8.0  # robust standard deviations of the best score over the median of all speeds, at least
+_AHEAD = 1.3  # ratio of the best score to that of any other speed, at least
+_NEAR = 0.01  # [1] speeds within this relative distance count as the same
+_CAPPED = 6.0  # largest contribution of one order to the score, so that one strong line is not a comb
 
 
-def speed_far_off(torque: Floats, rate: float, *, set_point: float, orders: Sequence[float]) -> float | None:
-    """Return the motor's speed [rad/s] for which the comb of orders stands out, or None where none clearly does.
+def wide_speed_search(torque: Floats, rate: float, *, set_point: float, orders: Sequence[float]) -> float | None:
+    """Return the motor's speed [rad/s] with a clearly highest score of the comb of orders, or None.
 
     Parameters
     ----------
@@ -32,14 +32,15 @@ def speed_far_off(torque: Floats, rate: float, *, set_point: float, orders: Sequ
     rate : float
         Samples per second [Hz].
     set_point : float
-        Motor speed of the sheet [rad/s]; speeds from half of it to twice are tried.
+        Stated motor speed [rad/s]; speeds from half of it to twice are tried.
     orders : sequence of float
         Known orders of the motor.
 
     Notes
     -----
-    The score of a speed is the sum over the orders of the logarithm of power over the local floor, each at most 6, less
-    what noise has. A speed at which only a part of the orders fits (half the true one, say) scores in proportion.
+    The score of a speed is the sum over the orders of the logarithm of power over the local floor, each at most 6,
+    less the median over all speeds. A speed at which only some orders fit, such as half the true one, has a
+    proportionally lower score.
     """
     power = np.abs(np.fft.rfft((torque - torque.mean()) * np.hanning(torque.size))) ** 2
     over = np.minimum(np.log1p(power / _floor(power)), _CAPPED)
@@ -56,9 +57,9 @@ def speed_far_off(torque: Floats, rate: float, *, set_point: float, orders: Sequ
         score += np.where(at < over.size, over[np.minimum(at, over.size - 1)], 0.0)
     score -= float(np.median(score))
     best = int(np.argmax(score))
-    spread = 1.4826 * float(np.median(np.abs(score)))
+    deviation = 1.4826 * float(np.median(np.abs(score)))
     elsewhere = score[np.abs(factors / factors[best] - 1) > _NEAR]
-    clear = score[best] > _STANDS_OUT * spread and score[best] > _AHEAD * float(elsewhere.max())
+    clear = score[best] > _CLEAR * deviation and score[best] > _AHEAD * float(elsewhere.max())
     return float(factors[best] * set_point) if clear else None
 
 
