@@ -12,7 +12,7 @@ from torquerig.api.result import Result
 from torquerig.api.values import folders
 from torquerig.catalog.search import catalog_for
 from torquerig.orders.analysis.angle_resampling import output_turns
-from torquerig.orders.analysis.line_detection import DetectedLine, found_lines
+from torquerig.orders.analysis.line_detection import DetectedLine, detected_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Recording
@@ -52,7 +52,7 @@ class OrderLines(Result):
 
     def summary(self) -> str:
         """Return how many lines were found, and of which kind."""
-        kinds = [one.belongs_to for one in self.lines]
+        kinds = [one.axis for one in self.lines]
         return (
             f"{self.recording.name}: {len(kinds)} spectral lines exceed the noise floor: {kinds.count('order')} of the "
             f"shaft, {kinds.count('frequency')} at a fixed frequency, {kinds.count('either')} not decided; angle "
@@ -66,7 +66,7 @@ class OrderLines(Result):
         words = {"order": "shaft", "frequency": "fixed frequency", "either": "not decided"}
         rows = [
             {
-                "belongs_to": words[one.belongs_to],
+                "belongs_to": words[one.axis],
                 "output_order": one.place if one.detected_over == "order" else None,
                 "frequency_Hz": one.place if one.detected_over == "frequency" else None,
                 "amplitude_Nm": one.amplitude, "above_floor_dB": one.above_dB, "cause": one.label,
@@ -141,5 +141,5 @@ def order_lines(
     lines = kinematics.lines(harmonics)
     angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
     turns = output_turns(angle.values, ratio=kinematics.ratio)
-    found = found_lines(read, turns, lines, mains=mains)
+    found = detected_lines(read, turns, lines, mains=mains)
     return OrderLines(recording=read, kinematics=kinematics, lines=found, angle_origin=angle.origin, turns=turns)

@@ -143,7 +143,7 @@ def test_a_rate_that_the_time_contradicts(tmp_path: Path, form: str) -> None:
 def test_a_rate_that_the_file_contradicts(tmp_path: Path, form: str) -> None:
     for told in refusals(made(tmp_path, form, {"torque_V": torque()}, rate=1002.0)):
         assert "states 1002 samples per second and" in told
-        assert "says 1000; correct one of them" in told
+        assert "states 1000; correct one of them" in told
 
 
 @pytest.mark.parametrize("samples", [0, 1])

@@ -94,7 +94,7 @@ def test_other_keys_of_the_sheet_are_kept(tmp_path: Path) -> None:
         ("channels:\n  a: {quantity: torque, unit: Nmm}\n", r"add Nm_per_Nmm: NUMBER; .*did you mean .*'Nm'"),
         (
             "channels:\n  a:\n    quantity: torque\n    unit: V\n    Nm_per_mV: 1\n",
-            r"run1\.yaml:5: channels\.a\.Nm_per_mV: the scale does not give a torque for each 'V'; write Nm_per_V",
+            r"run1\.yaml:5: channels\.a\.Nm_per_mV: the scale does not give a torque per 'V'; write Nm_per_V",
         ),
         ("channels:\n  a: {quantity: torque, unit: V, N_per_V: 1}\n", r"N_per_V: the scale does not give a torque"),
         (

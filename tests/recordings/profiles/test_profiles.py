@@ -105,7 +105,7 @@ BAD = {
         "time_s,speed_rpm\n" + EVEN,
         r"cycle.csv:13: the profile has a gap: the time jumps from 5 s to 6.5 s in a",
     ),
-    "late": ("time_s,speed_rpm\n3,1\n4,1\n", r"cycle.csv:2: the profile starts at 3 s; .*count the time from 0"),
+    "late": ("time_s,speed_rpm\n3,1\n4,1\n", r"cycle.csv:2: the profile starts at 3 s, .*count the time from 0"),
     "one row": ("time_s,speed_rpm\n0,1\n", r"cycle.csv:2: a profile needs at least two rows"),
     "no speed": (
         "time_s,speed\n0,1\n1,1\n",
