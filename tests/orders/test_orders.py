@@ -49,7 +49,7 @@ def test_sentences_name_mains_equal_orders_better_speed_and_what_is_unknown():
     assert "100 Hz is 2 x mains and, exactly, cogging per pole." in told
     assert "1400.00 Hz is cogging and six pulse x2: equal orders" in told
     assert "A better test speed is" in told
-    assert "Equal orders stay equal at any speed." in told
+    assert "Equal orders coincide at any speed." in told
     assert "No gear mesh lines: tooth counts unknown." in told
 
 
@@ -78,7 +78,7 @@ def test_a_clear_speed_is_said_to_be_clear():
 
 def test_a_speed_without_remedy_is_said_to_have_none():
     report = orders_report(REPORT_MOTOR, 1000 * RPM, clearance=20.0)
-    assert better_speed_sentence(report).startswith("No speed within reach keeps every line 20 Hz")
+    assert better_speed_sentence(report).startswith("No speed in the searched range keeps every line 20 Hz")
 
 
 def test_without_slots_there_is_no_word_on_cogging():

@@ -84,11 +84,11 @@ def test_the_mesh_order_follows_the_speeds_of_sun_and_ring_against_the_carrier(f
         ),
         (
             f"{{kind: planetary_gear, teeth: {{sun: 12, ring: 108, planets: 4}}, {SPRING}}}",
-            "neighbours of 48 teeth would not clear each other; the nearest",
+            "neighbouring planets of 48 teeth would collide; the nearest",
         ),
         (
             f"{{kind: planetary_gear, teeth: {{sun: 21, ring: 84, planets: 3, planet: 28}}, {SPRING}}}",
-            r"ring = sun \+ 2 planet asks for planets of 31.5 teeth, not 28",
+            r"ring = sun \+ 2 planet requires planets of 31.5 teeth, not 28",
         ),
         (
             f"{{kind: gear, ratio: 4, teeth: {{sun: 21, ring: 84, planets: 3}}, {SPRING}}}",

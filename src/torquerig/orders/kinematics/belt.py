@@ -1,4 +1,4 @@
-"""What the lengths of a belt drive fix: its ratio, its orders, the free strands between the pulleys."""
+"""Ratio, orders and free strands of a belt drive, from the lengths of belt and pulleys."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from torquerig.errors import InputError
 
 @dataclass(frozen=True)
 class Belt:
-    """An open belt round two pulleys: their rims and the belt in one unit, teeth of a toothed belt or metres.
+    """An open belt on two pulleys; circumferences and belt length in one unit, teeth of a toothed belt or metres.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class Belt:
     Raises
     ------
     InputError
-        When the belt is too short to go round both pulleys beside each other; says the shortest one.
+        When the belt is too short for the two pulleys; with the shortest possible length.
 
     Notes
     -----
@@ -39,9 +39,7 @@ class Belt:
 
     def __post_init__(self) -> None:
         if min(self.pinion, self.wheel, self.belt) <= 0:
-            raise InputError(
-                "pulleys and belt of a belt drive must be more than nothing; correct the count that is not"
-            )
+            raise InputError("pulleys and belt of a belt drive must be more than 0; correct the count that is not")
         shortest = self._length((self.pinion + self.wheel) / (2 * pi))
         if self.belt < shortest:
             unit, least = ("teeth", f"{ceil(shortest)}") if self.toothed else ("m", f"{shortest:.4g}")
@@ -57,17 +55,17 @@ class Belt:
 
     @property
     def reverses(self) -> bool:
-        """Whether the output turns against the input; an open belt never does."""
+        """Whether the output turns opposite to the input; False for an open belt."""
         return False
 
     @property
     def mesh_order_in(self) -> float:
-        """Teeth of the belt that run on per turn of the input pulley [1/rev]."""
+        """Belt teeth in mesh per turn of the input pulley [1/rev]."""
         return self.pinion
 
     @property
     def mesh_order_out(self) -> float:
-        """Teeth of the belt that run on per turn of the output pulley [1/rev]."""
+        """Belt teeth in mesh per turn of the output pulley [1/rev]."""
         return self.wheel
 
     @property
@@ -92,6 +90,6 @@ class Belt:
         return asin((self.wheel - self.pinion) / (2 * pi * distance))
 
     def _length(self, distance: float) -> float:
-        """Return how long a belt is round pulleys whose axes are ``distance`` apart."""
+        """Return the length of the belt for pulleys whose axes are ``distance`` apart."""
         slant = self._slant(distance)
         return 2 * distance * cos(slant) + (self.pinion + self.wheel) / 2 + slant * (self.wheel - self.pinion) / pi

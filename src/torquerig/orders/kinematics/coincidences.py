@@ -1,4 +1,4 @@
-"""Which order lines cannot be told apart at one speed: on mains multiples or of equal order; and a better speed."""
+"""Order lines that coincide at one speed, with mains multiples or with each other, and a better test speed."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import numpy as np
 
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 
-# mains harmonics are counted up to the 40th by the power-quality standards (IEC 61000-3-2, EN 50160 counts to the 25th)
+# power-quality standards count mains harmonics up to the 40th (IEC 61000-3-2; EN 50160 up to the 25th)
 HIGHEST_MAINS_MULTIPLE = 40
 
 
 @dataclass(frozen=True)
 class OnMains:
-    """A line that stands on a mains multiple: ``multiple`` times the mains, ``offset`` [Hz] away from it."""
+    """A line at ``multiple`` times the mains, ``offset`` [Hz] away from it; ``frequency`` in [Hz]."""
 
     line: KinematicLine
     frequency: float
@@ -26,7 +26,7 @@ class OnMains:
 
 @dataclass(frozen=True)
 class EqualOrder:
-    """Lines of different families at one order: no speed parts them; load, current, coast-down or other teeth may."""
+    """Lines of different families at one order; no speed separates them, but load, current or a coast-down may."""
 
     motor_order: float
     frequency: float
@@ -35,7 +35,7 @@ class EqualOrder:
 
 @dataclass(frozen=True)
 class Coincidences:
-    """What stands on what at one motor speed [rad/s] with one mains frequency [Hz]."""
+    """The coincidences at one motor speed [rad/s] and one mains frequency [Hz]."""
 
     motor_speed: float
     mains: float
@@ -45,18 +45,18 @@ class Coincidences:
 
 @dataclass(frozen=True)
 class BetterSpeed:
-    """The nearest motor speed at which the lines keep clear of the mains.
+    """The nearest motor speed at which all lines keep a distance from the mains multiples.
 
     Parameters
     ----------
     motor_speed : float
-        [rad/s]; the speed asked about where that is clear already.
+        [rad/s]; the given speed where that is clear already.
     clearance : float
         The smallest distance of any line to a mains multiple there [Hz].
     wanted : float
-        The clearance that was asked for [Hz].
+        The required clearance [Hz].
     crowded : tuple of KinematicLine
-        The lines that are nearer than ``wanted`` even there; empty where the search succeeded.
+        The lines that are nearer than ``wanted`` at that speed; empty where the search succeeded.
     """
 
     motor_speed: float
@@ -88,41 +88,41 @@ def better_speed(
     clearance: float = 1.0,
     within: float = 0.10,
 ) -> BetterSpeed:
-    """Return the nearest speed at which no line lies within ``clearance`` of a mains multiple, as far as there is one.
+    """Return the nearest speed at which no line is within ``clearance`` of a mains multiple, if there is one.
 
-    The search goes in whole rpm up to ``within`` of the speed either way. Where no speed is clear, the one with the
-    fewest crowded lines is returned, among equals the one with the widest smallest distance. Equal orders stay equal
-    at any speed.
+    The search covers whole rpm up to the share ``within`` on either side of the speed. Where no speed is clear, the
+    one with the fewest lines within ``clearance`` is returned, and among equals the one with the largest smallest
+    distance. Equal orders coincide at any speed.
 
     Parameters
     ----------
     lines : iterable of KinematicLine
         The lines to keep clear.
     motor_speed : float
-        The speed asked about [rad/s].
+        The given speed [rad/s].
     mains : float
         Mains frequency [Hz].
     clearance : float
-        Wanted distance [Hz]; twice the half-width of the reference report's band-stops by default.
+        Required distance [Hz]; twice the half-width of the reference report's band-stops by default.
     within : float
         Share of the speed to search on either side [1].
     """
     listed = tuple(lines)
-    asked = abs(motor_speed) * 30 / pi
-    speeds = np.concatenate([[asked], np.arange(np.ceil(asked * (1 - within)), np.floor(asked * (1 + within)) + 1)])
+    given = abs(motor_speed) * 30 / pi
+    speeds = np.concatenate([[given], np.arange(np.ceil(given * (1 - within)), np.floor(given * (1 + within)) + 1)])
     distance = _distance_to_mains(np.array([line.motor_order for line in listed]), speeds, mains)
     near = distance < clearance
     crowded = near.sum(axis=1)
     smallest = distance.min(axis=1, initial=mains / 2)
-    # fewest crowded lines first; among clear speeds the nearest, among crowded ones the widest
+    # fewest near lines first; among clear speeds the nearest, among others the one with the largest distance
     last = np.where(crowded == 0, 0.0, -smallest)
-    best = int(np.lexsort((np.abs(speeds - asked), last, crowded))[0])
-    left = tuple(line for line, is_near in zip(listed, near[best], strict=True) if is_near)
-    return BetterSpeed(float(speeds[best]) * pi / 30, float(smallest[best]), clearance, left)
+    best = int(np.lexsort((np.abs(speeds - given), last, crowded))[0])
+    still_near = tuple(line for line, is_near in zip(listed, near[best], strict=True) if is_near)
+    return BetterSpeed(float(speeds[best]) * pi / 30, float(smallest[best]), clearance, still_near)
 
 
 def _distance_to_mains(orders: np.ndarray, speeds_rpm: np.ndarray, mains: float) -> np.ndarray:
-    """Distance of each line to the nearest mains multiple [Hz], shape (speeds, lines)."""
+    """Return the distance of each line to the nearest mains multiple [Hz], shape (speeds, lines)."""
     frequency = np.outer(speeds_rpm / 60, orders)
     multiple = np.clip(np.round(frequency / mains), 1, HIGHEST_MAINS_MULTIPLE)
     return np.asarray(np.abs(frequency - multiple * mains))
@@ -131,7 +131,7 @@ def _distance_to_mains(orders: np.ndarray, speeds_rpm: np.ndarray, mains: float)
 def _equal_orders(lines: tuple[KinematicLine, ...], motor_speed: float) -> tuple[EqualOrder, ...]:
     groups: dict[float, list[KinematicLine]] = {}
     for line in sorted(lines, key=lambda line: line.motor_order):
-        # orders are ratios of small whole numbers: what agrees to nine digits is equal
+        # orders are ratios of small whole numbers: equal to nine digits means equal
         groups.setdefault(float(f"{line.motor_order:.9g}"), []).append(line)
     return tuple(
         EqualOrder(order, members[0].frequency(motor_speed), tuple(members))

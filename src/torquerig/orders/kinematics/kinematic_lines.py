@@ -1,4 +1,4 @@
-"""Where the disturbance lines of a motor and gearbox stand: orders that follow from poles, slots, ratio and teeth."""
+"""Order lines of a motor and gearbox, from poles, slots, ratio and teeth."""
 
 from __future__ import annotations
 
@@ -56,12 +56,12 @@ CAUSES: dict[Family, tuple[str, str]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class Kinematics:
-    """What the order lines of a drive follow from.
+    """Poles, slots, ratio and teeth of a drive, which determine its order lines.
 
     Parameters
     ----------
     pole_pairs, slots : int or None
-        Of the motor; None where unknown or without meaning, and then the lines that need them are left out.
+        Of the motor; None where unknown or not applicable. Lines that need them are then left out.
     ratio : float
         Motor turns per output turn [1], > 0.
     teeth : tuple of Planetary or Spur
@@ -76,9 +76,13 @@ class Kinematics:
     def __post_init__(self) -> None:
         for name, count in (("pole pairs", self.pole_pairs), ("slots", self.slots)):
             if count is not None and count < 1:
-                raise InputError(f"{count} {name} cannot be; write at least 1, or leave it out where it is unknown")
+                raise InputError(
+                    f"{count} {name} are not possible; write at least 1, or leave it out where it is unknown"
+                )
         if not (isfinite(self.ratio) and self.ratio > 0):
-            raise InputError(f"a gear ratio of {self.ratio} cannot be; write motor turns per output turn, more than 0")
+            raise InputError(
+                f"a gear ratio of {self.ratio} is not possible; write motor turns per output turn, more than 0"
+            )
         by_teeth = prod(stage.ratio for stage in self.teeth)
         if self.teeth and abs(by_teeth / self.ratio - 1) > 0.02:
             raise InputError(
@@ -93,7 +97,7 @@ class Kinematics:
 
     @property
     def left_out(self) -> dict[Family, str]:
-        """The families that have no lines here, each with what is missing."""
+        """The families without lines, each with the missing data."""
         missing: dict[Family, str] = {}
         if self.pole_pairs is None:
             missing |= dict.fromkeys(("cogging_tolerance_poles", "electrical", "six_pulse"), "pole pairs unknown")
@@ -109,20 +113,20 @@ class Kinematics:
 
 @dataclass(frozen=True)
 class KinematicLine:
-    """One line of a torque spectrum that follows the shaft.
+    """A spectral line of the torque whose frequency is proportional to the shaft's speed.
 
     Parameters
     ----------
     family : Family
-        Its cause as one word of the vocabulary.
+        The name of its cause.
     harmonic : int
         1 is the fundamental.
     motor_order, output_order : float
         Periods per turn of the motor and of the output shaft [1/rev].
     cause, source : str
-        Why it is there, and the equation or handbook section that says so.
+        The cause in words, and its equation or handbook section.
     cancelled : bool
-        Whether equal planets leave nothing of it in torque; what is unequal about them brings it back.
+        Whether equal planets cancel it in the torque; unequal planets do not cancel it completely.
     """
 
     family: Family
@@ -134,7 +138,7 @@ class KinematicLine:
     cancelled: bool = False
 
     def frequency(self, motor_speed: float) -> float:
-        """Return where the line stands [Hz] at a motor speed [rad/s] of either sign."""
+        """Return the frequency of the line [Hz] at a motor speed [rad/s] of either sign."""
         return self.motor_order * abs(motor_speed) / (2 * pi)
 
 
@@ -151,14 +155,14 @@ def kinematic_lines(
     Parameters
     ----------
     pole_pairs, slots, ratio, teeth
-        As in :class:`Kinematics`; lines that need what is unknown are left out.
+        As in :class:`Kinematics`; lines that need unknown data are left out.
     harmonics : int
         Members per family; 1 is the fundamental alone.
 
     Raises
     ------
     InputError
-        For counts, a ratio or teeth that cannot be.
+        For impossible counts, ratio or teeth.
 
     Notes
     -----
@@ -167,7 +171,7 @@ def kinematic_lines(
     determine amplitudes.
     """
     if harmonics < 1:
-        raise InputError(f"{harmonics} harmonics cannot be; write 1 for the fundamental alone")
+        raise InputError(f"{harmonics} harmonics are not possible; write 1 for the fundamental alone")
     kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=ratio, teeth=teeth)
     return tuple(
         KinematicLine(
@@ -180,7 +184,7 @@ def kinematic_lines(
 
 
 def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str, Teeth | None]]:
-    """Yield family, motor order, output order and cause of each, and of a mesh its stage."""
+    """Yield family, motor order, output order and cause of each fundamental, and the stage of a gear mesh."""
     ratio, p, slots = kinematics.ratio, kinematics.pole_pairs, kinematics.slots
     yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], None
     motor_orders: dict[Family, int | None] = {

@@ -1,4 +1,4 @@
-"""What lines a motor and gearbox show at a speed: orders and causes, what coincides, and a better speed."""
+"""The order report of a motor and gearbox at one speed: lines with causes, coincidences, and a better speed."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ class OrdersReport:
     Parameters
     ----------
     kinematics : Kinematics
-        Poles, slots, ratio and teeth that they follow from.
+        Poles, slots, ratio and teeth.
     motor_speed : float
         [rad/s].
     lines : tuple of KinematicLine
         By rising frequency.
     left_out : dict of Family to str
-        Families without lines, and what is not known.
+        Families without lines, and the missing data.
     coincidences : Coincidences
         Lines on mains multiples and lines of equal order.
     better : BetterSpeed
-        The nearest speed that keeps the lines clear of the mains.
+        The nearest speed at which the lines keep a distance from the mains multiples.
     """
 
     kinematics: Kinematics
@@ -51,12 +51,12 @@ def orders_report(
     mains: float = 50.0,
     clearance: float = 1.0,
 ) -> OrdersReport:
-    """Return the lines of ``kinematics`` at ``motor_speed`` [rad/s], what coincides there, and a better speed.
+    """Return the lines of ``kinematics`` at ``motor_speed`` [rad/s], their coincidences, and a better speed.
 
     Parameters
     ----------
     kinematics : Kinematics
-        What the lines follow from.
+        Poles, slots, ratio and teeth of the drive.
     motor_speed : float
         [rad/s], not 0; its sign does not matter.
     harmonics : int
@@ -64,17 +64,17 @@ def orders_report(
     mains : float
         [Hz], > 0.
     clearance : float
-        Wanted distance of every line from the mains multiples [Hz].
+        Required distance of every line from the mains multiples [Hz].
 
     Raises
     ------
     InputError
-        For a speed of 0 or a mains frequency that cannot be.
+        For a speed of 0 or an impossible mains frequency.
     """
     if not isfinite(motor_speed) or motor_speed == 0:
         raise InputError("at a speed of 0 no line has a frequency; give the motor's speed, for example 1000 rpm")
     if not (isfinite(mains) and mains > 0):
-        raise InputError(f"a mains frequency of {mains} Hz cannot be; give for example 50 Hz")
+        raise InputError(f"a mains frequency of {mains} Hz is not possible; give for example 50 Hz")
     lines = kinematics.lines(harmonics)
     return OrdersReport(
         kinematics=kinematics,

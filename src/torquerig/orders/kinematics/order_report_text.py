@@ -1,4 +1,4 @@
-"""An orders report in words: the rows of its table, and sentences on cogging, coincidences and a better speed."""
+"""The order report as text: rows of its table, and sentences on cogging, coincidences and a better speed."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def orders_rows(report: OrdersReport) -> tuple[tuple[str, ...], ...]:
 
 
 def orders_sentences(report: OrdersReport) -> tuple[str, ...]:
-    """Return what is to be said beside the table: cogging, planets, mains, equal orders, better speed, the unknown."""
+    """Return the sentences below the table: cogging, planets, mains, equal orders, better speed, missing data."""
     left_out = tuple(f"No {family.replace('_', ' ')} lines: {reason}." for family, reason in report.left_out.items())
     return (
         *cogging_sentence(report),
@@ -40,7 +40,7 @@ def orders_sentences(report: OrdersReport) -> tuple[str, ...]:
 
 
 def name_of(line: KinematicLine) -> str:
-    """Return a line's short name: ``gear mesh x2``, and the family alone for its fundamental."""
+    """Return a line's short name: ``gear mesh x2``, without number for the fundamental."""
     family = line.family.replace("_", " ")
     return family if line.harmonic == 1 else f"{family} x{line.harmonic}"
 
@@ -61,19 +61,19 @@ def cogging_sentence(report: OrdersReport) -> tuple[str, ...]:
 
 
 def cancelled_sentence(report: OrdersReport) -> tuple[str, ...]:
-    """Return the sentence on the mesh lines that equal planets cancel; nothing where there is none."""
+    """Return the sentence on the mesh lines that equal planets cancel; empty where there are none."""
     gone = [name_of(line) for line in report.lines if line.cancelled]
     if not gone:
         return ()
     sentence = (
-        f"Equal planets cancel {', '.join(gone)} in torque (they shake the gearbox sideways); planets of unequal share "
-        "leave something of them, with side lines."
+        f"Equal planets cancel {', '.join(gone)} in the torque (they act as a lateral force on the gearbox). With "
+        "unequal planets a part of them remains, with side lines."
     )
     return (sentence,)
 
 
 def mains_sentences(report: OrdersReport) -> tuple[str, ...]:
-    """Return one sentence per mains multiple that a line stands on."""
+    """Return one sentence per mains multiple with a line on it."""
     mains = report.coincidences.mains
     by_multiple: dict[int, list[OnMains]] = {}
     for hit in report.coincidences.on_mains:
@@ -93,13 +93,13 @@ def equal_order_sentences(report: OrdersReport) -> tuple[str, ...]:
 
 
 def better_speed_sentence(report: OrdersReport) -> str:
-    """Return what test speed keeps the lines clear of the mains, and what no speed can do."""
+    """Return the sentence on the test speed at which the lines keep a distance from the mains multiples."""
     better, mains = report.better, report.coincidences.mains
-    rpm, asked = better.motor_speed * 30 / pi, abs(report.motor_speed) * 30 / pi
-    shared = " Equal orders stay equal at any speed." if report.coincidences.equal_orders else ""
-    if abs(rpm - asked) < 1e-6 and not better.crowded:
+    rpm, given = better.motor_speed * 30 / pi, abs(report.motor_speed) * 30 / pi
+    shared = " Equal orders coincide at any speed." if report.coincidences.equal_orders else ""
+    if abs(rpm - given) < 1e-6 and not better.crowded:
         return (
-            f"At {asked:g} rpm every line is {better.clearance:.2f} Hz or more from multiples of {mains:g} Hz.{shared}"
+            f"At {given:g} rpm every line is {better.clearance:.2f} Hz or more from multiples of {mains:g} Hz.{shared}"
         )
     if not better.crowded:
         return (
@@ -108,11 +108,11 @@ def better_speed_sentence(report: OrdersReport) -> str:
         )
     crowded = ", ".join(name_of(line) for line in better.crowded)
     return (
-        f"No speed within reach keeps every line {better.wanted:g} Hz from multiples of {mains:g} Hz; the best is "
-        f"{rpm:g} rpm, where {crowded} still {'stands' if len(better.crowded) == 1 else 'stand'} nearer.{shared}"
+        f"No speed in the searched range keeps every line {better.wanted:g} Hz from multiples of {mains:g} Hz. The "
+        f"best is {rpm:g} rpm, where {crowded} {'is' if len(better.crowded) == 1 else 'are'} still nearer.{shared}"
     )
 
 
 def _equal(group: EqualOrder) -> str:
     names = " and ".join(dict.fromkeys(name_of(line) for line in group.lines))
-    return f"{group.frequency:.2f} Hz is {names}: equal orders, which no speed parts."
+    return f"{group.frequency:.2f} Hz is {names}: equal orders, which no speed separates."

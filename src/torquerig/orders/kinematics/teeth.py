@@ -1,4 +1,4 @@
-"""What the teeth of a gear stage fix: its ratio, the order of its mesh line, and which lines the planets leave."""
+"""Ratio, mesh orders and torque harmonics of a gear stage, from its tooth counts."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ from torquerig.orders.kinematics.planetary_assembly import (
 
 @dataclass(frozen=True)
 class Planetary:
-    """Teeth of a planetary stage, by default driven at the sun and taken off at the carrier, the ring fixed.
+    """Teeth of a planetary stage; by default sun in, carrier out, ring fixed.
 
     Parameters
     ----------
     sun, ring : int
         Tooth counts, > 0, ``ring`` > ``sun``.
     planets : int or None
-        Number of equal planets; None where it is not known, and then the assembly is not checked.
+        Number of equal planets; None where unknown, and then the assembly is not checked.
     planet : int or None
         Teeth of a planet, where they are known.
     fixed : {"ring", "carrier", "sun"}
-        What is held: the ring (sun in, carrier out), the carrier (sun in, ring out the other way) or the sun (ring
-        in, carrier out).
+        The fixed member: the ring (sun in, carrier out), the carrier (sun in, ring out, reversed) or the sun (ring in,
+        carrier out).
 
     Raises
     ------
     InputError
-        When such a set cannot be put together; names the nearest sets that can, for the same ratio.
+        When such a set cannot be assembled; with the nearest sets that can, for the same ratio.
 
     Notes
     -----
@@ -57,9 +57,9 @@ class Planetary:
                 "teeth than the sun, and both at least one"
             )
         if self.planets is not None and self.planets < 1:
-            raise InputError(f"{self.planets} planets cannot be; write at least 1, or leave planets out")
+            raise InputError(f"{self.planets} planets are not possible; write at least 1, or leave planets out")
         if self.fixed not in ("ring", "carrier", "sun"):
-            raise InputError(f"fixed: {self.fixed!r} is no member of a planetary stage; write ring, carrier or sun")
+            raise InputError(f"fixed: {self.fixed!r} is not a member of a planetary stage; write ring, carrier or sun")
         if reason := assembly_fault(self.sun, self.ring, self.planets, self.planet):
             ratio = stage_ratio(self.sun, self.ring, self.fixed)
             near = nearest_sets(self.sun, self.ring, self.planets, ratio=ratio, fixed=self.fixed)
@@ -69,12 +69,12 @@ class Planetary:
 
     @property
     def ratio(self) -> float:
-        """Turns of the input per turn of the output, without their sign [1]."""
+        """Turns of the input per turn of the output, without sign [1]."""
         return stage_ratio(self.sun, self.ring, self.fixed)
 
     @property
     def reverses(self) -> bool:
-        """Whether the output turns against the input."""
+        """Whether the output turns opposite to the input."""
         return self.fixed == "carrier"
 
     @property
@@ -89,9 +89,9 @@ class Planetary:
 
     @property
     def lever_teeth(self) -> int:
-        """By how many teeth times half a module (and cos of the pressure angle) a tooth error turns the output [1].
+        """The lever arm of a tooth error at the output, in teeth of half a module times cos(pressure angle) [1].
 
-        From ``r_s (ws - wc) + r_r (wr - wc) = d(error)/dt``, the planet rolling on both.
+        From ``r_s (ws - wc) + r_r (wr - wc) = d(error)/dt``, with the planet rolling on both.
         """
         return self.ring if self.fixed == "carrier" else self.sun + self.ring
 
@@ -102,24 +102,24 @@ class Planetary:
         return f"planetary stage, sun {self.sun} and ring {self.ring}{held}"
 
     def torque_share(self, order: int, shares: tuple[float, ...] = ()) -> float:
-        """Return how much of a line of a whole output order the planets leave in torque [1].
+        """Return the share of a line of a whole output order that remains in the torque [1].
 
-        ``abs(sum_k w_k exp(2 pi i order k / n))``: planet k stands 2 pi k / n further round, so that of n planets of
-        equal share only orders that are multiples of n are left. ``shares`` are the w_k, 1/n each by default.
+        ``abs(sum_k w_k exp(2 pi i order k / n))``: planet k is at the angle 2 pi k / n, so that of n equally loaded
+        planets only orders that are multiples of n remain. ``shares`` are the w_k, 1/n each by default.
         """
         count = self.planets or 1
         weights = shares or (1 / count,) * count
         return abs(sum(share * exp(2j * pi * (order * k % count) / count) for k, share in enumerate(weights)))
 
     def torque_harmonics(self, highest: int = 4) -> tuple[int, ...]:
-        """Return which of the first ``highest`` mesh harmonics are left in torque; the others shake sideways.
+        """Return which of the first ``highest`` mesh harmonics remain in the torque; the others act as lateral forces.
 
-        Harmonic l is left where l zs / n is whole (equally, by the assembly, l zr / n): Parker 2000, JSV 236(4).
+        Harmonic l remains where l zs / n is whole (equally, by the assembly, l zr / n): Parker 2000, JSV 236(4).
         """
         return tuple(h for h in range(1, highest + 1) if h * self.sun % (self.planets or 1) == 0)
 
     def fault_orders(self) -> dict[str, float]:
-        """Return the output orders [1/rev] of one damaged tooth by member; none where the planets are not counted."""
+        """Return the output orders [1/rev] of one damaged tooth by member; empty where the planets are unknown."""
         if self.planets is None:
             return {}
         planet = self.planet or (self.ring - self.sun) / 2
@@ -143,18 +143,18 @@ class Spur:
             )
         if self.internal and self.wheel <= self.pinion:
             raise InputError(
-                f"a pinion of {self.pinion} does not go into a ring of {self.wheel} teeth; write a wheel of at least "
+                f"a pinion of {self.pinion} does not fit into a ring of {self.wheel} teeth; write a wheel of at least "
                 f"{self.pinion + 1}"
             )
 
     @property
     def ratio(self) -> float:
-        """Turns of the pinion per turn of the wheel, without their sign [1]."""
+        """Turns of the pinion per turn of the wheel, without sign [1]."""
         return self.wheel / self.pinion
 
     @property
     def reverses(self) -> bool:
-        """Whether the wheel turns against the pinion."""
+        """Whether the wheel turns opposite to the pinion."""
         return not self.internal
 
     @property
@@ -169,12 +169,12 @@ class Spur:
 
     @property
     def lever_teeth(self) -> int:
-        """By how many teeth times half a module a tooth error turns the wheel [1]."""
+        """The lever arm of a tooth error at the wheel, in teeth of half a module [1]."""
         return self.wheel
 
     @property
     def hunting_order_out(self) -> float:
-        """How often per turn of the wheel the same two teeth meet [1/rev]: gcd / pinion."""
+        """Meetings of the same two teeth per turn of the wheel [1/rev]: gcd / pinion."""
         return gcd(self.pinion, self.wheel) / self.pinion
 
     @property

@@ -1,4 +1,4 @@
-"""Tooth counts as a scenario writes them: one mapping per stage, told apart by its keys."""
+"""Reading of tooth counts from a scenario: one mapping per stage; its keys determine the kind of stage."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ EXAMPLE = "write for example {sun: 21, ring: 84, planets: 3} or {pinion: 20, whe
 
 
 def read_teeth(written: Any) -> tuple[Planetary | Spur, ...]:
-    """Return the stages that a mapping, or a list of mappings, states; InputError says what is wrong with a set."""
+    """Return the stages that a mapping, or a list of mappings, states; InputError for a faulty one."""
     listed = written if isinstance(written, list | tuple) else [written]
     return tuple(one if isinstance(one, Planetary | Spur) else _stage(one) for one in listed)
 
 
 @dataclass(frozen=True)
 class TeethList:
-    """Marks a field of tooth counts: pydantic reads it by :func:`read_teeth`, and faults get their place."""
+    """Annotation of a field of tooth counts: pydantic reads it by :func:`read_teeth` and reports faults with place."""
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         from pydantic_core import core_schema
