@@ -88,5 +88,5 @@ def test_a_tacho_that_cannot_serve_is_refused():
     with pytest.raises(RecordingError, match="has 0 pulses"):
         motor_angle_from_tacho(recording(tacho=still))
     many = Channel(values=(np.mod(TRUE / (2 * pi) * 40.37, 1.0) < 0.3) * 1.0, quantity="tacho", unit="V")
-    with pytest.raises(RecordingError, match="do not tell how many"):
+    with pytest.raises(RecordingError, match="do not follow from"):
         motor_angle_from_tacho(recording(tacho=many), ratio=5.0)

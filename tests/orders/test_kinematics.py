@@ -105,11 +105,11 @@ def test_what_is_unknown_leaves_its_lines_out_and_is_named():
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        ({"pole_pairs": 0}, "pole pairs cannot be"),
-        ({"slots": -12}, "slots cannot be"),
+        ({"pole_pairs": 0}, "pole pairs are not possible"),
+        ({"slots": -12}, "slots are not possible"),
         ({"ratio": 0.0}, "gear ratio"),
         ({"ratio": float("nan")}, "gear ratio"),
-        ({"harmonics": 0}, "harmonics cannot be"),
+        ({"harmonics": 0}, "harmonics are not possible"),
         ({"teeth": (Planetary(18, 72, 3),), "ratio": 4.0}, "teeth give a ratio of 5"),
     ],
 )

@@ -37,7 +37,7 @@ def test_the_admissible_five_to_one_sets_of_the_audit_assemble(sun, ring, planet
 
 @pytest.mark.parametrize(("sun", "ring", "planets"), [(21, 85, 3), (16, 64, 3), (21, 84, 4)])
 def test_planets_that_cannot_be_put_in_are_refused_with_the_nearest_sets_that_can(sun, ring, planets):
-    with pytest.raises(InputError, match="must be whole; the nearest sun/ring that assemble") as refused:
+    with pytest.raises(InputError, match="must be whole; the nearest sun/ring that can be assembled") as refused:
         Planetary(sun, ring, planets)
     named = [tuple(map(int, found)) for found in re.findall(r"(\d+)/(\d+) \(", str(refused.value))]
     assert len(named) == 3
@@ -49,7 +49,7 @@ def test_planets_that_cannot_be_put_in_are_refused_with_the_nearest_sets_that_ca
 
 def test_planets_that_would_touch_are_refused():
     # sun 12, ring 108: planets of 48 teeth; four of them would overlap, for (12 + 48) sin 45 = 42.4 < 50
-    with pytest.raises(InputError, match="clear"):
+    with pytest.raises(InputError, match="collide"):
         Planetary(12, 108, planets=4)
 
 

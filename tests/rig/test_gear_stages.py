@@ -101,8 +101,8 @@ def test_the_mesh_order_follows_the_speeds_of_sun_and_ring_against_the_carrier(f
         (f"{{kind: gear, teeth: {{sun: 21, rnig: 84}}, {SPRING}}}", "'rnig' is no key .*did you mean 'ring'"),
         (f"{{kind: gear, teeth: {{sun: 21.5, ring: 84}}, {SPRING}}}", "21.5 is no tooth count; write a whole number"),
         (f"{{kind: gear, teeth: {{sun: 21}}, {SPRING}}}", "has no ring; write for example"),
-        (f"{{kind: gear, teeth: {{sun: 21, ring: 84, fixed: planet}}, {SPRING}}}", "no member of a planetary stage"),
-        (f"{{kind: gear, teeth: {{pinion: 50, wheel: 20, internal: true}}, {SPRING}}}", "does not go into a ring"),
+        (f"{{kind: gear, teeth: {{sun: 21, ring: 84, fixed: planet}}, {SPRING}}}", "not a member of a planetary stage"),
+        (f"{{kind: gear, teeth: {{pinion: 50, wheel: 20, internal: true}}, {SPRING}}}", "does not fit into a ring"),
         (
             f"{{kind: belt, pinion_teeth: 20, wheel_teeth: 100, belt_teeth: 60, pitch: 5 mm, {STRAND}}}",
             "does not go round pulleys .* it needs at least 108 teeth",
