@@ -57,6 +57,7 @@ def comb_at_one_speed(known_rig: Scenario, record: Record) -> Outcome:
     return told(known_rig, record, COMB, [(1000, 5)])
 
 
+@pytest.mark.long
 def test_at_one_speed_an_order_and_a_fixed_frequency_are_one_class(comb_at_one_speed: Outcome) -> None:
     (finding,) = comb_at_one_speed.diagnosis.findings
     assert {finding.mechanism, *finding.equivalent_to} == {"gear_mesh", "pwm_aliasing"}
@@ -67,6 +68,7 @@ def test_at_one_speed_an_order_and_a_fixed_frequency_are_one_class(comb_at_one_s
     assert comb_at_one_speed.diagnosis.verdict == "missing_physics"
 
 
+@pytest.mark.long
 def test_a_second_speed_is_advised_and_tells(comb_at_one_speed: Outcome, known_rig: Scenario, record: Record) -> None:
     rpm, load = advised(comb_at_one_speed.diagnosis.findings[0], load=5)
     assert abs(rpm / 1000 - 1) > 0.2
@@ -78,8 +80,9 @@ def test_a_second_speed_is_advised_and_tells(comb_at_one_speed: Outcome, known_r
 
 
 @pytest.mark.parametrize(
-    ("truth", "name"), [(COGGING, "cogging"), pytest.param(RIPPLE, "commutation_ripple", marks=pytest.mark.long)]
+    ("truth", "name"), [(COGGING, "cogging"), pytest.param(RIPPLE, "commutation_ripple", marks=pytest.mark.full)]
 )
+@pytest.mark.long
 def test_at_one_current_cogging_is_the_twelfth_harmonic_until_another_load_is_run(
     truth: Part, name: str, known_rig: Scenario, record: Record
 ) -> None:
@@ -92,6 +95,7 @@ def test_at_one_current_cogging_is_the_twelfth_harmonic_until_another_load_is_ru
     assert finding.equivalent_to == ()
 
 
+@pytest.mark.long
 def test_every_mechanism_is_found_fitted_or_set_aside_with_a_reason(comb_at_one_speed: Outcome) -> None:
     diagnosis = comb_at_one_speed.diagnosis
     (finding,) = diagnosis.findings
@@ -109,6 +113,7 @@ def test_every_mechanism_is_found_fitted_or_set_aside_with_a_reason(comb_at_one_
     assert all(len(reason) > 10 for reason in diagnosis.set_aside.values())
 
 
+@pytest.mark.long
 def test_what_was_fitted_in_vain_says_how_little_went(comb_at_one_speed: Outcome) -> None:
     before, model = comb_at_one_speed.before, comb_at_one_speed.after.model
     vain = Trial(Candidate(mechanism="torsional_mode", parts=(), knobs=()), model, 0.5 * excess(before))
@@ -119,6 +124,7 @@ def test_what_was_fitted_in_vain_says_how_little_went(comb_at_one_speed: Outcome
     assert "torsional_mode" not in set_aside(before, Tried((vain,), ()), known=("torsional_mode",))
 
 
+@pytest.mark.long
 def test_a_mechanism_that_is_not_there_is_set_aside_for_that(
     comb_at_one_speed: Outcome, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -17,7 +17,7 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.readings import other_readings
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.full
 
 PARTS = (("bldc-12n14p, torque_limit: 2.0 N*m", "HDS6A-0104A"), ("reference-5-1", "NPS015-5"))
 

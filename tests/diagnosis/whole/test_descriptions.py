@@ -44,6 +44,7 @@ def test_noise_that_cannot_be_is_refused(wrong: dict[str, float]) -> None:
         BandNoise(**{"rms": 0.1, "frequency": 100.0, "width": 0.1, **wrong})
 
 
+@pytest.mark.long
 def test_noise_of_a_fixed_band_gets_no_name(known_rig: Scenario, three_runs: Callable[..., list[Recording]]) -> None:
     """It is described, modelled and written, but nothing is called missing."""
     hidden = known_rig.rig + NoiseHump(name="hidden", rms=0.08, frequency=400.0, width=0.03)

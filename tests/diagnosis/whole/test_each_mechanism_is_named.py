@@ -163,7 +163,7 @@ LONG = (
     gear_mesh, commutation_ripple, cogging, blade_pass, mains_interference, pwm_aliasing, sensor_bandwidth,
     quadratic_drag, sensor_drift, stribeck_friction, backlash, clipping,
 )  # fmt: skip
-CLASSES = [*QUICK, *(pytest.param(effect, marks=pytest.mark.long, id=effect.__name__) for effect in LONG)]
+CLASSES = [*QUICK, *(pytest.param(effect, marks=pytest.mark.full, id=effect.__name__) for effect in LONG)]
 
 
 def drawn_for(name: str, effect: Callable[[Draw], Drawn]) -> Drawn:
@@ -171,6 +171,7 @@ def drawn_for(name: str, effect: Callable[[Draw], Drawn]) -> Drawn:
 
 
 @pytest.mark.parametrize("effect", CLASSES, ids=lambda effect: getattr(effect, "__name__", None))
+@pytest.mark.long
 def test_a_hidden_effect_is_named_with_its_numbers(
     effect: Callable[[Draw], Drawn], known_rig: Scenario, record: Record
 ) -> None:

@@ -1,6 +1,6 @@
 """The practice recordings of ../shared: made by another program, 12 s at 25 kHz, named as their answers say.
 
-A minute each, so they run where they are asked for; ``python -m proof`` runs all of them.
+A minute each, so only .ci/full runs them; ``python -m proof`` runs all of them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from torquerig.scenario.model import Scenario
 PRACTICE = Path(__file__).resolve().parents[3] / ".." / "shared" / "practice"
 pytestmark = [
     pytest.mark.skipif(not PRACTICE.exists(), reason="shared/practice is not beside this checkout"),
-    pytest.mark.long,
+    pytest.mark.full,
 ]
 
 ANSWERS: dict[str, tuple[str | None, dict[str, float]]] = {

@@ -1,0 +1,26 @@
+"""How the tests are dealt to workers: by file, the heaviest files first."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+# each takes a worker for half a minute or more, so none of them may begin last
+HEAVY = ("diagnosis/whole/", "diagnosis/advising/test_next_run", "simulation/test_batch", "examples/", "cli/", "study/")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put the heaviest files first; a file's own order stays."""
+    items.sort(key=lambda item: not any(part in item.nodeid for part in HEAVY))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Keep the tests of a file together: they share fixtures, and compile a kernel once instead of in each worker."""
+    from xdist.scheduler import LoadFileScheduling
+
+    if config.getvalue("dist") != "load":
+        return None
+    config.option.loadscopereorder = False  # by the number of tests, which says nothing about their time
+    return LoadFileScheduling(config, log)
