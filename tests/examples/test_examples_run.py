@@ -20,6 +20,7 @@ figures[-1].savefig(sys.argv[2])
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("example", EXAMPLES, ids=[example.stem for example in EXAMPLES])
 def test_example_draws_its_picture(example: Path, tmp_path: Path) -> None:
     picture = tmp_path / "picture.svg"

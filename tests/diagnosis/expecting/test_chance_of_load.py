@@ -37,8 +37,10 @@ def seen(rig: Rig, recording: Recording) -> Features:
     return features(run, sorted({order(line.order) for line in Twin(rig.at(run.run)).lines()}), held=None)
 
 
-@pytest.mark.parametrize("name", EFFECTS)
-@pytest.mark.parametrize("rpm", [1000.0, -700.0])
+@pytest.mark.parametrize(
+    "name", ["none", *(pytest.param(name, marks=pytest.mark.long) for name in EFFECTS if name != "none")]
+)
+@pytest.mark.parametrize("rpm", [1000.0, pytest.param(-700.0, marks=pytest.mark.long)])
 def test_each_draw_says_the_same(name: str, rpm: float, wear_rig: Scenario, record: Record) -> None:
     """Where the load makes nearly all, draws differ by a decibel, and what is expected by each by a few hundredths."""
     effect = EFFECTS[name]
