@@ -62,10 +62,13 @@ def _there(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 BAD: dict[str, tuple[tuple[str, ...], str]] = {
     "no recording": ((), "missing argument 'RECORDINGS...'"),
     "missing file": (("nope.parquet",), "nope.parquet: there is no such file"),
-    "two ratios": (("good.parquet", "ratio.parquet"), "of different rigs: their sheets state the gear ratio"),
-    "two motors": (("good.parquet", "motor.parquet"), "of different rigs: their sheets state the motor"),
-    "wrong ratio": (("ratio.parquet",), "a gear ratio of 20, the scenario's rig has 5, and its lines do not tell"),
-    "too short": (("short.parquet",), "short.parquet: 0.40 s are too short to tell anything; record 2 s or more"),
+    "two ratios": (("good.parquet", "ratio.parquet"), "of different rigs: their sidecars state the gear ratio"),
+    "two motors": (("good.parquet", "motor.parquet"), "of different rigs: their sidecars state the motor"),
+    "wrong ratio": (
+        ("ratio.parquet",),
+        "a gear ratio of 20, the scenario's rig has 5, and the lines of the torque do not decide",
+    ),
+    "too short": (("short.parquet",), "short.parquet: 0.40 s are too short for a diagnosis; record at least 2 s"),
     "no speed": (("no_speed.parquet",), "no_speed.parquet: the run states no motor speed"),
     "unknown channel": (("pressure.csv",), "pressure.csv"),
     "the same twice": (("good.parquet", "good.parquet"), "two recordings have the same file name"),
@@ -101,7 +104,9 @@ def test_a_sheet_of_another_gear_ratio_is_held_to_the_lines(folder: Path, capsys
     """They fit 5: a mismatch with the scenario of 5; with that of 20 the scenario is another rig's."""
     main(("diagnose", "long_ratio.parquet", "--scenario", WEAR_RIG, "--json", "-"))
     data = json.loads(capsys.readouterr().out)
-    sentence = "its sheet states a gear ratio of 20, the recording's lines fit 5; diagnosed at the latter"
+    sentence = (
+        "its sidecar states a gear ratio of 20, but the lines of its torque fit 5. The diagnosis uses the latter."
+    )
     assert any(sentence in remark for remark in data["remarks"])
     assert [each["at"] for each in data["mismatch"] if each["domain"] == "order"] == [1.0]
     assert data["verdict"] == "adequate"
@@ -109,7 +114,9 @@ def test_a_sheet_of_another_gear_ratio_is_held_to_the_lines(folder: Path, capsys
     (folder / "other.yaml").write_text(other, encoding="utf-8")
     with pytest.raises(SystemExit):
         main(("diagnose", "long.parquet", "--scenario", "other.yaml", "--json", "-"))
-    assert "a gear ratio of 5, which the lines of its torque fit; the scenario's rig has 20" in capsys.readouterr().err
+    assert (
+        "a gear ratio of 5, which the lines of its torque fit, but the scenario's rig has 20" in capsys.readouterr().err
+    )
 
 
 def test_a_missing_scenario_is_said(capsys: pytest.CaptureFixture[str]) -> None:

@@ -54,7 +54,9 @@ def test_a_sheet_of_no_gear_of_the_rig_is_held_to_lines(
     bench: Callable[..., Rig], by_hand: Callable[..., Observed]
 ) -> None:
     """Noise has none, so that they tell neither."""
-    with pytest.raises(RecordingError, match="a gear ratio of 4, the scenario's rig has 1, and its lines do not tell"):
+    with pytest.raises(
+        RecordingError, match="a gear ratio of 4, the scenario's rig has 1, and the lines of the torque do not decide"
+    ):
         list(off_ratios(stating(4.0, by_hand), [by_hand(NOISE, ANGLE)], bench("before", wheel=60)))
 
 

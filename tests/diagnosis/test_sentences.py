@@ -10,7 +10,10 @@ from torquerig.diagnosis.sentences import explanation
 
 @pytest.mark.parametrize(
     ("low", "high", "said"),
-    [(4.0, 36.0, "a gap of about 8.0 arcmin in the gearbox;"), (1.5, 45.0, "do not tell: its flanks chatter")],
+    [
+        (4.0, 36.0, "backlash of about 8.0 arcmin in the gearbox."),
+        (1.5, 45.0, "its width is open, because the teeth chatter"),
+    ],
 )
 def test_a_width_is_said_where_it_is_told(low: float, high: float, said: str) -> None:
     gap = {"gap_arcmin": Stated(value=8.0, low=low, high=high, unit="arcmin")}

@@ -56,5 +56,5 @@ def test_what_goes_wrong_beside_goes_wrong_here(processes: int) -> None:
 
 @forked
 def test_a_process_that_is_ended_from_outside_is_said_with_a_remedy() -> None:
-    with side_by_side(2), pytest.raises(InputError, match="for want of memory; say --workers 1"):
+    with side_by_side(2), pytest.raises(InputError, match="memory ran out; run again with --workers 1"):
         of_each(lambda _: os.kill(os.getpid(), signal.SIGKILL), range(2))

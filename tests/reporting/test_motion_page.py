@@ -144,9 +144,9 @@ def test_what_was_set_aside_stands_with_its_reason(page: str, found: MotionOutco
 
 def test_the_next_experiment_is_told_where_there_is_one(found: MotionOutcome) -> None:
     (finding,) = found.diagnosis.findings
-    asked = replace(finding, next_experiment="turn it slowly", equivalent_to=("quadratic_drag",))
+    asked = replace(finding, next_experiment="Turn it slowly.", equivalent_to=("quadratic_drag",))
     text = words_of(paged(replace(found, diagnosis=replace(found.diagnosis, findings=(asked,)))))
-    assert "Next run: turn it slowly." in text
+    assert "Next run: Turn it slowly." in text
     assert "do not distinguish it from quadratic drag" in text
     assert re.search(r"quadratic drag [^a-z]+ not distinguished by these recordings", text)
 
@@ -285,6 +285,6 @@ def test_what_the_samples_show_stands_on_the_page_without_rivals(friction: float
     limit = 18.0 if friction == 0 else 25.0
     outcome = diagnosed(made.with_values("force_N", np.clip(made.channels["force_N"].values, -limit, limit)))
     text = unescape(paged(outcome))
-    assert f"a reading that stops at {limit:g} N, where the motion asks for more" in text
+    assert f"clipping of the reading at {limit:g} N, below what the motion requires" in text
     assert ("Alternative hypotheses" in text) == (friction > 0)
-    assert "left out of fits and judgement" in text
+    assert "excluded from fits and held-out data" in text

@@ -82,15 +82,15 @@ def begun(
     drawn = _begun(scenario, recordings, progress)
     if not others:
         return drawn
-    progress(f"trying the other {len(others)} readings of what the catalog leaves open")
+    progress(f"testing {len(others)} other samples of the open catalog values")
     left_by = of_each(lambda other: excess(_begun(other, recordings, lambda _: None).before), others)
     least = int(np.argmin(left_by))
     if left_by[least] >= excess(drawn.before) - LEAST_GAIN:
         return drawn
     best = _begun(others[least], recordings, progress)
     chosen, left = best.scenario.choices(), drawn.scenario.choices()
-    told = [f"{name} {of:g} (not {left[name]:g}, as drawn)" for name, of in chosen.items() if left.get(name) != of]
-    said = f"of what the catalog leaves open, the recordings fit {', '.join(told) or 'another draw'}"
+    told = [f"{name} = {of:g} (drawn: {left[name]:g})" for name, of in chosen.items() if left.get(name) != of]
+    said = f"The catalog leaves values open. The recordings fit {', '.join(told) or 'another sample of them'} best."
     return replace(best, remarks=(said, *best.remarks))
 
 
@@ -102,13 +102,13 @@ def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progre
     sheets, recordings = recordings, at_ratio_of(recordings, scenario.rig)
     whole = with_free_load(scenario.rig.at(recordings[0].run))
     nominal, own_gap = closed(whole)
-    progress("looking at the samples")
+    progress("checking the samples")
     faults = sample_findings(recordings, nominal)
-    progress("following the shaft and fitting the nominal model's own numbers")
+    progress("tracking the shaft angle and fitting the parameters of the nominal model")
     runs, before, held = _calibrated(scenario, recordings, nominal, faults)
     other = faults.at_other_level()
     if other is not None:
-        progress("trying the other level of the telegraph noise")
+        progress("testing the other level of the telegraph noise")
         at_other = _calibrated(scenario, recordings, nominal, other)
         if at_other.before.model.cost < before.model.cost:
             faults, (runs, before, held) = other, at_other

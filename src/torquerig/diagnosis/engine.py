@@ -23,16 +23,16 @@ from torquerig.scenario.model import Scenario
 Progress = Callable[[str], None]
 
 _BY_TWIN = (
-    "a model cannot be simulated with the numbers that the fit gave it, so the held-out misfits are those of linear "
-    "twins, and the distribution of values is not compared"
+    "A model cannot be simulated with its fitted parameters. The held-out residuals are therefore those of its "
+    "linearisation, without the distribution of values."
 )
 
 _FILLED = (
-    "moments without signal are filled in the recordings and left out of the simulations beside them, so the held-out "
-    "misfit is the same with them and without"
+    "Dropouts are interpolated in the recordings and omitted from the simulations. They do not change the held-out "
+    "residual."
 )
 
-_DETAIL = "what is left is {:.2%} of what was missing, and taken for the detail of what was found"
+_DETAIL = "The remaining residual is {:.2%} of the initial one. It is attributed to details of the findings."
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,7 +89,7 @@ def diagnose(
     start = begun(scenario, others, recordings, progress)
     own_gap, faults, before = start.own_gap, start.faults, start.before
     all_found = searched(before, start.of_fitted_runs(), progress)
-    progress("predicting what no fit has seen")
+    progress("predicting the held-out data")
     told = believed(start, all_found, seed=seed)
     sought, after, fit, left = told.sought, told.after, told.fit, told.left
     gap_told = own_gap is not None and after.has(GAP)
@@ -114,7 +114,7 @@ def diagnose(
         recordings=tuple(_used(run) for run in start.runs),
         remarks=(
             *(sentence for sentence, _ in start.untrue),
-            *(f"no mechanism of the library explains {what}" for what in sought.descriptions),
+            *(f"No mechanism of the library explains {what}." for what in sought.descriptions),
             *([own_gap.sentence(after.model.rig)] if own_gap is not None and gap_told else []),
             *(sentence for sentence, _ in (*told.changes, *asked) if sentence),
             *([_FILLED] if any(each.mechanism == "signal_dropout" for each in faults.candidates) else []),

@@ -185,4 +185,9 @@ def _finding(final: Case, accepted: Accepted, held: Sequence[Features]) -> Findi
     if not alike:
         return finding
     advice = next_run(case, [best, *alike])
-    return replace(finding, next_experiment="no run of the menu would tell" if advice is None else advice.sentence())
+    return replace(
+        finding,
+        next_experiment="None of the candidate runs distinguishes these mechanisms."
+        if advice is None
+        else advice.sentence(),
+    )

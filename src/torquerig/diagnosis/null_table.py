@@ -58,8 +58,8 @@ def null_table(scenario: Scenario, path: Path = SHIPPED) -> NullTable | None:
 def without_table(scenario: Scenario) -> str:
     """Return what a diagnosis says where no table was made for its scenario."""
     return (
-        "the least gains are the built-in ones: no clean rigs were run for this scenario (content "
-        f"{content_key(scenario)[:12]})"
+        "The detection thresholds are the built-in ones, because no fault-free rigs were simulated for this scenario "
+        f"(content {content_key(scenario)[:12]})."
     )
 
 

@@ -102,11 +102,13 @@ class Diagnosis:
 
 
 METRIC = (
-    "mean square of the residuals of held-out features (line amplitudes, spectrum in eighth octaves, slow torque, "
-    "values, flights where a gap is in question), each in units of its own spread and robust (pseudo-Huber beyond 4), "
-    "against simulations of the model, where a gap is in question in the phases that the fitted stretches show; more "
-    "by twice the logarithm of what it calls chance in the slow torque over what the scenario does; below 1 for a true "
-    "model, lower is better"
+    "Mean squared standardised residual of held-out data. Lower is better; a true model is below 1. "
+    "The data are line amplitudes, spectrum in eighth octaves, slow torque and distribution of values; also contact "
+    "losses if backlash is a hypothesis. "
+    "Each residual is divided by its standard deviation; beyond 4 it counts linearly (pseudo-Huber). "
+    "The reference is a simulation of the model, with the line phases of the fitted data if backlash is a hypothesis. "
+    "As in a likelihood, twice the logarithm of the random variation assumed for the slow torque is added, relative to "
+    "the nominal model."
 )
 
 

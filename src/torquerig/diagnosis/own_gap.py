@@ -55,10 +55,10 @@ class OwnGap:
         """Say how wide the gap is where a search found it."""
         width = self.told(rig)
         assert width is not None
-        said = f"the gap that the scenario states in {self.gear} ({self.stated / _ARCMIN:.1f} arcmin) opens here"
+        said = f"The stated backlash of {self.gear}, {self.stated / _ARCMIN:.1f} arcmin, causes contact loss here."
         if width == self.stated:
-            return f"{said}, and nothing tells another width"
-        return f"{said}, and is about {width / _ARCMIN:.1f} arcmin wide"
+            return f"{said} The recordings do not determine another width."
+        return f"{said} Its estimated width is about {width / _ARCMIN:.1f} arcmin."
 
     def _found(self, rig: Rig) -> Backlash | None:
         return next((part for part in rig.of_kind("backlash") if part.gear == self.gear), None)

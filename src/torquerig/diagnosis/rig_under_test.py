@@ -21,17 +21,17 @@ def check_rig(rig: Rig) -> None:
     imposed = next(iter(rig.parts_of(ImposedMotion)), None)
     if imposed is not None and not driven:
         raise InputError(
-            f"the scenario imposes the motion {imposed.name!r} and measures {rig.measured!r}; what a motion takes is "
-            f"compared where it is imposed: write measured: {imposed.name}, or let a speed_controller drive the motor"
+            f"the scenario imposes the motion {imposed.name!r} but measures {rig.measured!r}; write "
+            f"measured: {imposed.name}, or add a speed_controller that drives the motor"
         )
     if not driven:
         raise InputError(
-            "nothing in the scenario drives a motor; add a speed_controller, or an imposed_motion under "
-            "measured: where the motion itself was recorded"
+            "nothing in the scenario drives a motor; add a speed_controller, or, for a recorded motion, an "
+            "imposed_motion named under measured:"
         )
     if not rig.part(rig.measured).opens_node:
         raise InputError(
-            f"the scenario measures {rig.measured!r}, which no torque passes; name a torque_sensor, a coupling or a "
+            f"the scenario measures {rig.measured!r}, which transmits no torque; name a torque_sensor, a coupling or a "
             "gear under measured:"
         )
 
@@ -43,7 +43,7 @@ def check_recordings(recordings: Sequence[Recording]) -> None:
     motors = {recording.run.motor for recording in recordings if recording.run.motor}
     if len(motors) > 1:
         raise InputError(
-            f"the recordings are of different rigs: their sheets state the motor as {' and '.join(sorted(motors))}; "
+            f"the recordings are of different rigs: their sidecars state the motor as {' and '.join(sorted(motors))}; "
             "diagnose the runs of one rig in one call"
         )
 
@@ -59,10 +59,10 @@ def off_set_points(recordings: Sequence[Recording], runs: Sequence[Observed]) ->
             continue
         rpm, said = real * 30 / pi, stated * 30 / pi
         by = run.origin.removeprefix("from ")
-        teller = f"{by} turns at" if run.angle_measured else "the lines of its torque fit"
+        evidence = f"{by} shows" if run.angle_measured else "the lines of its torque fit"
         sentence = (
-            f"{run.name}: its sheet sets {said:.0f} rpm, {teller} {rpm:.0f} rpm; diagnosed at the "
-            f"latter, so correct the sheet{', or the counts per turn' if run.angle_measured else ''}"
+            f"{run.name}: the sidecar states {said:.0f} rpm, but {evidence} {rpm:.0f} rpm. The diagnosis uses the "
+            f"latter. Correct the sidecar{', or the counts per turn' if run.angle_measured else ''}."
         )
         yield sentence, Mismatch(
             domain="speed", axis="rpm", at=rpm, width=abs(rpm - said), recordings=(run.name,),

@@ -1,4 +1,4 @@
-"""What a finding says in one plain sentence: what was left out, and why this and not its rivals."""
+"""Explanations of findings: what the model lacks, how large it is, how much it explains, the best alternative."""
 
 from __future__ import annotations
 
@@ -7,50 +7,76 @@ from collections.abc import Mapping, Sequence
 from torquerig.diagnosis.outcome import Stated
 
 _WHAT = {
-    "gear_mesh": "the teeth of the gearbox: a mesh of {order_output:.0f} teeth per output turn with a transmission "
-                 "error of {transmission_error_rad:.2g} rad",
-    "commutation_ripple": "torque ripple of the motor in proportion to its torque, {depth:.1%} at motor order "
+    "gear_mesh": "a gear mesh of order {order_output:.0f} per output turn, with a transmission error of "
+                 "{transmission_error_rad:.2g} rad",
+    "commutation_ripple": "commutation torque ripple of {depth:.1%} of the motor torque, at motor order "
                           "{order_motor:.0f}",
-    "torsional_mode": "a further inertia of {inertia_kgm2:.2g} kg m^2 that rings at {frequency_Hz:.1f} Hz behind the "
-                      "sensor",
-    "backlash": "a gap of about {gap_arcmin:.1f} arcmin in the gearbox",
-    "stribeck_friction": "dry friction at the loaded part",
-    "bearing_defect": "impacts of a bearing, {order_output:.2f} per output turn, that ring at "
+    "torsional_mode": "a torsional mode at {frequency_Hz:.1f} Hz: a further inertia of {inertia_kgm2:.2g} kg m^2 on a "
+                      "spring",
+    "backlash": "backlash of about {gap_arcmin:.1f} arcmin in the gearbox",
+    "stribeck_friction": "dry friction of {coulomb} at the loaded part",
+    "bearing_defect": "a bearing defect: impacts at output order {order_output:.2f} that ring at "
                       "{ring_frequency_Hz:.0f} Hz",
-    "mains_interference": "hum of the mains at {frequency_Hz:.3f} Hz",
-    "sensor_bandwidth": "an amplifier that cuts off at {cutoff_Hz:.0f} Hz",
-    "sensor_drift": "a zero of the sensor that moves by {span_V:.3g} V",
-    "clipping": "a reading that stops at {limit_V:.3g} V",
-    "quantization": "codes {step_V:.3g} V apart",
-    "pwm_aliasing": "a tone of fixed frequency, {frequency_Hz:.2f} Hz, above what the shafts pass on",
-    "blade_pass": "pulses of the load, {order_output:.0f} per output turn, {amplitude_Nm:.3g} N m each",
-    "quadratic_drag": "drag with the square of the speed, {coefficient_Nms2:.3g} N m s^2/rad^2",
-    "signal_dropout": "moments without signal of {duration_ms:.2g} ms, {rate_per_minute:.1f} a minute",
-    "cogging": "cogging of {amplitude_Nm:.3g} N m at motor order {order_motor:.0f}",
+    "mains_interference": "mains interference of {amplitude_V:.2g} V at {frequency_Hz:.3f} Hz",
+    "sensor_bandwidth": "a lower bandwidth of the sensor's amplifier, with a cut-off at {cutoff_Hz:.0f} Hz",
+    "sensor_drift": "a drift of the sensor zero by {span_V:.3g} V",
+    "clipping": "clipping of the reading at {limit_V:.3g} V",
+    "quantization": "quantization with a step of {step_V:.3g} V",
+    "pwm_aliasing": "an aliased PWM tone of {amplitude_V:.2g} V at {frequency_Hz:.2f} Hz, constant at all speeds",
+    "blade_pass": "load pulses of {amplitude_Nm:.3g} N m at output order {order_output:.0f}",
+    "quadratic_drag": "quadratic drag of {coefficient_Nms2:.3g} N m s^2/rad^2",
+    "signal_dropout": "signal dropouts of {duration_ms:.2g} ms, {rate_per_minute:.1f} per minute",
+    "cogging": "cogging torque of {amplitude_Nm:.3g} N m at motor order {order_motor:.0f}",
 }  # fmt: skip
 
 MECHANISMS = tuple(_WHAT)
 
-_UNTOLD = 20.0  # ratio of a gap's limits from which on its width is not told at all
-_CHATTER = "a gap in the gearbox whose width these runs do not tell: its flanks chatter and do not cross it"
+_OPEN_WIDTH = 20.0  # [1] ratio of a gap's limits from which on no width is stated
+_CHATTER = "backlash in the gearbox; its width is open, because the teeth chatter without crossing the gap"
 
 
 def explanation(
     mechanism: str, parameters: Mapping[str, Stated], *, share: float, rivals: Sequence[tuple[str, float]], gain: float
 ) -> str:
-    """Return the sentence; ``share`` is the part of the misfit at its places that the effect explains."""
-    values = {name: stated.value for name, stated in parameters.items()}
-    what = _CHATTER if _is_untold(parameters) else _WHAT[mechanism].format(**values)
-    said = f"The model lacks {what}; it explains {share:.0%} of the misfit where it acts"
+    """Return the sentences of a finding.
+
+    Parameters
+    ----------
+    mechanism : str
+    parameters : mapping of str to Stated
+        Identified parameters by their names in the contract.
+    share : float
+        Share of the squared residual that the effect explains where it acts [1].
+    rivals : sequence of (str, float)
+        Alternative hypotheses with the fall of chi-square of each, best first.
+    gain : float
+        Fall of chi-square with the finding.
+    """
+    said = f"The model lacks {_what(mechanism, parameters)}. "
+    said += f"It explains {share:.0%} of the squared residual where it acts."
     others = [(name, other) for name, other in rivals if name != mechanism and other > 0]
     if others and gain > 0:
         name, other = others[0]
-        said += f", where the nearest rival, {name.replace('_', ' ')}, lowers the misfit by {other / gain:.0%} as much"
-    elif rivals:
-        said += ", where no other mechanism of the library helps"
-    return said + "."
+        return (
+            f"{said} The best alternative, {name.replace('_', ' ')}, lowers chi-square by {other / gain:.0%} as much."
+        )
+    return f"{said} No other mechanism of the library lowers chi-square." if rivals else said
 
 
-def _is_untold(parameters: Mapping[str, Stated]) -> bool:
+def _what(mechanism: str, parameters: Mapping[str, Stated]) -> str:
+    if _has_open_width(parameters):
+        return _CHATTER
+    values = {name: stated.value for name, stated in parameters.items()}
+    return _WHAT[mechanism].format(**values, coulomb=_coulomb(values))
+
+
+def _coulomb(values: Mapping[str, float]) -> str:
+    """Return dry friction as text, for each direction if it depends on it."""
+    ends = {"": "", "_forward": " forward", "_backward": " backward"}
+    sizes = [f"{values[f'coulomb_Nm{end}']:.2g} N m{way}" for end, way in ends.items() if f"coulomb_Nm{end}" in values]
+    return " and ".join(sizes)
+
+
+def _has_open_width(parameters: Mapping[str, Stated]) -> bool:
     gap = parameters.get("gap_arcmin")
-    return gap is not None and gap.high > _UNTOLD * gap.low
+    return gap is not None and gap.high > _OPEN_WIDTH * gap.low

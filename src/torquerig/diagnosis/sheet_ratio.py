@@ -45,15 +45,18 @@ def off_ratios(recordings: Sequence[Recording], runs: Sequence[Observed], rig: R
     for stated in dict.fromkeys(one.run.gear_ratio or ratio for one, _ in doubtful):
         alike = [(one, run) for one, run in doubtful if one.run.gear_ratio == stated]
         steady = [run for _, run in alike if run.steady]
-        behind, said = _behind_the_gear(rig, steady), f"{alike[0][0].name}: its sheet states a gear ratio of {stated:g}"
+        behind, said = (
+            _behind_the_gear(rig, steady),
+            f"{alike[0][0].name}: its sidecar states a gear ratio of {stated:g}",
+        )
         there = [order * ratio / stated for order in behind]
         own, other = _chance(steady, behind, others=there), _chance(steady, there, others=behind)
         if not own < _TOLD < other:
             raise _not_of_this_rig(said, recordings, ratio, fits=other < _TOLD < own)
         for one, _ in alike:
             sentence = (
-                f"{one.name}: its sheet states a gear ratio of {stated:g}, the recording's lines fit {ratio:g}; "
-                "diagnosed at the latter, so correct the sheet"
+                f"{one.name}: its sidecar states a gear ratio of {stated:g}, but the lines of its torque fit "
+                f"{ratio:g}. The diagnosis uses the latter. Correct the sidecar."
             )
             yield sentence, Mismatch(
                 domain="order", axis="output_shaft", at=1.0, width=abs(1 - ratio / stated), recordings=(one.name,),
@@ -67,17 +70,17 @@ def _not_of_this_rig(said: str, recordings: Sequence[Recording], ratio: float, *
     if len(stated) > 1:
         listed = " and ".join(sorted(f"{one:g}" for one in stated))
         return InputError(
-            f"the recordings are of different rigs: their sheets state the gear ratio as {listed}; diagnose the runs "
+            f"the recordings are of different rigs: their sidecars state the gear ratio as {listed}; diagnose the runs "
             "of one rig in one call"
         )
     if fits:
         return RecordingError(
-            f"{said}, which the lines of its torque fit; the scenario's rig has {ratio:g}: diagnose with the scenario "
-            "of that rig"
+            f"{said}, which the lines of its torque fit, but the scenario's rig has {ratio:g}; use the scenario of the "
+            "recorded rig"
         )
     return RecordingError(
-        f"{said}, the scenario's rig has {ratio:g}, and its lines do not tell which; correct the sheet, or diagnose "
-        "with the scenario of that rig"
+        f"{said}, the scenario's rig has {ratio:g}, and the lines of the torque do not decide; correct the sidecar, or "
+        "use the scenario of the recorded rig"
     )
 
 

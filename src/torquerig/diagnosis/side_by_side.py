@@ -57,8 +57,7 @@ def of_each(work: Callable[[One], Answer], items: Sequence[One]) -> list[Answer]
                 return list(pool.map(_done, range(len(items))))
             except BrokenProcessPool as gone:
                 raise InputError(
-                    "a process that worked beside this one was ended from outside, most likely for want of memory; "
-                    "say --workers 1"
+                    "a worker process was killed, probably because memory ran out; run again with --workers 1"
                 ) from gone
 
 

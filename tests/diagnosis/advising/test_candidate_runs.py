@@ -25,13 +25,13 @@ def test_a_menu_goes_from_least_effort_to_most(by_hand: Callable[..., Observed],
     menu = candidate_runs(wear_rig.rig, [run_at(by_hand, 1000, occupancy=5.0)])
     words = [one.words for one in menu]
     assert words[:4] == [
-        "repeat at 720 rpm",
-        "repeat at 1290 rpm",
-        "repeat at 1000 rpm at idle",
-        "repeat at 1000 rpm with an occupancy of 11 %",
+        "Repeat at 720 rpm",
+        "Repeat at 1290 rpm",
+        "Repeat at 1000 rpm at idle",
+        "Repeat at 1000 rpm with an occupancy of 11 %",
     ]
-    assert words[-2].startswith("run up to 1000 rpm in a ramp")
-    assert words[-1].startswith("turn back and forth")
+    assert words[-2].startswith("Record a ramp up to 1000 rpm")
+    assert words[-1].startswith("Record a reversal with an amplitude of 1000 rpm")
     assert len(set(words)) == len(words)
     assert [one.run.profile for one in menu[-3:]] == ["steady", "ramp", "reversal"]
 
@@ -44,7 +44,7 @@ def test_what_was_done_is_not_asked_again(by_hand: Callable[..., Observed], wear
         run_at(by_hand, 1000, occupancy=5.0, profile="ramp"),
     ]
     words = [one.words for one in candidate_runs(wear_rig.rig, done)]
-    assert "repeat at 720 rpm" not in words
-    assert "repeat at 1000 rpm at idle" not in words
+    assert "Repeat at 720 rpm" not in words
+    assert "Repeat at 1000 rpm at idle" not in words
     assert not [text for text in words if "ramp" in text]
-    assert "repeat at 720 rpm at idle" in words
+    assert "Repeat at 720 rpm at idle" in words

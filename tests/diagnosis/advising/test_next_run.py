@@ -47,7 +47,9 @@ def told(scenario: Scenario, record: Record, parts: Sequence[Part], runs: Sequen
 def advised(finding: Finding, *, load: float) -> tuple[float, float]:
     """Return the speed [rpm] and the occupancy [%] that the advice names."""
     assert finding.next_experiment is not None
-    found = re.match(r"repeat at (\d+) rpm(?: (at idle)| with an occupancy of ([\d.]+) %)?: ", finding.next_experiment)
+    found = re.match(
+        r"Repeat at (\d+) rpm(?: (at idle)| with an occupancy of ([\d.]+) %)?\. There, ", finding.next_experiment
+    )
     assert found is not None, finding.next_experiment
     return float(found[1]), 0.0 if found[2] else float(found[3] or load)
 
@@ -108,8 +110,8 @@ def test_every_mechanism_is_found_fitted_or_set_aside_with_a_reason(comb_at_one_
         "blade_pass", "quadratic_drag", "signal_dropout", "cogging",
     }  # fmt: skip
     assert fitted | aside == contract
-    assert diagnosis.set_aside["quadratic_drag"] == "the runs do not differ in speed"
-    assert diagnosis.set_aside["backlash"] == "the torque comes near zero in no run, so flanks never part"
+    assert diagnosis.set_aside["quadratic_drag"] == "the recordings do not differ in speed"
+    assert diagnosis.set_aside["backlash"] == "the torque is near zero in no recording, so no contact loss is possible"
     assert all(len(reason) > 10 for reason in diagnosis.set_aside.values())
 
 

@@ -111,7 +111,7 @@ def test_what_is_right_is_not_begun_again(world: dict[tuple[str, ...], float]) -
     world["mesh",] = 50.0
     said: list[str] = []
     assert findings.searched(case_of((), world[()]), (), said.append).findings == ("mesh",)
-    assert not any("beginning again" in each for each in said)
+    assert not any("restarting the search" in each for each in said)
 
 
 @pytest.mark.parametrize(("pair", "names"), [(40.0, ("mesh", "hum")), (60.0, ("backlash", "mesh"))])

@@ -36,5 +36,5 @@ def test_each_mechanism_that_is_not_named_has_its_reason(wear_rig: Scenario) -> 
 )  # fmt: skip
 def test_what_the_scenario_has_is_said_to_be_there(wear_rig: Scenario, name: str, part: Part) -> None:
     without, having = reasons(wear_rig), reasons(wear_rig, part)
-    assert having[name] == f"the scenario has it already; a second one: {without[name]}"
+    assert having[name] == f"the scenario already contains it; a second one: {without[name]}"
     assert {**having, name: without[name]} == without

@@ -29,8 +29,8 @@ def test_a_withdrawn_effect_is_told_among_what_was_set_aside(monkeypatch: pytest
         return {name: "tried" for name in ("cogging", "stribeck_friction") if name not in known}
 
     monkeypatch.setattr(findings, "set_aside", aside)
-    told = reasons(before, withdrawn, (), why="fitted, and withdrawn")
-    assert "withdrawn" in told["stribeck_friction"]
+    told = reasons(before, withdrawn, (), why="fitted, then rejected")
+    assert "rejected" in told["stribeck_friction"]
     assert told["cogging"] == "tried"
     assert reasons(before, found, (friction,), why="") == {"cogging": "tried"}
 

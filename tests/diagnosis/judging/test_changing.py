@@ -54,7 +54,7 @@ def test_a_shaft_that_softens_is_told_with_its_band() -> None:
     assert mismatch.recordings == ("run0", "run1", "run2")
     assert mismatch.at > 0.5 * COUNT / RATE
     assert mismatch.p_value < 1e-3
-    assert "something changes while they run" in sentence
+    assert "Something changes during the recordings" in sentence
 
 
 def test_what_is_no_steady_run_or_has_moments_without_signal_is_left_out() -> None:

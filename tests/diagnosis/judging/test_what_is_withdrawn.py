@@ -22,11 +22,11 @@ def fit(before: float, after: float, explained: float) -> HeldOut:
 @pytest.mark.parametrize(
     ("held", "left", "why"),
     [
-        (fit(5.0, 5.1, 0.9), SOMEWHERE, "predicted worse"),
-        (fit(1.68, 1.64, 0.9), (), "hardly predicted better"),
+        (fit(5.0, 5.1, 0.9), SOMEWHERE, "predicts the held-out data worse"),
+        (fit(1.68, 1.64, 0.9), (), "hardly improves the prediction"),
         (fit(0.6, 0.57, 0.9), (), ""),  # what is chance already cannot fall far
-        (fit(0.6, 0.595, 0.9), (), "hardly predicted better"),  # but somewhat it does where something is there
-        (fit(5.0, 4.0, 0.6), SOMEWHERE, "less than 80% at its places"),
+        (fit(0.6, 0.595, 0.9), (), "hardly improves the prediction"),  # but somewhat it does where something is there
+        (fit(5.0, 4.0, 0.6), SOMEWHERE, "less than 80% of the held-out residual"),
         (fit(5.0, 4.0, 0.6), (), ""),  # nothing stands out: the rest is chance
         (fit(5.0, 4.0, 0.85), SOMEWHERE, ""),  # right where it acts, and something else beside it
         (fit(22.0, 6.5, 0.79), SOMEWHERE, ""),  # most of all that was missing
@@ -91,13 +91,13 @@ def test_what_left_a_rest_before_must_leave_none_beside_numbers_that_stand_still
 ) -> None:
     """A sensor with play makes lines at odd orders, and each of them passes for a mesh."""
     why = why_withdrawn(fit(1.65, 1.28, 0.95), left, again=again)
-    assert ("more is left" in why) is gone
+    assert ("a residual remains" in why) is gone
 
 
 @pytest.mark.parametrize(("after", "told", "gone"), [(0.995, True, False), (0.995, False, True), (1.005, True, True)])
 def test_a_gap_that_tells_the_flights_need_not_foretell_the_rest_better(after: float, told: bool, gone: bool) -> None:
     held = fit(0.5, 0.5 * after, 0.3)
-    assert ("hardly predicted better" in why_withdrawn(held, (), flights_told=told)) is gone
+    assert ("hardly improves the prediction" in why_withdrawn(held, (), flights_told=told)) is gone
 
 
 @pytest.mark.parametrize(
@@ -161,8 +161,8 @@ def test_one_of_several_whole_orders_is_no_effect_of_its_own(
 @pytest.mark.parametrize(
     ("own", "combined", "left", "why"),
     [
-        (True, False, SOMEWHERE, "very line"),
-        (False, True, SOMEWHERE, "sum or the difference"),
+        (True, False, SOMEWHERE, "the line that it causes"),
+        (False, True, SOMEWHERE, "sum or difference"),
         (False, True, (), ""),  # nothing bends that anybody sees
         (False, False, SOMEWHERE, ""),
     ],

@@ -29,7 +29,7 @@ def test_what_hardly_helps_is_told_only_where_all_is_right(
 ) -> None:
     steps, refused = told(monkeypatch, before=0.096, after=after, wrong=wrong)
     assert (len(steps), len(refused)) == (kept, 1 - kept)
-    assert all("hardly predicted better" in each.why for each in refused)
+    assert all("hardly improves the prediction" in each.why for each in refused)
 
 
 def test_nothing_found_is_nothing_refused() -> None:

@@ -63,7 +63,7 @@ def test_a_drive_that_gives_no_more_than_its_limit_clips_nothing() -> None:
 
 
 def test_a_reading_that_hardly_leaves_its_limit_is_refused_with_a_sentence() -> None:
-    with pytest.raises(RecordingError, match=r"run\.csv: \d+ samples of its effort are left beside those at a limit"):
+    with pytest.raises(RecordingError, match=r"run\.csv: only \d+ samples are neither limit nor dropout"):
         diagnosed(carriage(lambda force: np.clip(force, -0.3, 0.3)))
 
 
@@ -84,7 +84,7 @@ def test_moments_without_signal_are_named_and_left_out() -> None:
     assert told["rate_per_minute"].value == pytest.approx(20.0, rel=0.01)  # 4 in 12 s
     run = outcome.runs[0]
     assert not (run.seen | run.held)[700:712].any()
-    assert any("left out of fits" in remark for remark in outcome.diagnosis.remarks)
+    assert any("excluded from fits" in remark for remark in outcome.diagnosis.remarks)
 
 
 def test_codes_that_make_most_of_the_noise_are_named_and_fine_ones_are_not() -> None:

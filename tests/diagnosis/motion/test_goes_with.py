@@ -24,7 +24,7 @@ GUIDED = moved_rigs.CARRIAGE + (
 
 def said(outcome: MotionOutcome) -> str:
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
-    (told,) = [each for each in outcome.diagnosis.remarks if "goes with one thing" in each]
+    (told,) = [each for each in outcome.diagnosis.remarks if "of the squared residual: " in each]
     return told
 
 
@@ -33,7 +33,7 @@ def test_an_effort_that_comes_late_is_told_with_its_delay(carriage: Carriage, di
     late = made.with_values("force_N", np.roll(made.channels["force_N"].values, 8))  # 20 ms at 400 Hz
     told = said(diagnosed(late))
     assert "ms too late" in told
-    assert float(told.split("comes ")[1].split(" ms")[0]) == pytest.approx(20.0, rel=0.15)
+    assert float(told.split("force is ")[1].split(" ms")[0]) == pytest.approx(20.0, rel=0.15)
 
 
 def test_friction_that_falls_as_a_guide_warms_up_is_told_by_its_course(
@@ -41,7 +41,7 @@ def test_friction_that_falls_as_a_guide_warms_up_is_told_by_its_course(
 ) -> None:
     warming = carriage(lambda time, position, speed: (8 + 12 * np.exp(-time / 5)) * np.tanh(speed / 1e-3))
     told = said(diagnosed(warming, GUIDED))
-    assert "dry friction that changes along the runs" in told
+    assert "dry friction that varies over the recordings" in told
 
 
 def test_a_spring_to_the_frame_is_no_friction_that_never_slides(carriage: Carriage, diagnosed: Diagnosed) -> None:

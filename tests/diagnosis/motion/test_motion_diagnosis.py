@@ -56,9 +56,11 @@ def test_a_wrong_mass_is_no_missing_physics(diagnosed: Diagnosed, carriage: Carr
     assert fit.before == fit.after < 0.2 * fit.nominal
     aside = outcome.diagnosis.set_aside
     assert set(aside) == set(CLASSES)
-    assert aside["stribeck_friction"].startswith("tried: what is left falls by less than its numbers cost")
-    assert aside["backlash"] == "the rig has no gear and no link in which there could be play"
-    assert aside["cogging"] == "what is moved is no motor"
+    assert aside["stribeck_friction"].startswith(
+        "tested: the log-likelihood rises by less than the penalty for its parameters"
+    )
+    assert aside["backlash"] == "the rig has no gear or link that could have backlash"
+    assert aside["cogging"] == "the moved part is not a motor"
 
 
 def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, carriage: Carriage) -> None:

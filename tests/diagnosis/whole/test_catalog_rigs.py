@@ -49,7 +49,7 @@ def test_another_copy_of_the_same_parts(
     said = diagnose(nominal, runs).diagnosis
     assert [each.mechanism for each in said.findings] == (["mains_interference"] if hum else [])
     assert said.verdict == ("missing_physics" if hum else "adequate")
-    assert any("the gap that the scenario states" in remark for remark in said.remarks)
+    assert any("The stated backlash of" in remark for remark in said.remarks)
 
 
 def test_a_motor_with_another_number_of_poles_than_was_drawn(tmp_path: Path, record: Callable[..., Recording]) -> None:

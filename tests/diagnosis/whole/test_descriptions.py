@@ -53,8 +53,8 @@ def test_noise_of_a_fixed_band_gets_no_name(known_rig: Scenario, three_runs: Cal
     assert diagnosis.verdict == "unexplained"
     assert diagnosis.findings == ()
     assert diagnosis.fit.after < 0.5 * diagnosis.fit.before
-    (said,) = (remark for remark in diagnosis.remarks if "no mechanism of the library explains" in remark)
-    assert "noise of a fixed band around" in said
+    (said,) = (remark for remark in diagnosis.remarks if "No mechanism of the library explains" in remark)
+    assert "V rms in a fixed band around" in said
     found = outcome.completed.part("noise_hump")
     assert isinstance(found, NoiseHump)
     assert (found.frequency, found.rms) == (pytest.approx(400.0, rel=0.02), pytest.approx(0.08, rel=0.15))

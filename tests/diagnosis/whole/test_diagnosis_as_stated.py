@@ -217,9 +217,9 @@ def test_a_sheet_that_the_lines_of_the_torque_contradict_is_said_and_located(
     runs = three_runs(known_rig.rig, 8, encoder=False)
     wrong = replace(runs[0].run, speed=1.3 * (runs[0].run.speed or 0.0))
     made = diagnose(known_rig, [replace(runs[0], run=wrong), *runs[1:]]).diagnosis
-    (off,) = (remark for remark in made.remarks if "its sheet sets" in remark)
-    assert "its sheet sets 1300 rpm, the lines of its torque fit 1004 rpm" in off
-    assert any("no clean rigs were run for this scenario" in remark for remark in made.remarks)
+    (off,) = (remark for remark in made.remarks if "the sidecar states" in remark)
+    assert "the sidecar states 1300 rpm, but the lines of its torque fit 1004 rpm" in off
+    assert any("no fault-free rigs were simulated for this scenario" in remark for remark in made.remarks)
     (place,) = [place for place in made.mismatch if place.axis == "rpm"]
     assert place.at == pytest.approx(1004.0, rel=1e-3)
 
@@ -229,8 +229,8 @@ def test_a_sheet_that_the_encoder_contradicts_is_said_and_located(known_rig: Sce
     runs = three_runs(known_rig.rig, 8)
     wrong = replace(runs[0].run, speed=1.3 * (runs[0].run.speed or 0.0))
     made = diagnose(known_rig, [replace(runs[0], run=wrong), *runs[1:]]).diagnosis
-    (off,) = (remark for remark in made.remarks if "its sheet sets" in remark)
-    assert "its sheet sets 1300 rpm, the channel encoder_count turns at 1004 rpm" in off
+    (off,) = (remark for remark in made.remarks if "the sidecar states" in remark)
+    assert "the sidecar states 1300 rpm, but the channel encoder_count shows 1004 rpm" in off
     (place,) = [place for place in made.mismatch if place.axis == "rpm"]
     assert place.at == pytest.approx(1004.0, rel=1e-3)
     assert place.recordings == (runs[0].name,)

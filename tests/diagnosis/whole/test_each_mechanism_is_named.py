@@ -201,4 +201,4 @@ def check(outcome: Outcome, name: str, drawn: Drawn) -> None:
     assert made.fit.after < 3.5
     if name == "signal_dropout":  # filled before anything is compared, and said so
         assert made.fit.after == made.fit.before
-        assert any("moments without signal are filled" in remark for remark in made.remarks)
+        assert any("Dropouts are interpolated" in remark for remark in made.remarks)

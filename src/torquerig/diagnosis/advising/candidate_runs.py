@@ -45,16 +45,16 @@ def candidate_runs(rig: Rig, runs: Sequence[Observed]) -> tuple[CandidateRun, ..
 
 def _steady(base: Run, speed: float, load: float | None) -> CandidateRun:
     run = replace(base, speed=speed, occupancy_percent=load, profile="steady", set_points=None)
-    said = f"repeat at {speed * 30 / pi:.0f} rpm"
+    said = f"Repeat at {speed * 30 / pi:.0f} rpm"
     return CandidateRun(run, said if load == base.occupancy_percent else f"{said} {_load_words(load)}")
 
 
 def _moving(base: Run, done: set[str]) -> Iterator[CandidateRun]:
     rpm, load = (base.speed or 0.0) * 30 / pi, _load_words(base.occupancy_percent)
     if "ramp" not in done:
-        yield CandidateRun(replace(base, profile="ramp", set_points=None), f"run up to {rpm:.0f} rpm in a ramp {load}")
+        yield CandidateRun(replace(base, profile="ramp", set_points=None), f"Record a ramp up to {rpm:.0f} rpm {load}")
     if "reversal" not in done:
-        words = f"turn back and forth with an amplitude of {rpm:.0f} rpm {load}"
+        words = f"Record a reversal with an amplitude of {rpm:.0f} rpm {load}"
         yield CandidateRun(replace(base, profile="reversal", set_points=None), words)
 
 

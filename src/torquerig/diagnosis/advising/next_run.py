@@ -54,7 +54,7 @@ class Advice:
 
     def sentence(self) -> str:
         """Return the advice in words."""
-        return f"{self.candidate.words}: {self.because}"
+        return f"{self.candidate.words}. {self.because}"
 
 
 def next_run(case: Case, rivals: Sequence[Trial]) -> Advice | None:
@@ -94,7 +94,7 @@ def _judged(case: Case, rivals: Sequence[Trial], candidate: CandidateRun) -> Adv
         if distance < nearest.distance:
             names = rivals[one].candidate.mechanism, rivals[other].candidate.mechanism
             said = _because(names, seen, (models[one], models[other]), (misfits[one], misfits[other]))
-            nearest = Advice(candidate, distance, f"{said}, {distance:.0f} times what chance puts between them")
+            nearest = Advice(candidate, distance, f"{said} The difference is {distance:.0f} standard deviations.")
     return nearest
 
 
@@ -171,19 +171,20 @@ def _because(
         column = int(np.argmax(apart_by))
         sizes = [1e3 * float(model.amplitude[:, column].mean()) for model in models]
         at = _where(seen, column)
-        return f"{at} {one} then expects {sizes[0]:.2g} mN m, {other} {sizes[1]:.2g} mN m"
+        return f"There, {one} predicts {sizes[0]:.2g} mN m {at}, and {other} {sizes[1]:.2g} mN m."
     if kind == "bands":
         band = int(np.argmax(np.abs(misfits[1].bands - misfits[0].bands)))
         ratio = 10 * float(np.log10(models[0].power[band] / models[1].power[band]))
-        return f"near {seen.band[band]:.0f} Hz {one} then expects {ratio:+.1f} dB against {other}"
-    return f"the slow torque of {one} and {other} then differs"
+        way = "more than" if ratio > 0 else "less than"
+        return f"There, {one} predicts {abs(ratio):.1f} dB {way} {other} near {seen.band[band]:.0f} Hz."
+    return f"There, {one} and {other} predict different slow torques."
 
 
 def _where(seen: Features, column: int) -> str:
     place = seen.places[column]
     mean = place.frequency(float(np.abs(seen.speed).mean()))
     turning = f" (motor order {place.at:g})" if place.domain == "order" else ""
-    return f"at {mean:.4g} Hz{turning}" if seen.observed.steady else f"in the line of {place.at:g} {_unit(place)}"
+    return f"at {mean:.4g} Hz{turning}" if seen.observed.steady else f"in the line at {place.at:g} {_unit(place)}"
 
 
 def _unit(place: Place) -> str:

@@ -40,7 +40,7 @@ def _with_the_slow_half(found: Chain, case: Case, held: Sequence[Features], prog
     slow = _slow_half(case, found)
     if slow is None:
         return found
-    progress(f"beginning again with {slow.candidate.mechanism}")
+    progress(f"restarting the search with {slow.candidate.mechanism}")
     other = chained(case, held, progress, first=found.first, begin=slow)
     return other if other.accepted else found
 
@@ -50,7 +50,7 @@ def _without_a_stand_in(found: Chain, case: Case, held: Sequence[Features], prog
     rival = _rival_of_first(case, found, among_taken=not wrong) if wrong or _beside_gap(found) else None
     if rival is None:
         return found
-    progress(f"beginning again with {rival.candidate.mechanism}")
+    progress(f"restarting the search with {rival.candidate.mechanism}")
     other = chained(case, held, progress, first=found.first, begin=rival, instead_of=_begun_with(found))
     better = _leaves_much_less(other, found) if wrong else _misses_less(other, found)
     return replace(other, instead=found) if better and _without_first(other, found) else found

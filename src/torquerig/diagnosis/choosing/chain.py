@@ -63,7 +63,11 @@ def chained(
         unsure, slow = not convincing(start, begin, earlier=[], held=held), begin.candidate.slow
         case, on_trial = with_all(start, accepted), _OnTrial(unsure, 2 if slow else 1, wholly=slow)
     while True:
-        progress("trying the library's effects" if not accepted else f"trying what {_said(accepted[-1])} leaves")
+        progress(
+            "testing the mechanisms of the library"
+            if not accepted
+            else f"testing the residual after {_said(accepted[-1])}"
+        )
         tried = trials(case)
         first = first or tried
         described = max((trial.gain for trial in tried.fitted if trial.candidate.description), default=0.0)
@@ -91,7 +95,7 @@ def chained(
         case, accepted = start, []
     begun = accepted[0].trial if accepted else None
     if len(accepted) > 1:
-        progress("asking of each effect whether the others need it")
+        progress("testing whether each finding is still needed")
         accepted = list(revised(start, accepted))
         case = with_all(start, accepted)
     while fallen := [each for each in accepted if not _stands(case, each)]:

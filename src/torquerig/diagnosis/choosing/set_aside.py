@@ -16,15 +16,17 @@ from torquerig.diagnosis.hypotheses.reasons import why_none
 from torquerig.scenario.kinematics import gears_to_sensor
 
 SAMPLE_FAULTS = {
-    "clipping": ("Clipping", "no reading stays at a flat top"),
-    "quantization": ("Quantization", "codes stand as close as the converter's"),
-    "signal_dropout": ("SignalDropout", "no moments without signal"),
+    "clipping": ("Clipping", "no samples stay at a limit"),
+    "quantization": ("Quantization", "the code step is that of the stated converter"),
+    "signal_dropout": ("SignalDropout", "no dropouts in the samples"),
 }
 _ALL_CLASSES = {**CLASSES, **{name: of for name, (of, _) in SAMPLE_FAULTS.items()}, GAP: "Backlash"}
 CONTRACT = set(_ALL_CLASSES)
 _NOT_THERE = "not in the library"
-_NEVER_PART = "the torque comes near zero in no run, so flanks never part"
-_SLIPPING = "something slips and grips again, whose blows without load are like those of flanks, so that nothing tells"
+_NEVER_PART = "the torque is near zero in no recording, so no contact loss is possible"
+_SLIPPING = (
+    "stick-slip causes impacts without load like those of contact loss, and these recordings do not distinguish them"
+)
 
 
 def set_aside(case: Case, tried: Tried, *, known: Sequence[str]) -> dict[str, str]:
@@ -56,18 +58,18 @@ def set_aside(case: Case, tried: Tried, *, known: Sequence[str]) -> dict[str, st
 
 def _beside_own(name: str, reason: str, case: Case) -> str:
     """Say first that the scenario has the mechanism, where it has: the reason is then why it has no second one."""
-    return f"the scenario has it already; a second one: {reason}" if case.nominal.of_kind(name) else reason
+    return f"the scenario already contains it; a second one: {reason}" if case.nominal.of_kind(name) else reason
 
 
 def _fitted(case: Case, trial: Trial) -> str:
     """Say how little of the misfit went with an effect that was fitted."""
     if excess(case) <= 0:
-        return "fitted with all numbers: without it the misfit is within chance"
+        return "fitted with all parameters: without it, the residual is within random error"
     share = explained_share(case.model.misfits, trial.model.misfits, beside=trial.beside)
     of_all = min(max(trial.gain, 0.0) / excess(case), 1.0)
     return (
-        f"fitted with all numbers: {of_all:.0%} of the misfit beyond chance goes, and {max(share, 0.0):.0%} of what is "
-        "wrong at the places that it changes"
+        f"fitted with all parameters: it removes {of_all:.0%} of the significant residual, and {max(share, 0.0):.0%} "
+        "where it acts"
     )
 
 
@@ -80,8 +82,8 @@ def _reason(name: str, class_name: str, case: Case, screened: Sequence[Trial]) -
     best = screened[0]
     name = best.candidate.mechanism.replace("_", " ")
     if own.gain <= 0:
-        return "tried, and the misfit falls by less than its numbers cost"
-    return f"tried, and the misfit falls by {own.gain / best.gain:.1%} of what {name} takes away"
+        return "tested: chi-square falls by less than the penalty for its parameters"
+    return f"tested: chi-square falls by {own.gain / best.gain:.1%} of the fall with {name}"
 
 
 def _no_gap(case: Case, tried: Tried) -> str:
@@ -92,7 +94,7 @@ def _no_gap(case: Case, tried: Tried) -> str:
     if not any(flanks_may_part(features) for features in case.seen):
         return _SLIPPING if any(run.slipping for run in case.runs) else _NEVER_PART
     if tried.gap_failed:
-        return "tried, and the numbers fitted around a gap cannot be simulated"
+        return "tested: the model with backlash cannot be simulated with its fitted parameters"
     if gap_is_possible(case):
-        return "what is left was explained without a gap"
-    return "the torque never stays quietly near zero and ends that in a blow, as flanks that part and meet do"
+        return "the residual is explained without backlash"
+    return "no contact loss: the torque is never quiet near zero and then ends in an impact"

@@ -24,58 +24,74 @@ def _orders_left(case: Case) -> bool:
 def _gear_mesh(case: Case) -> str:
     if not gear_stages(case.nominal):
         return "the rig has no gear"
-    return "no left line at a whole order of a gear's output" if _orders_left(case) else "no line of an order is left"
+    return (
+        "no unexplained line at a whole order of a gear's output"
+        if _orders_left(case)
+        else "no unexplained line at any order"
+    )
 
 
 def _commutation_ripple(case: Case) -> str:
     if not case.nominal.parts_of(Motor):
         return "the rig has no motor"
-    return "no left line at a whole order of the motor" if _orders_left(case) else "no line of an order is left"
+    return (
+        "no unexplained line at a whole order of the motor"
+        if _orders_left(case)
+        else "no unexplained line at any order"
+    )
 
 
 def _cogging(case: Case) -> str:
     if not any(motor.slots and motor.pole_pairs for motor in case.nominal.parts_of(Motor)):
-        return "slots and poles of the motor are not stated"
-    return "no left line at an order that slots and poles allow"
+        return "the scenario does not state slots and poles of the motor"
+    return "no unexplained line at an order that slots and poles allow"
 
 
 def _blade_pass(case: Case) -> str:
     if loaded_part(case.nominal) is None:
         return _NO_PART
-    return "no left line at a whole order of the loaded part" if _orders_left(case) else "no line of an order is left"
+    return (
+        "no unexplained line at a whole order of the loaded part"
+        if _orders_left(case)
+        else "no unexplained line at any order"
+    )
 
 
 def _mains_interference(case: Case) -> str:
-    return "no left line at a multiple of 50 or 60 Hz that stays there at every speed"
+    return "no unexplained line at a multiple of 50 or 60 Hz that is independent of the speed"
 
 
 def _pwm_aliasing(case: Case) -> str:
-    return "no left line of fixed frequency above what the shafts pass on"
+    return "no unexplained line of constant frequency above the mechanical range"
 
 
 def _torsional_mode(case: Case) -> str:
     body = loaded_part(case.nominal)
     hung = body is not None and isinstance(case.nominal.part(body), Body)
-    return "no inertia on a further spring fits" if hung else "the rig has no inertia that it could hang on"
+    return "no further inertia on a spring fits the residual" if hung else "the rig has no body to attach it to"
 
 
 def _sensor_bandwidth(case: Case) -> str:
     sensor = case.nominal.part(case.nominal.measured)
-    return "no lower cutoff fits" if isinstance(sensor, TorqueSensor) else "the rig's sensor has no amplifier"
+    return (
+        "no lower cut-off frequency fits the residual"
+        if isinstance(sensor, TorqueSensor)
+        else "the sensor of the rig has no amplifier"
+    )
 
 
 def _bearing_defect(case: Case) -> str:
     if loaded_part(case.nominal) is None:
         return _NO_PART
-    return "no band above 400 Hz rings in the rhythm of a shaft"
+    return "no frequency band above 400 Hz rings periodically with a shaft"
 
 
 def _quadratic_drag(case: Case) -> str:
-    return _NO_PART if loaded_part(case.nominal) is None else "the runs do not differ in speed"
+    return _NO_PART if loaded_part(case.nominal) is None else "the recordings do not differ in speed"
 
 
 def _slow(case: Case) -> str:
-    return _NO_PART if loaded_part(case.nominal) is None else "the slow torque asks for none"
+    return _NO_PART if loaded_part(case.nominal) is None else "no residual of the slow torque requires it"
 
 
 _REASONS: Mapping[str, Callable[[Case], str]] = {

@@ -44,9 +44,9 @@ def changing(runs: Sequence[Observed]) -> tuple[tuple[str, Mismatch], ...]:
     risen = 10 / np.log(10) * float(slope[at]) * (1 - 1 / PARTS)
     way = "above" if risen > 0 else "below"
     sentence = (
-        f"between {edges[at][0]:.0f} and {edges[at + _TOGETHER - 1][1]:.0f} Hz the steady runs end "
-        f"{abs(risen):.1f} dB {way} what they begin with: something changes while they run, and the numbers of a rig "
-        "are constants"
+        f"From {edges[at][0]:.0f} to {edges[at + _TOGETHER - 1][1]:.0f} Hz, the steady recordings end "
+        f"{abs(risen):.1f} dB {way} their start. Something changes during the recordings, but the parameters of a "
+        "model are constant."
     )
     mismatch = at_their_end(whole, excess_dB=risen, p_value=p_value)
     return ((sentence, mismatch),)

@@ -46,8 +46,8 @@ def growing_lines(runs: Sequence[Observed], places: Sequence[Place]) -> tuple[tu
         return ()
     way = "grow" if grown > 0 else "fade"
     sentence = (
-        f"the rig's own lines {way} together by {abs(grown):.1%} along the steady runs: a gain changes while they run, "
-        "and the numbers of a rig are constants"
+        f"All lines of the rig {way} together by {abs(grown):.1%} along the steady recordings. A gain changes during "
+        "the recordings, but the parameters of a model are constant."
     )
     asked = [run for run, _ in courses]
     return ((sentence, at_their_end(asked, excess_dB=20 * float(np.log10(1 + grown)), p_value=p_value)),)

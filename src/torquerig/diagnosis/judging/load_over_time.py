@@ -50,8 +50,8 @@ def _course(runs: Sequence[Observed]) -> tuple[str, Mismatch] | None:
     if abs(clear) < _CLEAR:
         return None
     sentence = (
-        f"the load of the steady runs {'falls' if common < 0 else 'rises'} by {2 * abs(common):.0%} of its mean from "
-        "beginning to end: the load itself changes, and no mechanism of the library does that"
+        f"The load of the steady recordings {'falls' if common < 0 else 'rises'} by {2 * abs(common):.0%} of its mean "
+        "from start to end. No mechanism of the library changes the load over time."
     )
     longest = max(run.recording.duration for run in runs)
     return sentence, Mismatch(
@@ -79,8 +79,8 @@ def _falls(runs: Sequence[Observed]) -> tuple[str, Mismatch] | None:
     if run is None or falls.size < _FEWEST:
         return None
     sentence = (
-        f"{run.name}: the load falls {falls.size} times within milliseconds, at {falls[0]:.2f} s first: something "
-        "builds up and lets go, and no mechanism of the library does that"
+        f"{run.name}: the load falls {falls.size} times within milliseconds, first at {falls[0]:.2f} s. The load "
+        "builds up and releases suddenly. No mechanism of the library does that."
     )
     return sentence, Mismatch(
         domain="time", axis="s", at=float(falls[0]), width=2 * _MEAN,

@@ -34,11 +34,12 @@ def number_far_off(case: Case) -> tuple[str, Mismatch] | None:
     knob, position = max(off, key=lambda pair: abs(pair[1]))
     stated, needed = knob.value(case.nominal_with_accepted()), knob.value(case.model.rig)
     level = _of_load(case, knob) and knob.key is not None
-    further = " or further off" if abs(position) > _AT_LIMIT else ""
+    further = " or beyond" if abs(position) > _AT_LIMIT else ""
     runs = [run for run in case.runs if not level or run.run.occupancy_percent == knob.key] or list(case.runs)
     sentence = (
-        f"{knob.name} would have to be {needed:.3g}{further}, where the scenario states {stated:.3g}: "
-        f"{abs(position):.1f} of its spreads; correct it if it is wrong, else something stands behind it"
+        f"{knob.name}: the fit requires {needed:.3g}{further}; the scenario states {stated:.3g}. The deviation is "
+        f"{abs(position):.1f} stated standard deviations. Correct the stated value if it is wrong. Otherwise, an "
+        "unknown effect acts like this deviation."
     )
     mismatch = Mismatch(
         domain="level", axis="rpm", at=abs(runs[0].mean_speed) * 30 / pi, width=0.0,

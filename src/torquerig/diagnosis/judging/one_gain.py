@@ -46,8 +46,8 @@ def one_gain(case: Case) -> tuple[str, Mismatch] | None:
     if best is None or run is None:
         return None
     sentence = (
-        f"{run.name}: from {best.at:.1f} s on all lines of the shafts are {np.exp(best.log):.2f} times as large as "
-        "before; that is a gain which changes, and no mechanism of the library does that"
+        f"{run.name}: from {best.at:.1f} s on, all lines of the shafts are {np.exp(best.log):.2f} times as large as "
+        "before. A gain changes. No mechanism of the library does that."
     )
     mismatch = Mismatch(
         domain="time", axis="s", at=best.at, width=run.recording.duration / best.windows, recordings=(run.name,),

@@ -17,43 +17,45 @@ _QUARTER = 0.25  # of it, where the model misses far more than chance all over
 _FAR_OFF = 5.0  # beyond chance, per feature: where so much stays, no place stands out only as each is forgiven much
 _BEYOND_ALL = 100.0  # beyond chance, per feature: a model so wrong says nothing of what it explains but half
 _MOST_OF_IT = 2 / 3  # of all that was missing: a line that takes less, of several that stay, may be one of theirs
-_PREDICTS_WORSE = "fitted, and withdrawn: what no fit has seen is predicted worse with it"
-_PREDICTS_NO_BETTER = "fitted, and withdrawn: what no fit has seen is hardly predicted better with it"
+_PREDICTS_WORSE = "fitted, then rejected: it predicts the held-out data worse"
+_PREDICTS_NO_BETTER = "fitted, then rejected: it hardly improves the prediction of the held-out data"
 LEAVES_A_REST = (
-    f"fitted, and withdrawn: of what no fit has seen it explains less than {LEAST_SHARE:.0%} at its places, "
-    "and more is left"
+    f"fitted, then rejected: it explains less than {LEAST_SHARE:.0%} of the held-out residual where it acts, "
+    "and a residual remains"
 )
-COMES_AND_GOES = "fitted, and withdrawn: in several runs noise comes and goes, and its mean over a run looks like this"
+COMES_AND_GOES = (
+    "fitted, then rejected: several recordings contain intermittent noise, whose mean spectrum resembles this mechanism"
+)
 TOO_MANY = (
-    "fitted, and withdrawn: as many effects together leave a rest, and may each be a piece of one that is not known"
+    "fitted, then rejected: with all findings a residual remains, and each of them may be part of one unknown effect"
 )
 _SLIPS = (
-    "fitted, and withdrawn: a run's spectrum stands elsewhere at times, and what slips brings the torque near zero as "
-    "parted flanks do"
+    "fitted, then rejected: the spectrum of a recording changes at times, and stick-slip reduces the torque as contact "
+    "loss does"
 )
 _NO_ZERO = (
-    "fitted, and withdrawn: the spectrum changes along the steady runs too, which a zero that drifts does not do to it"
+    "fitted, then rejected: the spectrum also changes along the steady recordings, which a zero drift does not cause"
 )
 STILL_WRONG = (
-    "fitted, and withdrawn: what no fit has seen is predicted without it as well as by a true model, and the model is "
-    "still wrong with it"
+    "fitted, then rejected: the held-out residual is that of a true model without it, and significant differences "
+    "remain with it"
 )
 ONE_OF_MANY = (
-    "fitted, and withdrawn: other lines at whole orders of the shaft stay, with most of what is wrong, and it may be "
-    "one of theirs"
+    "fitted, then rejected: other lines at whole shaft orders keep most of the residual, and this line may belong to "
+    "them"
 )
-_ITS_OWN_LINE = "fitted, and withdrawn: the very line that it makes stays wrong in a run, by more than chance"
+_ITS_OWN_LINE = "fitted, then rejected: the line that it causes keeps a significant residual in a recording"
 _COMBINED = (
-    "fitted, and withdrawn: its order is the sum or the difference of two of the rig's own that are larger, and the "
-    "model stays wrong elsewhere: something that bends makes such lines"
+    "fitted, then rejected: its order is the sum or difference of two larger orders of the rig (nonlinearity), and "
+    "residuals remain elsewhere"
 )
 _COMBINED_AT_MOST = (
-    "fitted, and withdrawn: its order is the sum or the difference of two of the rig's own that are larger, and what "
-    "no fit has seen may be predicted as well without it"
+    "fitted, then rejected: its order is the sum or difference of two larger orders of the rig, and the held-out data "
+    "may be predicted as well without it"
 )
 _ITS_OWN_BAND = (
-    "fitted, and withdrawn: the band in which it rings stays too loud in one run and too quiet in another, as noise "
-    "that nothing in the rig drives leaves it"
+    "fitted, then rejected: its resonance band is too strong in one recording and too weak in another, as with noise "
+    "from outside the rig"
 )
 _SEVERAL = 2  # runs, or lines
 _MANY = 3  # effects at once: few rigs have two, and one that nothing explains falls to pieces that look like some

@@ -140,8 +140,8 @@ def observed(recording: Recording, angle: ShaftAngle, *, ratio: float) -> Observ
     """Return the run ready to compare; ``ratio`` is the motor's turns per turn of the output."""
     if recording.duration < SHORTEST:
         raise RecordingError(
-            f"{recording.name}: {recording.duration:.2f} s are too short to tell anything; record {SHORTEST:g} s or "
-            "more, better 12 s"
+            f"{recording.name}: {recording.duration:.2f} s are too short for a diagnosis; record at least "
+            f"{SHORTEST:g} s, better 12 s"
         )
     run = recording.run
     held_at = replace(run, speed=None if run.speed is None else run.speed * angle.factor)

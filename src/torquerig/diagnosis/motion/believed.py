@@ -11,7 +11,7 @@ from torquerig.diagnosis.motion.told import relative_error
 from torquerig.diagnosis.motion.tried import Refused, Step
 
 _LEAST_FALL = 0.3  # of the held-out error: what is there takes away more, if something else is missing as well
-_HARDLY = "what no fit has seen is hardly predicted better with it, and the model stays wrong"
+_HARDLY = "it hardly improves the prediction of the held-out data, and significant differences remain"
 
 
 def believed(

@@ -37,13 +37,15 @@ def completed(
     steps: list[Step] = []
     while len(steps) < MOST_EFFECTS:
         progress(
-            "trying the library's effects" if not steps else f"trying what {steps[-1].kept.candidate.mechanism} leaves"
+            "testing the mechanisms of the library"
+            if not steps
+            else f"testing the residual after {steps[-1].kept.candidate.mechanism}"
         )
         tried = tuple(_tried(model, base, own, runs))
         kept, refused = first_that_holds(tried, model, base, own, runs)
         new: tuple[Step, ...] = (Step(kept, model, tried),) if kept else ()
         if not new and len(steps) + 2 <= MOST_EFFECTS and mismatches(model, runs):
-            progress("trying two effects at once")
+            progress("testing pairs of mechanisms")
             new = pair_that_holds(tried, model, base, own, runs, beside=partial(_tried, runs=runs))
         if not new:
             return start, tuple(steps), refused

@@ -36,9 +36,9 @@ def doubt_in(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
     """
     part: Any = made.rig.part(candidate.parts[0].name)
     if candidate.mechanism in _OF_THE_LEVEL and level_is_off(made, runs):
-        return "it bends the level the right way, which stays wrong at some speeds: it would stand for something else"
+        return "it reduces the mean residual, but the residual still depends on the speed: another effect causes it"
     if candidate.mechanism in _OF_THE_LEVEL and step_in(made, runs) is not None:
-        return "it bends the level the right way, which still steps at a moment: it would stand for something else"
+        return "it reduces the mean residual, but the residual still has a step in time: another effect causes it"
     if candidate.mechanism == "stribeck_friction":
         return _of_friction(part, candidate, made, runs)
     if candidate.mechanism == "torsional_mode":
@@ -48,10 +48,14 @@ def doubt_in(candidate: Candidate, made: FittedMotion, model: FittedMotion, runs
 
 def _of_friction(part: Any, candidate: Candidate, made: FittedMotion, runs: Sequence[Moved]) -> str:
     if viscous_alone(candidate, made, runs):
-        return "what explains is the viscous friction that was fitted with it; there is hardly any dry friction"
+        return "the viscous friction fitted with it explains the residual; the dry friction is negligible"
     if candidate.variant == "lugre" and max(part.coulomb, part.coulomb_backward) > _largest(runs):
-        return "its bristles would never let go, as a spring to the frame does not"
-    return "" if friction.possible(part, candidate.variant) else "it would hold no more than it slides"
+        return "its friction force is above all measured values, so it acts as a spring to the frame"
+    return (
+        ""
+        if friction.possible(part, candidate.variant)
+        else "its static friction would not exceed its sliding friction"
+    )
 
 
 def _largest(runs: Sequence[Moved]) -> float:
@@ -61,11 +65,14 @@ def _largest(runs: Sequence[Moved]) -> float:
 
 def _of_a_mode(part: Any, made: FittedMotion, model: FittedMotion, runs: Sequence[Moved]) -> str:
     if not _LEAST_DAMPING < part.damping_ratio < _MOST_DAMPING:
-        return f"its damping ratio would be {part.damping_ratio:.2g}, which no shaft has that rings"
+        typical = f"{_LEAST_DAMPING:g} to {_MOST_DAMPING:g}"
+        return f"its damping ratio would be {part.damping_ratio:.2g}; a shaft resonance has {typical}"
     before, after = (_beside_lines(one, model, runs) for one in (model, made))
     if after > (1 - _SWINGS) * before:
-        return f"beside single lines what is left falls by {1 - after / before:.0%}, and a mode needs {_SWINGS:.0%}"
-    return "places that stay wrong speak against it" if mismatches(made, runs) else ""
+        return (
+            f"the residual without single lines falls by {1 - after / before:.0%}, and a mode must reach {_SWINGS:.0%}"
+        )
+    return "significant differences remain with it" if mismatches(made, runs) else ""
 
 
 def viscous_alone(candidate: Candidate, made: FittedMotion, runs: Sequence[Moved]) -> bool:

@@ -34,12 +34,13 @@ from torquerig.scenario.model import Scenario
 Floats = NDArray[np.float64]
 
 METRIC = (
-    "rms of measured less simulated effort over the rms of the measured one, below a tenth of the sample rate, of "
-    "samples that no fit has seen, with each recording's own motion imposed; 0 at best, 1 for a model that says nothing"
+    "Rms residual of held-out data, relative to the rms of the measured torque or force. "
+    "The residual is measured minus simulated, below a tenth of the sample rate, with the recorded motion imposed. "
+    "0 is a perfect model; 1 is a model that predicts zero."
 )
 _LEFT_OUT = (
-    "samples at a limit or without signal are left out of fits and judgement alike, so the held-out error does not "
-    "tell of them"
+    "Samples at a limit and dropouts are excluded from fits and held-out data. They do not change the held-out "
+    "residual."
 )
 _NEUTRALS = 3
 _DRAWS = 400
@@ -114,14 +115,14 @@ def diagnose_motion(
     rig = scenario.rig.at(recordings[0].run)
     knobs = nuisance_knobs(rig, scenario.uncertainties, occupancies=[])
     knobs = (*knobs, *knobs_of_the_sign(rig, knobs))
-    progress("following the motion")
+    progress("tracking the motion")
     for limits in (True, False):
         faults = faults_in(recordings, limits=limits)
         runs = moved_runs(recordings, rig, held_out=held_out, faults=faults)
         before, steps, refused = _completed(rig, runs, knobs, progress)
         if faults.limit is None or limit_is_the_readings(faults, _last(before, steps), runs):
             break
-        progress("once more: what the effort stops at is the drive's limit")
+        progress("repeating the fit: the limit is that of the drive, not of the reading")
     after, code = with_codes(_last(before, steps), runs)
     of_samples = tuple(effort_told(faults, after, runs, code=code))
     left = mismatches(after, runs, before=before)
@@ -151,9 +152,9 @@ def _completed(
     rig: Rig, runs: Sequence[Moved], knobs: Sequence[Knob], progress: Callable[[str], None]
 ) -> tuple[FittedMotion, tuple[Step, ...], tuple[Refused, ...]]:
     """Return the calibrated model, the steps that complete it and are believed, and what was refused."""
-    progress("fitting the nominal model's own numbers")
+    progress("fitting the parameters of the nominal model")
     before, found, refused = completed(rig, runs, knobs, progress=progress)
-    progress("predicting what no fit has seen")
+    progress("predicting the held-out data")
     return before, *believed(before, found, refused, runs)
 
 
@@ -191,12 +192,12 @@ def _remarks(neutrals: Sequence[Neutral], after: FittedMotion, runs: Sequence[Mo
     for each in neutrals:
         where = f"{each.line.at:.4g} {'Hz' if each.line.domain == 'frequency' else axis}"
         said.append(
-            f"no mechanism of the library explains the line at {where}, {each.line.amplitude:.3g} {unit}; a nameless "
-            f"term there, fitted to the first half of each recording, lowers the residual at even speed of the second "
-            f"from {each.before:.4g} to {each.after:.4g} {unit} rms"
+            f"No mechanism of the library explains the line at {where}, {each.line.amplitude:.3g} {unit}. A sinusoid "
+            f"there, fitted to the first half of each recording, explains it also in the second half. The residual at "
+            f"constant speed falls from {each.before:.4g} to {each.after:.4g} {unit} rms."
         )
-    zero = f"the zero of the effort's channel was fitted as {after.zero:.3g} {unit}"
-    return (*said, f"{zero}; where nothing else tells, dry friction that differs by direction would look the same")
+    zero = f"The fitted zero of the measured channel is {after.zero:.3g} {unit}."
+    return (*said, f"{zero} Dry friction that depends on the direction can look the same.")
 
 
 def _of_viscous(refused: Sequence[Refused], runs: Sequence[Moved]) -> Iterator[str]:
@@ -208,8 +209,8 @@ def _of_viscous(refused: Sequence[Refused], runs: Sequence[Moved]) -> Iterator[s
     unit = "N s/m" if in_a_line(runs) else "N m s/rad"
     drag = viscous_at(best.model.rig, best.model.rig.part(at).at)[0]  # type: ignore[attr-defined]
     yield (
-        f"what is left grows in proportion to the speed: {drag:.3g} {unit} of viscous friction, which has no name of "
-        "its own among the effects; state it in the scenario"
+        f"The residual is proportional to the speed: {drag:.3g} {unit} of viscous friction. Viscous friction is a "
+        "parameter, not a mechanism. State it in the scenario."
     )
 
 

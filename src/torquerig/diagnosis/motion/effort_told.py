@@ -49,19 +49,19 @@ def effort_told(
     stated = {part.kind for part in after.rig.parts}
     if faults.limit is not None and "clipping" not in stated and hasattr(mechanisms, "Clipping"):
         limit = faults.limit
-        said = f"a reading that stops at {limit.limit:.4g} {unit}, where the motion asks for more"
+        said = f"clipping of the reading at {limit.limit:.4g} {unit}, below what the motion requires"
         yield Told(_finding("clipping", said, {"limit_V": (limit.limit, 2e-4, unit)}),
                    mechanisms.Clipping(name="clipping", limit=limit.limit * scale))  # fmt: skip
     if faults.lost is not None and "signal_dropout" not in stated and hasattr(mechanisms, "SignalDropout"):
         lost = faults.lost
-        said = f"moments without signal of {1e3 * lost.duration:.2g} ms, {60 * lost.rate:.1f} a minute"
+        said = f"signal dropouts of {1e3 * lost.duration:.2g} ms, {60 * lost.rate:.1f} per minute"
         numbers = {"duration_ms": (1e3 * lost.duration, 0.03, "ms"), "rate_per_minute": (60 * lost.rate, 0.2, "1/min")}
         part = mechanisms.SignalDropout(
             name="signal_dropout", duration=lost.duration, rate=lost.rate, level=lost.level * scale
         )
         yield Told(_finding("signal_dropout", said, numbers), part)
     if code is not None:
-        said = f"codes {code:.3g} {unit} apart, which make most of the effort's noise"
+        said = f"quantization with a step of {code:.3g} {unit}, which causes most of the noise"
         yield Told(_finding("quantization", said, {"step_V": (code, 1e-4, unit)}),
                    mechanisms.Quantization(name="quantization", step=code * scale))  # fmt: skip
 

@@ -56,7 +56,7 @@ def goes_with(model: FittedMotion, runs: Sequence[Moved]) -> GoesWith | None:
         domain="time", axis="s", at=0.5 * longest, width=longest, recordings=tuple(run.name for run in runs),
         excess_dB=10 * log10(1 / max(1 - fall, 1e-6)), share_of_misfit=fall, p_value=chance,
     )  # fmt: skip
-    return GoesWith(sentence=f"{fall:.0%} of the square of what is left goes with one thing: {said}", mismatch=place)
+    return GoesWith(sentence=f"One effect explains {fall:.0%} of the squared residual: {said}.", mismatch=place)
 
 
 def _tried(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[tuple[str, list[Floats]]]:
@@ -66,9 +66,15 @@ def _tried(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[tuple[str, li
     yield _sprung(model, runs)
     unit, drag = ("N", "N s/m") if in_a_line(runs) else ("N m", "N m s/rad")
     for words, wave in (
-        (f"dry friction that changes along the runs, by {{0:+.3g}} {unit} at first to {{1:+.3g}} at last", _sign),
-        (f"viscous friction that changes along the runs, by {{0:+.3g}} {drag} at first to {{1:+.3g}} at last", _speed),
-        ("a sensitivity that changes along the runs, by {0:+.2%} at first to {1:+.2%} at last", _effort),
+        (
+            f"dry friction that varies over the recordings, by {{0:+.3g}} {unit} at first, {{1:+.3g}} {unit} at last",
+            _sign,
+        ),
+        (
+            f"viscous friction that varies over the recordings, by {{0:+.3g}} {drag} at first, {{1:+.3g}} {drag} at last",
+            _speed,
+        ),
+        ("a sensitivity that varies over the recordings, by {0:+.2%} at first, {1:+.2%} at last", _effort),
     ):
         yield _changing(model, runs, taken, words, wave)
 
@@ -105,9 +111,7 @@ def _late(runs: Sequence[Moved], taken: Sequence[Floats]) -> tuple[str, list[Flo
         low, middle, high = squares[best - 1 : best + 2]
         delay += 0.5 * (low - high) / max(low - 2 * middle + high, 1e-300) / rate
     way = "late" if delay > 0 else "early"
-    said = (
-        f"the effort comes {1e3 * abs(delay):.3g} ms too {way} for its motion (clocks or filters of the two channels)"
-    )
+    said = f"a delay between the channels (clocks or filters); torque or force is {1e3 * abs(delay):.3g} ms too {way}"
     return said, left(delay, [run.held for run in runs])
 
 
@@ -119,7 +123,7 @@ def _sprung(model: FittedMotion, runs: Sequence[Moved]) -> tuple[str, list[Float
     stiffness = float(found.coef[-1])
     after = [(left - found(run.position))[run.held] for run, left in pairs if run.held.any()]
     unit = "N/m" if in_a_line(runs) else "N m/rad"
-    return f"a spring to the frame of {stiffness:.3g} {unit}, or a weight that acts like one", after
+    return f"a spring to the frame of {stiffness:.3g} {unit}, or a weight with the same effect", after
 
 
 def _changing(

@@ -105,7 +105,7 @@ def moved(
     channel = effort_of(recording)
     if recording.samples < _FEWEST:
         raise RecordingError(
-            f"{recording.name}: {recording.samples} samples of motion are too few to tell anything; record at least "
+            f"{recording.name}: {recording.samples} samples of motion are too few for a diagnosis; record at least "
             f"{_FEWEST}"
         )
     rate = recording.sample_rate
@@ -115,18 +115,18 @@ def moved(
     motion = SampledMotion(curve, time, *curve.at(time))
     position, speed = motion.angle[:-1], motion.speed[:-1]
     if not np.ptp(position) > 0:
-        raise RecordingError(f"{recording.name}: nothing moves in it; diagnose a recording with motion")
+        raise RecordingError(f"{recording.name}: nothing moves; use a recording with motion")
     inner = np.zeros(recording.samples, dtype=bool)
     if not np.any(channel.values):
-        raise RecordingError(f"{recording.name}: its effort is zero all along; diagnose a recording that shows one")
+        raise RecordingError(f"{recording.name}: its torque or force is always zero; use a recording that measures it")
     edge = min(round(_EDGE / BAND), recording.samples // 20)
     inner[edge:-edge] = True
     if spoilt is not None:
         inner &= ~spoilt
         if inner.sum() < 0.5 * _FEWEST:
             raise RecordingError(
-                f"{recording.name}: {inner.sum()} samples of its effort are left beside those at a limit or without "
-                "signal; leave this recording out, or record it within the range"
+                f"{recording.name}: only {inner.sum()} samples are neither limit nor dropout; omit this recording, "
+                "or record it within the range"
             )
     effort = channel.in_si() if mended is None else replace(channel, values=mended).in_si()
     seen = _parted(recording.samples) if held_out is None else np.full(recording.samples, not held_out)
@@ -151,7 +151,7 @@ def moved_runs(
         )
     unknown = set(held_out) - {recording.name for recording in recordings}
     if unknown:
-        raise InputError(f"no recording is called {sorted(unknown)[0]!r}; name one of the recordings to hold out")
+        raise InputError(f"no recording is named {sorted(unknown)[0]!r}; name one of the recordings to hold out")
     found = faults_in(recordings) if faults is None else faults
     return tuple(
         moved(one, part, held_out=one.name in held_out if held_out else None, mended=mended, spoilt=spoilt)
@@ -185,7 +185,7 @@ def effort_of(recording: Recording) -> Channel:
         )
     channel = recording.channels[name]
     if not np.isfinite(channel.values).all():
-        raise RecordingError(f"{recording.name}: {name} has gaps; diagnose a recording cut to a span without them")
+        raise RecordingError(f"{recording.name}: {name} has gaps; cut the recording to a span without gaps")
     return channel
 
 

@@ -55,19 +55,19 @@ def _objection(one: Tried, model: FittedMotion, base: Rig, own: Sequence[Knob], 
                    for made in (after, before))  # fmt: skip
     if root_mean_square(left) < (1 - 0.5 * LEAST_FALL) * root_mean_square(first):
         return ""
-    return "stretches that its own numbers were not fitted to are foretold no better"
+    return "it does not improve the prediction of stretches that its parameters were not fitted to"
 
 
 def _too_little(one: Tried) -> str:
     """Return why what a hypothesis explains is too little for a name."""
     if one.gain <= 0:
-        return "what is left falls by less than its numbers cost"
+        return "the log-likelihood rises by less than the penalty for its parameters"
     if one.fall < LEAST_FALL:
-        return f"what is left falls by {one.fall:.1%}, and a name needs {LEAST_FALL:.0%}"
+        return f"the residual falls by {one.fall:.1%}; a finding needs {LEAST_FALL:.0%}"
     if one.gain < LEAST_GAIN:
-        return f"its gain is {one.gain:.3g}, and a name needs {LEAST_GAIN:g}"
+        return f"its gain is {one.gain:.3g}; a finding needs {LEAST_GAIN:g}"
     if not one.freed:
-        return "beside the model as fitted it explains far less than others do"
+        return "added to the fitted model, it explains far less than other mechanisms"
     return ""
 
 

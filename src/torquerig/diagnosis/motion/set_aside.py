@@ -23,7 +23,7 @@ CLASSES: Mapping[str, tuple[str, ...]] = {  # by the contract's name: what would
     "quantization": ("Quantization",),
     "signal_dropout": ("SignalDropout",),
 }
-_NO_CARRIER = "no part with an inertia moves in the rig"
+_NO_CARRIER = "the rig has no moving part with an inertia"
 
 
 def set_aside(
@@ -35,7 +35,7 @@ def set_aside(
     What was a rival of a finding is judged again beside all findings, so it stands here too, with that judgement.
     """
     found = [step.kept.candidate.mechanism for step in steps]
-    beside = f"tried beside {' and '.join(found)}: ".replace("_", " ") if found else "tried: "
+    beside = f"tested together with {' and '.join(found)}: ".replace("_", " ") if found else "tested: "
     answer: dict[str, str] = {}
     for one in refused:
         answer.setdefault(one.tried.candidate.mechanism, beside + one.why)
@@ -48,29 +48,29 @@ def _untried(name: str, nominal: Rig, steps: Sequence[Step]) -> str:
     if not hasattr(mechanisms, CLASSES[name][0]):
         return "not in the library"
     if any(type(part).__name__ in CLASSES[name] for part in nominal.parts):
-        return "the scenario has it already"
+        return "the scenario already contains it"
     if any(one.candidate.mechanism == name for step in steps for one in step.tried):
-        return "what it explains was explained by a finding; more effects than these are not looked for"
+        return "a finding explains the same residual, and the search for further mechanisms is complete"
     return _REASONS[name](nominal)
 
 
 def _no_gap(rig: Rig) -> str:
     joined = any(isinstance(part, Gear | Link) for part in rig.parts)
-    return "no gap fits" if joined else "the rig has no gear and no link in which there could be play"
+    return "no backlash fits the residual" if joined else "the rig has no gear or link that could have backlash"
 
 
 def _no_cogging(rig: Rig) -> str:
     imposed = imposed_part(rig)
     motor = rig.part(imposed.at) if imposed else None
     if not isinstance(motor, Motor):
-        return "what is moved is no motor"
+        return "the moved part is not a motor"
     if motor.slots is None or motor.pole_pairs is None:
-        return "slots and poles of the motor are not stated"
-    return "no line is left at an order that slots and poles allow"
+        return "the scenario does not state slots and poles of the motor"
+    return "no unexplained line at an order that slots and poles allow"
 
 
 def _no_carrier(rig: Rig) -> str:
-    return _NO_CARRIER if carrier(rig) is None else "nothing is left that asks for it"
+    return _NO_CARRIER if carrier(rig) is None else "no residual requires it"
 
 
 _REASONS: Mapping[str, Callable[[Rig], str]] = {
@@ -80,8 +80,8 @@ _REASONS: Mapping[str, Callable[[Rig], str]] = {
     "quadratic_drag": _no_carrier,
     "sensor_drift": _no_carrier,
     "torsional_mode": _no_carrier,
-    "mains_interference": lambda rig: "no line stands at the mains' frequency",
-    "clipping": lambda rig: "no effort stays at a flat top, or the motion asks for no more than that",
-    "quantization": lambda rig: "codes are fine beside what the model leaves",
-    "signal_dropout": lambda rig: "no moments without signal",
+    "mains_interference": lambda rig: "no line at the mains frequency",
+    "clipping": lambda rig: "no samples stay at a limit, or the motion requires no more than the limit",
+    "quantization": lambda rig: "the code step is small compared with the residual",
+    "signal_dropout": lambda rig: "no dropouts in the samples",
 }

@@ -30,21 +30,21 @@ _NAMES: Mapping[str, Mapping[str, tuple[str, str, str]]] = {  # field: name, uni
     },
 }
 _VARIANT = {
-    "by_direction": "dry and viscous friction that differ by direction",
-    "stribeck": "dry friction that holds more than it slides",
-    "stribeck_by_direction": "dry friction that holds more than it slides and differs by direction",
-    "lugre": "dry friction that bends before it slides (presliding)",
-    "native": "cogging at its native order {order_motor:.0f}",
-    "tolerances": "cogging at order {order_motor:.0f} with the orders of unequal teeth and magnets",
-    "linear": "a zero that drifts",
-    "exponential": "a zero that settles with {time_constant_s:.3g} s",
+    "by_direction": "dry and viscous friction that depend on the direction",
+    "stribeck": "dry friction with a larger static than sliding friction",
+    "stribeck_by_direction": "dry friction with a larger static than sliding friction, which depends on the direction",
+    "lugre": "dry friction with presliding deformation (LuGre)",
+    "native": "cogging torque at its native order {order_motor:.0f}",
+    "tolerances": "cogging torque at order {order_motor:.0f}, with the orders of unequal teeth and magnets",
+    "linear": "a drift of the sensor zero",
+    "exponential": "a drift of the sensor zero with a time constant of {time_constant_s:.3g} s",
 }
 _PLAIN = {
     "stribeck_friction": "dry friction",
-    "mains_interference": "hum of the mains",
-    "backlash": "play in {joint}",
-    "quadratic_drag": "drag with the square of the speed",
-    "torsional_mode": "a further inertia on a spring that swings along",
+    "mains_interference": "mains interference",
+    "backlash": "backlash in {joint}",
+    "quadratic_drag": "quadratic drag",
+    "torsional_mode": "a torsional mode: a further inertia on a spring",
 }
 
 
@@ -169,14 +169,14 @@ def _sentence(kept: Tried, parameters: Mapping[str, Stated], share: float, rival
     what = _VARIANT.get(candidate.variant) or _PLAIN.get(candidate.mechanism, candidate.mechanism.replace("_", " "))
     values = {name: stated.value for name, stated in parameters.items()}
     joint = getattr(candidate.parts[0], "gear", "")
-    beside = f" once {_PLAIN.get(kept.beside, kept.beside.replace('_', ' '))} is in it" if kept.beside else ""
-    said = f"The model lacks {what.format(joint=joint, **values)}; it explains {share:.0%} of what the model leaves"
-    said += beside
+    said = f"The model lacks {what.format(joint=joint, **values)}."
+    beside = f"With {kept.beside.replace('_', ' ')} in the model, it" if kept.beside else "It"
+    said += f" {beside} explains {share:.0%} of the remaining squared residual."
     helping = [(name, gain) for name, gain in rivals if gain > 0]
     if not helping:
-        return said + ", where no other mechanism of the library helps."
+        return f"{said} No other mechanism of the library reduces it."
     name, gain = helping[0]
-    return said + (f", where the nearest rival, {name.replace('_', ' ')}, is worth {gain / kept.gain:.0%} as much.")
+    return f"{said} The best alternative, {name.replace('_', ' ')}, has {gain / kept.gain:.0%} of its gain."
 
 
 def relative_error(model: FittedMotion, runs: Sequence[Moved], *, held: bool = True) -> float:

@@ -28,12 +28,12 @@ def propose(case: Case) -> Iterator[Candidate]:
     if parts:
         best = min(parts, key=lambda part: case.misfit_of(case.model.rig + part))
         knobs = (Knob(NAME, "rms", 0.8), Knob(NAME, "frequency", 0.03), Knob(NAME, "width", 0.8))
-        yield Candidate(mechanism=NAME, parts=(best,), knobs=knobs, description="noise of a fixed band")
+        yield Candidate(mechanism=NAME, parts=(best,), knobs=knobs, description="noise in a fixed band")
 
 
 def in_words(part: mechanisms.NoiseHump) -> str:
     """Return what a fitted hump is."""
-    return f"noise of a fixed band around {part.frequency:.4g} Hz ({part.rms:.2g} V rms)"
+    return f"noise of {part.rms:.2g} V rms in a fixed band around {part.frequency:.4g} Hz"
 
 
 def _humps(case: Case, steady: list[Features], width: float) -> Iterator[mechanisms.NoiseHump]:
