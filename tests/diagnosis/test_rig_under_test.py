@@ -26,7 +26,7 @@ def test_a_rig_that_nothing_drives_is_said(wear_rig: Scenario) -> None:
     still = wear_rig.rig.without("speed_controller")
     with pytest.raises(InputError, match="nothing in the scenario drives a motor; add a speed_controller"):
         check_rig(still)
-    with pytest.raises(InputError, match=r"imposes the motion 'moved' and measures 'torque_sensor'.*measured: moved"):
+    with pytest.raises(InputError, match=r"imposes the motion 'moved' but measures 'torque_sensor'.*measured: moved"):
         check_rig(still + MOTION)
 
 

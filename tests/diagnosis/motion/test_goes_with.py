@@ -41,7 +41,7 @@ def test_friction_that_falls_as_a_guide_warms_up_is_told_by_its_course(
 ) -> None:
     warming = carriage(lambda time, position, speed: (8 + 12 * np.exp(-time / 5)) * np.tanh(speed / 1e-3))
     told = said(diagnosed(warming, GUIDED))
-    assert "dry friction that varies over the recordings" in told
+    assert "dry friction that varies over the runs" in told
 
 
 def test_a_spring_to_the_frame_is_no_friction_that_never_slides(carriage: Carriage, diagnosed: Diagnosed) -> None:

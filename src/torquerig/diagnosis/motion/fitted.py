@@ -115,7 +115,7 @@ def at_their_ends(model: FittedMotion, *, of: Sequence[Knob]) -> tuple[str, ...]
     pairs = zip(model.knobs, model.positions, strict=True)
     far = [knob for knob, at in pairs if knob in of and abs(at) > _AT_THE_END * _LIMIT]
     return tuple(
-        f"{knob.part}.{knob.field}: the fit stops at {knob.value(model.rig):.3g}, {_LIMIT:g} stated standard deviations "
+        f"{knob.part}.{knob.field}: the fit stops at {knob.value(model.rig):.3g}, {_LIMIT:g} prior standard deviations "
         "away. Correct the stated value if it is wrong. Otherwise, a missing effect acts like this deviation."
         for knob in far
     )

@@ -67,14 +67,14 @@ def _tried(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[tuple[str, li
     unit, drag = ("N", "N s/m") if in_a_line(runs) else ("N m", "N m s/rad")
     for words, wave in (
         (
-            f"dry friction that varies over the recordings, by {{0:+.3g}} {unit} at first, {{1:+.3g}} {unit} at last",
+            f"dry friction that varies over the runs, by {{0:+.3g}} {unit} at first, {{1:+.3g}} {unit} at last",
             _sign,
         ),
         (
-            f"viscous friction that varies over the recordings, by {{0:+.3g}} {drag} at first, {{1:+.3g}} {drag} at last",
+            f"viscous friction that varies over the runs, by {{0:+.3g}} {drag} at first, {{1:+.3g}} {drag} at last",
             _speed,
         ),
-        ("a sensitivity that varies over the recordings, by {0:+.2%} at first, {1:+.2%} at last", _effort),
+        ("a sensitivity that varies over the runs, by {0:+.2%} at first, {1:+.2%} at last", _effort),
     ):
         yield _changing(model, runs, taken, words, wave)
 
