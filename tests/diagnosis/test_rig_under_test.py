@@ -31,7 +31,7 @@ def test_a_rig_that_nothing_drives_is_said(wear_rig: Scenario) -> None:
 
 
 def test_a_measured_part_that_no_torque_passes_is_said(wear_rig: Scenario) -> None:
-    with pytest.raises(InputError, match="measures 'wear_part', which no torque passes"):
+    with pytest.raises(InputError, match="measures 'wear_part', which transmits no torque"):
         check_rig(replace(wear_rig.rig, measured="wear_part"))
 
 
