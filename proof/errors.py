@@ -1,4 +1,4 @@
-"""What can go wrong at the proof's own boundary."""
+"""Errors of the blind trials."""
 
 from __future__ import annotations
 
@@ -6,6 +6,6 @@ import click
 
 
 class ProofError(click.ClickException):
-    """A folder or a file is not what the proof can use; told in one sentence, exit code 2."""
+    """An unusable folder or file; one sentence, exit code 2."""
 
     exit_code = 2

@@ -1,4 +1,4 @@
-"""What would the diagnosis say if its library held fewer effects? The contract's classes taken out for a while."""
+"""A reduced library of mechanisms for a diagnosis."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ CLASSES = {
         "blade_pass", "quadratic_drag", "signal_dropout", "cogging",
     )
 }  # fmt: skip
-"""Every mechanism of the contract, and the class of the library that is its file."""
+"""Class of the library for every mechanism of the contract."""
 
 
 @contextmanager
 def library_of(kept: Collection[str]) -> Iterator[None]:
-    """Leave only these mechanisms of the contract in the library, as if the files of the others were deleted.
+    """Hide all mechanisms of the contract but ``kept``, as if their files were deleted.
 
-    The diagnosis takes a class that is not in ``torquerig.mechanisms`` for one that is in no library. It is put back
-    at the end. For this process alone, and not beside another diagnosis of the same process.
+    The diagnosis ignores classes that are missing in ``torquerig.mechanisms``. They are restored at the end. The change
+    is local to the process, which must not run another diagnosis at the same time.
     """
     hidden = {
         one: getattr(mechanisms, one)

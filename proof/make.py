@@ -18,16 +18,18 @@ RECORDINGS = "recordings"
 
 
 @click.command()
-@click.option("--seed", type=click.IntRange(0), required=True, help="the same seed and number give the same trials")
-@click.option("--cases", type=click.IntRange(1), default=20, show_default=True, help="how many rigs")
-@click.option("--out", type=click.Path(path_type=Path), required=True, help="folder that is made")
-@click.option("--answers", type=click.Path(path_type=Path), help="file for the sealed answers, apart from the folder")
+@click.option("--seed", type=click.IntRange(0), required=True, help="seed of the trials")
+@click.option("--cases", type=click.IntRange(1), default=20, show_default=True, help="number of rigs")
+@click.option("--out", type=click.Path(path_type=Path), required=True, help="folder to create")
+@click.option("--answers", type=click.Path(path_type=Path), help="file for the sealed answers; default: in the folder")
 @click.option(
-    "--same-laws", is_flag=True, help="friction, contact, load shape and integrator as the reference has them"
+    "--same-laws", is_flag=True, help="use the friction, contact and load laws and the integrator of the simulator"
 )
-@click.option("--riddle", is_flag=True, help="the twelve rigs of the 280 Hz riddle instead")
-@click.option("--duration", type=click.FloatRange(1.0), default=12.0, show_default=True, help="seconds of each run")
-@click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="processes")
+@click.option("--riddle", is_flag=True, help="make the twelve rigs with a 280 Hz line instead")
+@click.option(
+    "--duration", type=click.FloatRange(1.0), default=12.0, show_default=True, help="length of each recording [s]"
+)
+@click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="number of processes")
 def main(
     seed: int,
     cases: int,
@@ -39,7 +41,7 @@ def main(
     duration: float,
     workers: int,
 ) -> None:
-    """Make recordings of rigs with none, one or two effects hidden, and seal what they are."""
+    """Record rigs with none, one or two hidden effects, and seal the answers."""
     if riddle:
         drawn = draw_riddle(seed, duration=duration)
     else:
@@ -50,15 +52,15 @@ def main(
 
 
 def make_trials(cases: list[Case], out: Path, *, answers: Path | None = None, workers: int = 1) -> str:
-    """Seal the answers of the cases, then record them, and give the seal.
+    """Seal the answers of the cases, record the cases, and return the seal.
 
     Raises
     ------
     ProofError
-        If the folder holds something already.
+        If the folder is not empty.
     """
     if out.exists() and any(out.iterdir()):
-        raise ProofError(f"{out}: not empty, and nothing is overwritten; choose another folder")
+        raise ProofError(f"{out}: the folder is not empty; choose another folder")
     digest = seal({case.name: answer_of(case) for case in cases}, out, apart=answers)
     recorded = partial(record_case, folder=out / RECORDINGS)
     if workers == 1:

@@ -1,6 +1,6 @@
-"""``python -m proof.null --seed N ... --cases K --out FOLDER``: a scenario's least gains, from clean rigs alone.
+"""``python -m proof.null --seed N ... --cases K --out FOLDER``: detection thresholds of a scenario, from clean rigs.
 
-Of the rigs that ``python -m proof`` would draw, those with nothing hidden, and no page: it takes a fifth of the time.
+It uses only the rigs of ``python -m proof`` without hidden effects, and takes a fifth of the time.
 """
 
 from __future__ import annotations
@@ -34,40 +34,51 @@ class NullJob:
 
     @property
     def gains(self) -> Path:
-        """Where its gains are written."""
+        """Path of the gains."""
         return self.folder / GAINS / f"{self.case.name}.json"
 
 
 @click.command()
-@click.option("--seed", "seeds", type=click.IntRange(0), multiple=True, required=True, help="of rigs never scored")
-@click.option("--cases", type=click.IntRange(1), default=80, show_default=True, help="rigs drawn of each seed")
-@click.option("--out", type=click.Path(path_type=Path), required=True, help="folder; what is in it is not done again")
-@click.option("--workers", type=click.IntRange(1), default=2, show_default=True, help="processes")
+@click.option(
+    "--seed",
+    "seeds",
+    type=click.IntRange(0),
+    multiple=True,
+    required=True,
+    help="seed of rigs that no trial scores; can be repeated",
+)
+@click.option("--cases", type=click.IntRange(1), default=80, show_default=True, help="number of rigs per seed")
+@click.option(
+    "--out", type=click.Path(path_type=Path), required=True, help="folder of all results; finished cases are kept"
+)
+@click.option("--workers", type=click.IntRange(1), default=2, show_default=True, help="number of processes")
 def main(seeds: tuple[int, ...], cases: int, out: Path, *, workers: int) -> None:
-    """Try the library on rigs with nothing hidden, and write the gains that a further one hardly reaches."""
+    """Fit the library to rigs without hidden effects, and write the detection thresholds."""
     jobs = [job for seed in seeds for job in clean_jobs(seed, cases, out / f"seed-{seed}")]
     if len(jobs) < FEWEST:
-        raise ProofError(f"{len(jobs)} clean rigs are too few for thresholds; draw more, {FEWEST} at least")
-    left = [job for job in jobs if not job.gains.is_file()]
-    run_jobs(gained, left, workers=workers, progress=lambda done, all_, name: click.echo(f"{done} of {all_} {name}"))
+        raise ProofError(f"{len(jobs)} clean rigs are too few for thresholds; make at least {FEWEST}")
+    remaining = [job for job in jobs if not job.gains.is_file()]
+    run_jobs(
+        gained, remaining, workers=workers, progress=lambda done, all_, name: click.echo(f"{done} of {all_} {name}")
+    )
     scenario = nominal_scenario()
     rigs = [from_rows(yaml.safe_load(job.gains.read_text(encoding="utf-8"))) for job in jobs]
-    asked = [part for seed in seeds for part in ("--seed", str(seed))]
+    options = [part for seed in seeds for part in ("--seed", str(seed))]
     entry = as_table(
         thresholds(rigs, least_share=LEAST_SHARE), key=content_key(scenario), title=scenario.title, seeds=seeds,
-        command=shlex.join(["python", "-m", "proof.null", *asked, "--cases", str(cases)]), clean_rigs=len(rigs),
+        command=shlex.join(["python", "-m", "proof.null", *options, "--cases", str(cases)]), clean_rigs=len(rigs),
     )  # fmt: skip
     (out / TABLE).write_text(yaml.safe_dump({"tables": [entry]}, sort_keys=False), encoding="utf-8")
     click.echo(f"{out / TABLE}: {len(rigs)} clean rigs")
 
 
 def clean_jobs(seed: int, cases: int, folder: Path) -> list[NullJob]:
-    """Return the rigs of a seed in which nothing is hidden."""
+    """Return the rigs of a seed without hidden effects."""
     return [NullJob(case, folder) for case in draw_trials(seed, cases) if answer_of(case)["verdict"] == "adequate"]
 
 
 def gained(job: NullJob) -> str:
-    """Record one rig, try the library on it, write what each effect gains, and give its name."""
+    """Record one rig, write the gain of each mechanism of the library, and return the name of the rig."""
     record_case(job.case, job.folder / RECORDINGS)
     recordings = read_all(sorted((job.folder / RECORDINGS / job.case.name).glob("*.parquet")))
     write_json(job.gains, as_rows(null_gains(nominal_scenario(), recordings)))

@@ -1,4 +1,4 @@
-"""What does an effect that is not there gain? The library tried on rigs with nothing hidden."""
+"""Null distribution of the gain: fits of the library to rigs without hidden effects."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from torquerig.scenario.model import Scenario
 
 @dataclass(frozen=True, kw_only=True)
 class NullGain:
-    """The best fit of one mechanism to one rig with nothing hidden.
+    """The best fit of one mechanism to one rig without hidden effects.
 
     Parameters
     ----------
     mechanism : str
     gain : float
-        What the misfit fell by, knobs paid.
+        Fall of chi-square, less the penalty for parameters [1].
     share : float
-        Part of the misfit at its places that it explains [1].
+        Share of the squared residual that it explains where it acts [1].
     """
 
     mechanism: str
@@ -34,9 +34,9 @@ class NullGain:
 
 
 def null_gains(scenario: Scenario, recordings: Sequence[Recording], *, seed: int = 0) -> tuple[NullGain, ...]:
-    """Return the best gain of each mechanism that could be fitted with all numbers free, largest first.
+    """Return the best gain of each mechanism that was fitted with all parameters free, largest first.
 
-    The nominal model is calibrated with an empty library, so that nothing is added before the gains are read.
+    The nominal model is calibrated with an empty library, so that no mechanism is added first.
     """
     with library_of(()):
         case = diagnose(scenario, recordings, seed=seed).before
@@ -52,10 +52,10 @@ def null_gains(scenario: Scenario, recordings: Sequence[Recording], *, seed: int
 
 
 def as_rows(gains: Sequence[NullGain]) -> list[dict[str, Any]]:
-    """Return the gains as they are written."""
+    """Return the gains as rows for JSON."""
     return [{"mechanism": one.mechanism, "gain": one.gain, "share": one.share} for one in gains]
 
 
 def from_rows(rows: Sequence[dict[str, Any]]) -> tuple[NullGain, ...]:
-    """Return the gains as they were written."""
+    """Return the gains from rows of JSON."""
     return tuple(NullGain(mechanism=row["mechanism"], gain=row["gain"], share=row["share"]) for row in rows)

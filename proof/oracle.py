@@ -1,4 +1,4 @@
-"""How much better could the model have got? The true mechanisms, and no others, given to the diagnosis' own fits."""
+"""Oracle: the true mechanisms, and no others, fitted with the code of the diagnosis."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from torquerig.scenario.model import Scenario
 
 
 def oracle(scenario: Scenario, recordings: Sequence[Recording], *, true: Collection[str], seed: int = 0) -> Diagnosis:
-    """Return the diagnosis of one who knows which mechanisms are there and only fits them.
+    """Return the diagnosis with the ``true`` mechanisms fitted.
 
-    The library is narrowed to ``true``. What the diagnosis then doubts (too small a gain, too small a share) is added
-    all the same, by the best of its fits, so that no threshold lies between the truth and the model.
+    The library is reduced to ``true``. A mechanism below a threshold of the diagnosis (gain, share) is added all the
+    same, with its best fit.
     """
     with library_of(true):
         outcome = diagnose(scenario, recordings, seed=seed)
@@ -45,7 +45,7 @@ def oracle(scenario: Scenario, recordings: Sequence[Recording], *, true: Collect
 
 
 def _best(case: Case, wanted: Collection[str]) -> Trial | None:
-    """Give the fit with all numbers free that gains most, be it ever so little; None where nothing can be proposed."""
+    """Return the fit with all parameters free that has the largest gain; None if there is none."""
     fitted = [trial for trial in trials(case).fitted if trial.candidate.mechanism in wanted]
     return max(fitted, key=lambda trial: trial.gain, default=None)
 
@@ -53,13 +53,13 @@ def _best(case: Case, wanted: Collection[str]) -> Trial | None:
 def _finding(trial: Trial, case: Case) -> Finding:
     name = trial.candidate.mechanism
     return Finding(
-        mechanism=name, variant=trial.candidate.variant, explanation="known to be there", confidence=1.0,
+        mechanism=name, variant=trial.candidate.variant, explanation="True mechanism (oracle).", confidence=1.0,
         parameters=identifying(trial.candidate, trial.model, case), gain=trial.gain,
     )  # fmt: skip
 
 
 def _with_faults(rig: Rig, outcome: Outcome) -> Rig:
-    """Add what the samples showed: the parts of the completed rig that its fitted model lacks."""
+    """Return the rig with the sample faults of the completed rig that the fitted model lacks."""
     fitted = {part.name for part in outcome.after.model.rig.parts}
     for part in outcome.completed.parts:
         if part.name not in fitted:

@@ -1,4 +1,4 @@
-"""The reference report's riddle: 280 Hz and its harmonics at 1000 rpm behind a 5:1 gear, in every load case.
+"""The 280 Hz line of the reference report, with harmonics, at 1000 rpm behind a 5:1 gear, in every load case.
 
 Three rigs whose 280 Hz look alike at 1000 rpm, each with and without speed wander and at one speed and at two: a
 planetary mesh of 21 and 84 teeth (order 84 of the output shaft), a comb of fixed frequency, and a resonance at 280 Hz
@@ -23,12 +23,12 @@ from proof.rig_program.transfer import gain_of_twist, mode_frequencies
 from proof.rig_program.true_rig import TrueRig, draw_true_rig
 
 RIDDLE = 280.0  # [Hz]
-HARMONICS = (1.0, 0.4, 0.3, 0.2, 0.15)  # 280 to 1400 Hz, as the reference report reports them
+HARMONICS = (1.0, 0.4, 0.3, 0.2, 0.15)  # 280 to 1400 Hz, as in the reference report
 READING = 0.05  # [V] of the first
 
 
 def draw_riddle(seed: int, *, duration: float = 12.0) -> list[Case]:
-    """Draw the twelve cases of the riddle, in an order that tells nothing."""
+    """Return the twelve cases in random order."""
     rng = np.random.default_rng([seed, 280])
     rows = [(kind, wanders, two) for kind in range(3) for wanders in (False, True) for two in (False, True)]
     cases = []
@@ -39,7 +39,7 @@ def draw_riddle(seed: int, *, duration: float = 12.0) -> list[Case]:
 
 
 def _case(name: str, seed: tuple[int, ...], *, kind: int, wanders: bool, two: bool, duration: float) -> Case:
-    """Draw one rig of the riddle."""
+    """Return one rig with a 280 Hz line."""
     rng = np.random.default_rng(seed)
     rig, laws = draw_true_rig(rng), draw_laws(rng)
     if not wanders:
@@ -61,12 +61,12 @@ def _case(name: str, seed: tuple[int, ...], *, kind: int, wanders: bool, two: bo
 
 
 def _one_speed() -> tuple[tuple[float, float], ...]:
-    """Give the reference report's load cases at 1000 rpm."""
+    """Return the load cases of the reference report at 1000 rpm."""
     return ((1000.0, 0.0), (1000.0, 5.0), (1000.0, 11.0), (1000.0, 15.0))
 
 
 def planetary_mesh(rng: np.random.Generator, rig: TrueRig) -> Effect:
-    """Give the mesh of a sun of 21 and a ring of 84 teeth with three planets."""
+    """Return the mesh of a sun of 21 and a ring of 84 teeth with three planets."""
     error = READING / gain_of_twist(machine_of(rig, SAME_LAWS), RIDDLE)
     return GearMesh(
         teeth=84,
@@ -77,13 +77,13 @@ def planetary_mesh(rng: np.random.Generator, rig: TrueRig) -> Effect:
     )
 
 
-def fixed_comb(rng: np.random.Generator, rig: TrueRig) -> Effect:  # every maker is asked alike
-    """Give a comb that no speed moves."""
+def fixed_comb(rng: np.random.Generator, rig: TrueRig) -> Effect:  # same signature for all makers
+    """Return a comb of constant frequency."""
     return FixedComb(RIDDLE, tuple(READING * share for share in HARMONICS))
 
 
 def resonance(rng: np.random.Generator, rig: TrueRig) -> Effect:
-    """Give a branch on the wear part whose mode, with the rig, lies at 280 Hz."""
+    """Return a branch on the wear part whose mode, coupled with the rig, is at 280 Hz."""
     inertia, damping = 0.5 * rig["wear_inertia"], float(rng.uniform(0.004, 0.015))
     bare, low, high = machine_of(rig, SAME_LAWS), 0.3 * RIDDLE, RIDDLE
     for _ in range(60):
@@ -94,5 +94,5 @@ def resonance(rng: np.random.Generator, rig: TrueRig) -> Effect:
 
 
 def _any_run() -> Run:
-    """Give a run where none matters."""
+    """Return an arbitrary run."""
     return Run(1000.0, Profile.STEADY, 5.0)

@@ -1,4 +1,4 @@
-"""How are answers kept until the diagnoses are in? Written apart, their hash printed first and checked when opened."""
+"""Sealed answers: written with a SHA-256 that is printed before any diagnosis and checked when they are opened."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ ANSWERS = "sealed/answers.json"
 
 
 def seal(answers: dict[str, Any], folder: Path, *, apart: Path | None = None) -> str:
-    """Write the answers and their seal, and give the seal: the SHA-256 of the file of answers.
+    """Write the answers and return their seal, the SHA-256 of the file.
 
     Parameters
     ----------
     answers : dict
         One entry per case.
     folder : Path
-        Of the trials; the seal is written here.
+        Folder of the trials; the seal is written here.
     apart : Path, optional
-        File to write the answers to; without it they go into the folder's ``sealed/``.
+        File of the answers; default: in ``sealed/`` of the folder.
     """
     path = folder / ANSWERS if apart is None else apart
     if path.exists() or (folder / SEAL).exists():
-        raise ProofError(f"{folder}: there are sealed answers already; choose another folder")
+        raise ProofError(f"{folder}: the folder already holds sealed answers; choose another folder")
     path.parent.mkdir(parents=True, exist_ok=True)
     folder.mkdir(parents=True, exist_ok=True)
     written = _text(answers)
@@ -38,22 +38,22 @@ def seal(answers: dict[str, Any], folder: Path, *, apart: Path | None = None) ->
 
 
 def seal_of(answers: dict[str, Any]) -> str:
-    """Give the seal that these answers would have, without writing anything."""
+    """Return the seal of the answers without writing them."""
     return hashlib.sha256(_text(answers)).hexdigest()
 
 
 def _text(answers: dict[str, Any]) -> bytes:
-    """Give the file of answers, the same bytes for the same answers."""
+    """Return the bytes of the answers; the same answers give the same bytes."""
     return json.dumps(answers, indent=1, sort_keys=True).encode()
 
 
 def unseal(folder: Path, *, apart: Path | None = None) -> dict[str, Any]:
-    """Open the answers, if they are still those that were sealed.
+    """Return the answers after a check against their seal.
 
     Raises
     ------
     ProofError
-        If there are none, or if they were changed after they had been sealed.
+        If there are none, or if they were changed after sealing.
     """
     path = folder / ANSWERS if apart is None else apart
     for needed in (path, folder / SEAL):
@@ -62,6 +62,8 @@ def unseal(folder: Path, *, apart: Path | None = None) -> dict[str, Any]:
     written = path.read_bytes()
     digest, sealed = hashlib.sha256(written).hexdigest(), (folder / SEAL).read_text(encoding="ascii").strip()
     if digest != sealed:
-        raise ProofError(f"{path}: changed after it was sealed (SHA-256 {digest[:12]}..., sealed {sealed[:12]}...)")
+        raise ProofError(
+            f"{path}: the file changed after it was sealed (SHA-256 {digest[:12]}..., sealed {sealed[:12]}...)"
+        )
     answers: dict[str, Any] = json.loads(written)
     return answers

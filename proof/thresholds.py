@@ -1,4 +1,4 @@
-"""Which gain does an effect that is not there reach once in so many rigs? From the tail of the gains on clean ones."""
+"""Detection thresholds: gains that clean rigs exceed with a stated probability, from the tail of their gains."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ import numpy as np
 
 from proof.null_gains import NullGain
 
-CHANCE = 0.002  # for each mechanism: about 3 % that any of sixteen is named on a clean rig
-FEWEST = 20  # clean rigs without which a tail is a guess
+FALSE_ALARM = 0.002  # [1] probability per mechanism: about 3 % for any of sixteen on a clean rig
+FEWEST = 20  # clean rigs: with fewer, the tail is not determined
 _TAIL = 0.8  # quantile above which the tail begins
 _FEWEST_IN_TAIL = 4
 
 
 @dataclass(frozen=True, kw_only=True)
 class Threshold:
-    """The least gain of one mechanism, and what it rests on.
+    """The threshold of one mechanism, and its data.
 
     Parameters
     ----------
     mechanism : str
     gain : float or None
-        None where too few rigs were run.
+        Smallest gain of a finding; None with too few rigs.
     tried : int
-        On how many clean rigs it was fitted with all numbers free.
+        Number of clean rigs to which it was fitted with all parameters free.
     passed : int
-        On how many of them it explained as much of its places as a finding must.
+        Number of these on which it explained the share that a finding needs.
     median, largest : float
-        Of the gains of those that passed; 0 where none did.
+        Of the gains of those; 0 if there are none.
     """
 
     mechanism: str
@@ -42,10 +42,9 @@ class Threshold:
 
 
 def thresholds(rigs: Sequence[Sequence[NullGain]], *, least_share: float) -> tuple[Threshold, ...]:
-    """Return the threshold of every mechanism that came to a full fit on any clean rig, highest gain first.
+    """Return the threshold of every mechanism that was fully fitted to any clean rig, highest gain first.
 
-    Only fits that explain ``least_share`` of their places count, as nothing else could be named; a rig without such a
-    fit counts as one whose gain is 0.
+    Only fits that explain ``least_share`` count, as others cannot be findings. A rig without such a fit has gain 0.
     """
     tried: dict[str, list[NullGain]] = {}
     for rig in rigs:
@@ -65,15 +64,15 @@ def thresholds(rigs: Sequence[Sequence[NullGain]], *, least_share: float) -> tup
 
 
 def best_gains(rigs: Sequence[Sequence[NullGain]], *, least_share: float) -> list[float]:
-    """Return for each clean rig the gain of the best effect that could have been named; 0 where none could."""
+    """Return for each clean rig the largest gain of a possible finding; 0 if there is none."""
     return [max((one.gain for one in rig if one.share > least_share), default=0.0) for rig in rigs]
 
 
-def exceeded_once(gains: Sequence[float], *, rigs: int, chance: float = CHANCE) -> float:
-    """Return the gain that a further clean rig exceeds with ``chance``, at least the largest that was seen.
+def exceeded_once(gains: Sequence[float], *, rigs: int, false_alarm: float = FALSE_ALARM) -> float:
+    """Return the gain that a further clean rig exceeds with probability ``false_alarm``, at least the largest so far.
 
-    Gains above their 80 % quantile are taken for exponential (peaks over a threshold, Pickands 1975, Annals of
-    Statistics 3(1), with shape 0). Untrue where the tail is heavier than that; more rigs show it.
+    Gains above their 80 % quantile are modelled as exponential (peaks over a threshold, Pickands 1975, Annals of
+    Statistics 3(1), with shape 0). Not valid for a heavier tail.
     """
     every = np.zeros(rigs)
     every[: len(gains)] = gains
@@ -81,7 +80,7 @@ def exceeded_once(gains: Sequence[float], *, rigs: int, chance: float = CHANCE) 
     beyond = every[every > start] - start
     if beyond.size < _FEWEST_IN_TAIL:
         return float(every.max())
-    expected = beyond.size / rigs / chance
+    expected = beyond.size / rigs / false_alarm
     return max(float(every.max()), start + float(beyond.mean()) * float(np.log(max(expected, 1.0))))
 
 
@@ -98,6 +97,6 @@ def as_table(
         "made_by": command,
         "seeds": list(seeds),
         "clean_rigs": clean_rigs,
-        "chance": CHANCE,
+        "chance": FALSE_ALARM,
         "thresholds": dict(sorted(stated.items())),
     }

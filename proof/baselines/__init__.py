@@ -1,14 +1,14 @@
-"""What others would say of the same recordings: three baselines whose verdicts are scored like the diagnosis'.
+"""Three simpler methods on the same recordings; their verdicts are scored like those of the diagnosis.
 
-All three are given the calibrated nominal model of the diagnosis, which flatters them.
+All start from the calibrated nominal model of the diagnosis, which is an advantage for them.
 
-- ``refit_only``         the nominal model with its numbers fitted: whether something is left, never what
+- ``refit_only``         the nominal model with fitted parameters: tests for a significant residual, names no mechanism
 - ``residual_fft``       lines of the residual's spectrum, each named after the nearest line of the kinematic table
-- ``named_lines``        that table: what stands where
-- ``sparse_regression``  STLSQ on the torque with a column for every effect that can be one
-- ``columns``            those columns
-- ``stlsq``              sequentially thresholded least squares: PySINDy's, or the same in a few lines without it
-- ``verdict``            the form of a diagnosis
+- ``named_lines``        the kinematic table of lines
+- ``sparse_regression``  STLSQ on the torque, with columns for the mechanisms
+- ``columns``            the columns of that regression
+- ``stlsq``              sequentially thresholded least squares, of PySINDy or a plain version
+- ``verdict``            the verdict in the form of a diagnosis
 """
 
 from __future__ import annotations

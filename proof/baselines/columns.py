@@ -1,4 +1,4 @@
-"""The effects of the library as columns of a regression: all that can be written as a function of angle and time."""
+"""Mechanisms as columns of a regression, for those that are functions of angle, speed and time."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _HARMONICS_OF_MAINS = (1, 2, 3)
 
 @dataclass(frozen=True)
 class Column:
-    """A column: the mechanism whose it is (empty: the model's own), the parameter that it stands for, its values.
+    """A column: mechanism (empty: of the nominal model), parameter, place, and values.
 
     ``values`` (samples,) [N m per unit of its coefficient].
     """
@@ -40,19 +40,19 @@ class Column:
 def columns_of(
     run: Observed, rows: NDArray[np.int64], rig: Rig, *, runs: int, number: int, tones: Sequence[float]
 ) -> Iterator[Column]:
-    """Yield every column of run ``number`` of ``runs`` at its samples ``rows``; the same ones for every run.
+    """Yield every column of run ``number`` of ``runs`` at its samples ``rows``; the set is the same for every run.
 
     Parameters
     ----------
     tones : sequence of float
-        Fixed frequencies [Hz] that a spectrum suggests for folded switching.
+        Fixed frequencies [Hz] of unexplained lines, as candidates for aliased PWM tones.
     """
     angle, time, speed = run.angle[rows], rows / run.rate, run.speed[rows]
     turning = _Turning(angle, time, speed, run.torque.size / run.rate, kinematics_of(rig).ratio)
     for each in range(runs):
         yield Column("", "level", float(each), np.full(rows.size, float(each == number)))
     yield Column("", "viscous", 0.0, speed / turning.ratio)
-    yield from turning.own(rig)
+    yield from turning.nominal_lines(rig)
     yield from turning.slow()
     yield from turning.shaft_lines(rig, float(run.torque.mean()))
     yield from turning.fixed(tones)
@@ -68,13 +68,13 @@ class _Turning:
     duration: float
     ratio: float
 
-    def own(self, rig: Rig) -> Iterator[Column]:
-        """Lines that the nominal model has."""
-        for order in own_orders(rig):
+    def nominal_lines(self, rig: Rig) -> Iterator[Column]:
+        """Yield the lines of the nominal model."""
+        for order in nominal_orders(rig):
             yield from _pair("", "order_motor", order, order * self.angle)
 
     def slow(self) -> Iterator[Column]:
-        """Friction, drag and drift."""
+        """Yield friction, drag and drift."""
         turns = self.speed / self.ratio
         sign = np.tanh(turns / 0.02)
         yield Column("quadratic_drag", "coefficient_Nms2", 0.0, turns * np.abs(turns))
@@ -87,9 +87,9 @@ class _Turning:
             yield Column("sensor_drift", "time_constant_s", constant, 1 - np.exp(-self.time / constant))
 
     def shaft_lines(self, rig: Rig, torque: float) -> Iterator[Column]:
-        """Cogging, commutation (in proportion to the run's mean torque), teeth and blades; every order once."""
+        """Yield cogging, commutation (proportional to the mean torque), teeth and blades; every order once."""
         motor = next(iter(rig.parts_of(Motor)), None)
-        taken = own_orders(rig)
+        taken = nominal_orders(rig)
         if motor is not None and motor.slots and motor.pole_pairs:
             pulses = 6.0 * motor.pole_pairs
             for one in _pair("commutation_ripple", "order_motor", pulses, pulses * self.angle):
@@ -104,7 +104,7 @@ class _Turning:
                     yield from _pair(name, "order_output", float(order), order * self.angle / self.ratio)
 
     def fixed(self, tones: Sequence[float]) -> Iterator[Column]:
-        """Mains, and the tones that were suggested."""
+        """Yield mains lines and the candidate tones."""
         for grid in MAINS:
             for harmonic in _HARMONICS_OF_MAINS:
                 yield from _pair("mains_interference", "frequency_Hz", grid, 2 * pi * grid * harmonic * self.time)
@@ -112,8 +112,8 @@ class _Turning:
             yield from _pair("pwm_aliasing", "frequency_Hz", tone, 2 * pi * tone * self.time)
 
 
-def own_orders(rig: Rig) -> list[float]:
-    """Return the motor orders [1/rev] at which the nominal model has lines itself."""
+def nominal_orders(rig: Rig) -> list[float]:
+    """Return the motor orders [1/rev] of the lines of the nominal model."""
     return sorted({round(line.order, 6) for line in Twin(rig).lines()})
 
 

@@ -1,4 +1,4 @@
-"""What stands where in a torque spectrum? The kinematic table, with the contract's names."""
+"""The kinematic table of spectral lines, with mechanism names of the contract."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ FAMILIES = {
     "six_pulse": "commutation_ripple",
     "gear_mesh": "gear_mesh",
 }
-"""Families of the kinematic table, as mechanisms of the contract."""
+"""Mechanisms of the contract for families of the kinematic table."""
 MAINS = (50.0, 60.0)  # [Hz]
 HARMONICS = 6
-BLADES = range(2, 13)  # output orders that are taken for blades; above them for teeth, where tooth counts are unknown
+BLADES = range(2, 13)  # output orders assigned to blades; higher orders are assigned to teeth
 TEETH = range(13, 131)
-FIRST_WINS = ("mains_interference", "cogging", "commutation_ripple", "gear_mesh", "blade_pass")
+PRIORITY = ("mains_interference", "cogging", "commutation_ripple", "gear_mesh", "blade_pass")
 
 
 @dataclass(frozen=True)
 class NamedLine:
-    """One row: the mechanism, its identifying parameter and value, and its harmonic at this speed [Hz]."""
+    """One row: mechanism, identifying parameter and value, and frequency at this speed [Hz]."""
 
     mechanism: str
     parameter: str
@@ -37,9 +37,9 @@ class NamedLine:
 
 
 def named_lines(rig: Rig, *, motor_speed: float) -> tuple[NamedLine, ...]:
-    """Return all rows at a speed [rad/s]; where two stand at one frequency, the better known cause comes first."""
+    """Return all rows at a speed [rad/s]; at equal frequencies ``PRIORITY`` gives the order."""
     rows = [*_mains(), *_of_table(rig, motor_speed), *_of_output(rig, motor_speed)]
-    rows.sort(key=lambda row: FIRST_WINS.index(row.mechanism))
+    rows.sort(key=lambda row: PRIORITY.index(row.mechanism))
     return tuple(rows)
 
 
@@ -62,7 +62,7 @@ def _of_table(rig: Rig, speed: float) -> Iterator[NamedLine]:
 
 
 def _of_output(rig: Rig, speed: float) -> Iterator[NamedLine]:
-    """Whole orders of the output shaft: teeth that the table does not know, and blades."""
+    """Yield whole orders of the output shaft: blades, and teeth of unknown number."""
     turns = abs(speed) / (2 * pi) / kinematics_of(rig).ratio
     for order in (*BLADES, *TEETH):
         name = "blade_pass" if order in BLADES else "gear_mesh"

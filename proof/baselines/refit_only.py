@@ -1,4 +1,4 @@
-"""Refitting parameters only: is anything significant left? It says so, and never what."""
+"""Baseline that fits parameters only: it tests for a significant residual and names no mechanism."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ from torquerig.diagnosis.outcome import METRIC
 
 
 def refit_only(outcome: Outcome) -> dict[str, Any]:
-    """Return ``adequate`` where the calibrated nominal model leaves nothing significant, else ``unexplained``."""
+    """Return ``adequate`` if the calibrated nominal model has no significant residual, else ``unexplained``."""
     left, misfit = mismatches(outcome.before), outcome.diagnosis.fit.before
     return verdict("unexplained" if left else "adequate", outcome, metric=METRIC, before=misfit, after=misfit)

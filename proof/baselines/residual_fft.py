@@ -1,4 +1,4 @@
-"""The residual's spectrum and a table: each line that the model lacks is named after the nearest line of the table."""
+"""Baseline that names each line of the residual spectrum after the nearest line of the kinematic table."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from torquerig.diagnosis.looking.observed import Observed
 from torquerig.rig.assembly import Rig
 from torquerig.scenario.kinematics import kinematics_of
 
-CLEAR = 36.0  # power over the local median; chance leaves one bin in 1e10
-NEAR = 0.004  # relative distance within which a line takes the name of the nearest one
+CLEAR = 36.0  # [1] power over the local median; noise exceeds it in one bin of 1e10
+NEAR = 0.004  # [1] largest relative distance to the nearest line of the table
 _LOWEST, _TOP_SHARE = 3.0, 0.4  # [Hz], share of the sample rate
-_BESIDE_A_LINE, _SKIRT = 5, 0.006  # bins, and share of its frequency, either way of a line that the model has
-LEAST = 0.002  # [N m] smaller lines are not looked at
-_NEIGHBOURS = 60  # bins either way that make the local median
+_LINE_BINS, _LINE_WIDTH = 5, 0.006  # [bins], and share of the frequency, masked on both sides of a known line
+LEAST = 0.002  # [N m] smaller lines are ignored
+_NEIGHBOURS = 60  # bins on both sides for the local median
 
 
 @dataclass(frozen=True)
 class Line:
-    """A line of the residual: frequency [Hz], amplitude [N m], and its name, or none where the table has none near."""
+    """A line of the residual: frequency [Hz], amplitude [N m], and its row of the table, or None."""
 
     frequency: float
     amplitude: float
@@ -36,9 +36,9 @@ class Line:
 
 
 def residual_fft(outcome: Outcome) -> dict[str, Any]:
-    """Return the verdict: every name by its strongest line; ``unexplained`` where a line is left without a name.
+    """Return the verdict: each mechanism by its strongest line; ``unexplained`` if a line has no name.
 
-    Only runs at steady speed have lines. The frequencies that the calibrated model has itself are left out.
+    Only steady runs count. Frequencies of the calibrated model are excluded.
     """
     rig = outcome.before.model.rig
     lines = [line for run in outcome.before.runs if run.steady for line in lines_of(run, rig)]
@@ -52,7 +52,7 @@ def residual_fft(outcome: Outcome) -> dict[str, Any]:
 
 
 def lines_of(run: Observed, rig: Rig) -> Iterator[Line]:
-    """Yield the clear lines of a run that ``rig`` does not have."""
+    """Yield the significant lines of a run that ``rig`` lacks."""
     from scipy.ndimage import median_filter
 
     speed, window = run.mean_speed, np.hanning(run.torque.size)
@@ -69,17 +69,17 @@ def lines_of(run: Observed, rig: Rig) -> Iterator[Line]:
 
 
 def _modelled(rig: Rig, speed: float, step: float, bins: int) -> NDArray[np.bool_]:
-    """Mark the bins beside the lines that the model has itself, and beside their sidebands.
+    """Return a mask of the bins around the lines of the model and their sidebands.
 
-    A shaft that turns unevenly once a turn gives every line of another shaft such sidebands; they are no effect.
+    A speed variation once per turn of one shaft gives sidebands to the lines of the other; they are no mechanism.
     """
     marked = np.zeros(bins, dtype=bool)
     turn = 1.0 / kinematics_of(rig).ratio
     for line in Twin(rig).lines():
         for order in (line.order - turn, line.order, line.order + turn):
             at = abs(order * speed) / (2 * pi) / step
-            beside = max(_BESIDE_A_LINE, _SKIRT * at)
-            marked[max(int(at - beside), 0) : int(at + beside) + 2] = True
+            width = max(_LINE_BINS, _LINE_WIDTH * at)
+            marked[max(int(at - width), 0) : int(at + width) + 2] = True
     return marked
 
 
@@ -101,6 +101,6 @@ def _named(line: Line, lines: Sequence[Line]) -> Named:
     return Named(
         mechanism=row.mechanism,
         confidence=min(0.99, line.amplitude**2 / total),
-        explanation=f"a line of {line.amplitude:.3g} N m at {line.frequency:.2f} Hz stands nearest to {row.mechanism}",
+        explanation=f"A line of {line.amplitude:.3g} N m at {line.frequency:.2f} Hz is nearest to {row.mechanism}.",
         parameters={row.parameter: row.value},
     )

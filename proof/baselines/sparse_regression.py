@@ -1,4 +1,4 @@
-"""Sparse regression: the torque of all runs on a column per effect, small coefficients dropped, what stays is named."""
+"""Baseline of sparse regression: torque on a column per mechanism; mechanisms with remaining columns are named."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from torquerig.rig.assembly import Rig
 
 Floats = NDArray[np.float64]
 
-THRESHOLDS = (0.1, 0.05, 0.025, 0.012, 0.006, 0.003)  # [N m] rms of a column's share; the held-out part chooses
-_AS_GOOD = 1.002  # a sparser model is taken where it is no worse than this
-_SAMPLES = 10_000  # of each run, drawn without order so that neighbours are far apart
-_ABSORBED = 1e-5  # share of a column's variance beside the model's own columns below which nothing of it can be seen
-_NOTHING = 1e-12  # of the largest: what falls off with the speed may be as good as zero all along
+THRESHOLDS = (0.1, 0.05, 0.025, 0.012, 0.006, 0.003)  # [N m] rms of a column; chosen on held-out data
+_AS_GOOD = 1.002  # [1] largest error of a sparser model over the least error
+_SAMPLES = 10_000  # of each run, at random so that neighbours are far apart
+_ABSORBED = 1e-5  # [1] least share of a column's variance that the nominal columns do not explain
+_NOTHING = 1e-12  # [1] least power of a column over the largest one
 _TONES = 4
 
 
 @dataclass(frozen=True)
 class Sums:
-    """Products of columns with each other and with the torque, over ``count`` samples; enough for any fit."""
+    """Products of columns with each other and with the torque, summed over ``count`` samples."""
 
     gram: Floats
     cross: Floats
@@ -37,20 +37,20 @@ class Sums:
     count: int
 
     def error(self, coefficients: Floats) -> float:
-        """Return the mean square of what these coefficients leave [N^2 m^2]."""
+        """Return the mean squared residual of these coefficients [N^2 m^2]."""
         left = self.square - 2 * coefficients @ self.cross + coefficients @ self.gram @ coefficients
         return max(float(left), 0.0) / self.count
 
 
 def sparse_regression(outcome: Outcome) -> dict[str, Any]:
-    """Return the verdict: every mechanism of which a column stays, by its share of the torque's power."""
+    """Return the verdict: every mechanism with a remaining column, by its share of the torque's power."""
     runs, rig = outcome.before.runs, outcome.before.nominal
     tones = _tones(outcome)
     names, seen = _sums(runs, rig, tones, held=False)
     _, held = _sums(runs, rig, tones, held=True)
-    own = np.array([not one.mechanism for one in names])
-    bare = _with_own(seen, own, np.zeros(int((~own).sum())))
-    fits = [_with_own(seen, own, _sparse(seen, own, threshold)) for threshold in THRESHOLDS]
+    nominal = np.array([not one.mechanism for one in names])
+    bare = _with_nominal(seen, nominal, np.zeros(int((~nominal).sum())))
+    fits = [_with_nominal(seen, nominal, _sparse(seen, nominal, threshold)) for threshold in THRESHOLDS]
     errors = [held.error(fit) for fit in fits]
     best = fits[next(at for at, error in enumerate(errors) if error <= _AS_GOOD * min(errors))]
     if held.error(bare) <= _AS_GOOD * held.error(best):
@@ -58,12 +58,12 @@ def sparse_regression(outcome: Outcome) -> dict[str, Any]:
     found = _named(names, best, seen)
     return verdict(
         "missing_physics" if found else "adequate", outcome, found, before=held.error(bare), after=held.error(best),
-        metric=f"mean square of held-out torque samples beside a regression on columns [N^2 m^2], {solver()}",
+        metric=f"Mean squared residual of held-out torque samples in a regression [N^2 m^2], {solver()}.",
     )  # fmt: skip
 
 
 def _tones(outcome: Outcome) -> list[float]:
-    """Suggest the strongest nameless lines of the spectra as fixed tones."""
+    """Return the frequencies of the strongest unexplained lines [Hz]."""
     rig = outcome.before.model.rig
     lines = [line for run in outcome.before.runs if run.steady for line in lines_of(run, rig) if line.named is None]
     lines.sort(key=lambda line: -line.amplitude)
@@ -71,7 +71,7 @@ def _tones(outcome: Outcome) -> list[float]:
 
 
 def _sums(runs: Sequence[Observed], rig: Rig, tones: Sequence[float], *, held: bool) -> tuple[list[Column], Sums]:
-    """Return the columns (without values) and their sums over samples that fits may see, or may not."""
+    """Return the columns (without values) and their sums over fitted or held-out samples."""
     gram, cross, square, count, names = np.zeros((0, 0)), np.zeros(0), 0.0, 0, list[Column]()
     for number, run in enumerate(runs):
         rows = _rows(run, held=held, seed=number)
@@ -89,12 +89,12 @@ def _rows(run: Observed, *, held: bool, seed: int) -> NDArray[np.int64]:
     return np.asarray(np.sort(rng.choice(every, min(_SAMPLES, every.size), replace=False)))
 
 
-def _sparse(seen: Sums, own: NDArray[np.bool_], threshold: float) -> Floats:
-    """Return the coefficients of the effects' columns, the model's own columns fitted beside them."""
-    effects = ~own
-    other = np.linalg.lstsq(seen.gram[np.ix_(own, own)], seen.gram[np.ix_(own, effects)], rcond=1e-10)[0]
-    gram = seen.gram[np.ix_(effects, effects)] - seen.gram[np.ix_(effects, own)] @ other
-    cross = seen.cross[effects] - other.T @ seen.cross[own]
+def _sparse(seen: Sums, nominal: NDArray[np.bool_], threshold: float) -> Floats:
+    """Return the coefficients of the mechanisms' columns, fitted together with the nominal columns."""
+    effects = ~nominal
+    other = np.linalg.lstsq(seen.gram[np.ix_(nominal, nominal)], seen.gram[np.ix_(nominal, effects)], rcond=1e-10)[0]
+    gram = seen.gram[np.ix_(effects, effects)] - seen.gram[np.ix_(effects, nominal)] @ other
+    cross = seen.cross[effects] - other.T @ seen.cross[nominal]
     power = np.diag(seen.gram)[effects]
     kept = (power > _NOTHING * power.max(initial=0.0)) & (np.diag(gram) > _ABSORBED * power)
     answer = np.zeros(kept.size)
@@ -102,24 +102,24 @@ def _sparse(seen: Sums, own: NDArray[np.bool_], threshold: float) -> Floats:
         return answer
     scale = np.sqrt(power[kept] / seen.count)
     scaled = gram[np.ix_(kept, kept)] / np.outer(scale, scale) / seen.count
-    # a triangle with the same normal equations as all samples
+    # a triangular matrix with the same normal equations as all samples
     triangle = np.linalg.cholesky(scaled + 1e-9 * np.eye(scale.size)).T
     target = np.linalg.solve(triangle.T, cross[kept] / scale / seen.count)
     answer[kept] = stlsq(np.asarray(triangle), np.asarray(target), threshold=threshold) / scale
     return answer
 
 
-def _with_own(seen: Sums, own: NDArray[np.bool_], effects: Floats) -> Floats:
-    """Return all coefficients, the model's own ones fitted to what these of the effects leave."""
-    answer = np.zeros(own.size)
-    answer[~own] = effects
-    left = seen.cross[own] - seen.gram[np.ix_(own, ~own)] @ effects
-    answer[own] = np.linalg.lstsq(seen.gram[np.ix_(own, own)], left, rcond=1e-10)[0]
+def _with_nominal(seen: Sums, nominal: NDArray[np.bool_], effects: Floats) -> Floats:
+    """Return all coefficients, with the nominal ones fitted to the residual of ``effects``."""
+    answer = np.zeros(nominal.size)
+    answer[~nominal] = effects
+    residual = seen.cross[nominal] - seen.gram[np.ix_(nominal, ~nominal)] @ effects
+    answer[nominal] = np.linalg.lstsq(seen.gram[np.ix_(nominal, nominal)], residual, rcond=1e-10)[0]
     return answer
 
 
 def _named(columns: Sequence[Column], fit: Floats, seen: Sums) -> list[Named]:
-    """Return each mechanism of which a column stayed, the strongest first; its strongest column states the place."""
+    """Return each mechanism with a remaining column, strongest first; its strongest column gives the parameter."""
     power = fit**2 * np.diag(seen.gram) / seen.count
     sums: dict[str, float] = {}
     for one, share in zip(columns, power, strict=True):
@@ -133,7 +133,7 @@ def _named(columns: Sequence[Column], fit: Floats, seen: Sums) -> list[Named]:
         found.append(
             Named(
                 mechanism=name, confidence=min(0.99, total / sum(sums.values())),
-                explanation=f"its columns carry {np.sqrt(total):.3g} N m rms of the torque",
+                explanation=f"Its columns explain {np.sqrt(total):.3g} N m rms of the torque.",
                 parameters={column.parameter: stated},
             )
         )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The verdict of a baseline in the form of a diagnosis, so that the same scoring applies."""
+"""The verdict of a baseline in the form of a diagnosis, for the same scoring."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.diagnosis.outcome import SCHEMA
 
 @dataclass(frozen=True, kw_only=True)
 class Named:
-    """One mechanism that a baseline names; ``parameters`` by the contract's name, without intervals."""
+    """One finding of a baseline; ``parameters`` by the contract's name, without intervals."""
 
     mechanism: str
     confidence: float
@@ -24,7 +24,7 @@ def verdict(
     word: str, outcome: Outcome, named: Sequence[Named] = (), *, metric: str = "", before: float | None = None,
     after: float | None = None,
 ) -> dict[str, Any]:  # fmt: skip
-    """Return the JSON of a verdict; misfits are given where the baseline has a model of its own to be judged."""
+    """Return the JSON of a verdict, with residuals if the baseline has a model."""
     return {
         "schema": SCHEMA,
         "verdict": word,
@@ -41,7 +41,7 @@ def verdict(
             for one in named
         ],
         "fit": {
-            "metric": metric or "none: this baseline makes no model",
+            "metric": metric or "None: this baseline has no model.",
             "before": {"heldout_misfit": before, "nominal": None},
             "after": {"heldout_misfit": after},
             "improvement": None,

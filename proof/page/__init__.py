@@ -1,15 +1,15 @@
-"""The page of a proof: its chapters, in the order in which a sceptic reads them.
+"""The page of the blind trials, chapter by chapter.
 
 - ``proof_page``   the whole page
-- ``headline``     every figure beside what is asked, and beside the baselines
-- ``trials_made``  seeds, seals, and what was hidden
-- ``strata``       by what was hidden, size, mechanism and programme; parameters; with the reference's own laws
-- ``trust``        calibration of the confidence, harm, improvement
-- ``null``         what effects gain where nothing is hidden, and the thresholds that follow
+- ``headline``     all scores compared with the requirements and the baselines
+- ``trial_sets``   seeds, seals, and kinds of cases
+- ``strata``       scores by hidden effects, size, mechanism and runs; parameters; the simulator's laws
+- ``confidence``   calibration of the confidence, improvement on held-out data
+- ``null``         gains on rigs without hidden effects, and the thresholds from them
 - ``cost``         time and memory of a diagnosis
-- ``riddle``       the twelve rigs of the 280 Hz riddle
-- ``known``        practice recordings
+- ``riddle``       the twelve rigs with a 280 Hz line
+- ``practice``     practice recordings
 - ``real``         real recordings
-- ``failures``     every case that was not right
-- ``cells``        shares, figures and names as cells
+- ``failures``     every wrong case
+- ``cells``        shares, scores and names as cells
 """

@@ -1,4 +1,4 @@
-"""Shares, figures and names as cells of a table."""
+"""Shares, scores and names as cells of a table."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ PER_CENT = 100.0
 
 
 def percent(share: float | None, digits: int = 1) -> str:
-    """Write a share in per cent; a dash where there is none."""
+    """Return a share in per cent; a dash for None."""
     return "-" if share is None else f"{PER_CENT * share:.{digits}f} %"
 
 
 def share_cells(share: Share, *, at_least: bool) -> tuple[Cell, ...]:
-    """Give counted, share and the one-sided exact 95 % bound that matters."""
+    """Return count, share and one-sided exact 95 % bound."""
     if share.trials == 0:
-        return (number("none due"), number("-"), number("-"))
+        return (number("no case"), number("-"), number("-"))
     bound = f"≥ {percent(share.lower)}" if at_least else f"≤ {percent(share.upper)}"
     return number(f"{share.hits} of {share.trials}"), number(percent(share.hits / share.trials)), number(bound)
 
 
 def error_cells(figures: ErrorFigures | None) -> tuple[Cell, ...]:
-    """Give number, median, 90 % quantile and coverage of relative errors."""
+    """Return number, median, 90 % quantile and coverage of relative errors."""
     if figures is None:
         return (number("0"), number("-"), number("-"), number("-"))
     return (
@@ -35,19 +35,19 @@ def error_cells(figures: ErrorFigures | None) -> tuple[Cell, ...]:
     )
 
 
-def had(trial: Trial) -> str:
-    """Say what a case truly had, with its size between 0 (just visible) and 1 (far larger than in handbooks)."""
+def true_effects_text(trial: Trial) -> str:
+    """Return the true effects of a case, with sizes from 0 (just visible) to 1 (far larger than in handbooks)."""
     if not trial.effects:
-        return "parameters far from nominal" if trial.wrong_parameters else "nothing"
+        return "parameters far from nominal" if trial.wrong_parameters else "no effect"
     return ", ".join(f"{effect.mechanism} ({effect.size:.2f})" for effect in trial.effects)
 
 
-def said(trial: Trial) -> str:
-    """Say what the diagnosis said of a case."""
+def diagnosis_text(trial: Trial) -> str:
+    """Return verdict and findings of a case."""
     if trial.claim is None:
         return "no diagnosis"
-    told = [trial.claim.verdict.replace("_", " ")]
+    parts = [trial.claim.verdict.replace("_", " ")]
     for finding in trial.claim.findings:
-        rivals = f" or {' or '.join(finding.equivalent_to)}" if finding.equivalent_to else ""
-        told.append(f"{finding.mechanism}{rivals} ({finding.confidence:.2f})")
-    return ", ".join(told)
+        others = f" or {' or '.join(finding.equivalent_to)}" if finding.equivalent_to else ""
+        parts.append(f"{finding.mechanism}{others} ({finding.confidence:.2f})")
+    return ", ".join(parts)

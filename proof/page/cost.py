@@ -14,18 +14,20 @@ from torquerig.reporting.matrix.chapters import Chapter
 def cost(costs: Sequence[Cost], *, workers: int, duration: float) -> Chapter:
     """Return median, 90 % quantile and largest of time and memory."""
     if not costs:
-        return Chapter(anchor="cost", title="Cost", lines=("No diagnosis was timed.",))
+        return Chapter(anchor="cost", title="Cost", lines=("No diagnosis time was recorded.",))
     rows = (
         _row("wall time [s]", [one.seconds for one in costs]),
         _row("processor time [s]", [one.processor_seconds for one in costs]),
-        _row("largest memory of its process [MiB]", [one.peak_MiB for one in costs]),
+        _row("peak memory of the process [MiB]", [one.peak_MiB for one in costs]),
     )
-    table = Table(caption=f"Of {len(costs)} diagnoses", head=("", "median", "90 % quantile", "largest"), rows=rows)
+    table = Table(
+        caption=f"Time and memory of {len(costs)} diagnoses", head=("", "median", "90 % quantile", "largest"), rows=rows
+    )
     lines = (
         (
-            f"Four recordings of {duration:g} s at 25 kHz each, {workers} at a time on this machine; linear "
-            "algebra in one thread. Asked: 60 s for 12 s on two cores, under 2 GiB. Memory is the largest that a "
-            "worker process has held up to the end of that diagnosis."
+            f"Each rig has four recordings of {duration:g} s at 25 kHz; {workers} rigs ran in parallel, with "
+            "single-threaded linear algebra. Required: 60 s for recordings of 12 s on two cores, and less than 2 GiB. "
+            "Memory is the peak of the worker process up to the end of the diagnosis."
         ),
     )
     return Chapter(anchor="cost", title="Cost", lines=lines, tables=(table,))

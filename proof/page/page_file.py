@@ -1,4 +1,4 @@
-"""A proof as a page and as Markdown: chapters of tables and sentences, pictures behind the chapter they belong to."""
+"""The page as HTML and as Markdown: chapters of sentences, tables and pictures."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from torquerig.whole_file import whole_file
 
 @dataclass(frozen=True, kw_only=True)
 class ProofPage:
-    """What stands on the page.
+    """The content of the page.
 
     Parameters
     ----------
@@ -24,9 +24,9 @@ class ProofPage:
         Sentences at the top.
     chapters : tuple of Chapter
     pictures : mapping of str to tuple of Picture
-        By the anchor of their chapter; the Markdown has their captions.
+        By the anchor of their chapter; the Markdown has only captions.
     command : str
-        That makes the same again.
+        Command that reproduces the page.
     """
 
     title: str
@@ -37,14 +37,14 @@ class ProofPage:
 
 
 def write_proof(page: ProofPage, path: Path) -> None:
-    """Write ``path`` as .html or, with any other ending, as Markdown; what stood there is replaced when complete."""
+    """Write ``path`` as .html or, with any other ending, as Markdown; an old file is replaced when complete."""
     text = proof_html(page) if path.suffix.lower() == ".html" else proof_markdown(page)
     with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8", newline="\n")
 
 
 def proof_html(page: ProofPage) -> str:
-    """Return the HTML: pictures inline, no script, no request to anywhere."""
+    """Return the HTML: inline pictures, no script, no request."""
     return html("proof.html", {"page": page}, folder=Path(__file__).with_name("templates"))
 
 

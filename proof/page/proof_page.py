@@ -1,4 +1,4 @@
-"""The whole page of a proof, from the scored sets."""
+"""The whole page of the blind trials, from the scored sets."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from typing import Any
 import yaml
 
 from proof.page.cells import percent
+from proof.page.confidence import calibration, improvement, reliability_picture
 from proof.page.cost import cost
 from proof.page.failures import failures
-from proof.page.headline import beside, headline
-from proof.page.known import practice
+from proof.page.headline import baselines_compared, headline
 from proof.page.null import null, null_picture
 from proof.page.page_file import ProofPage, write_proof
+from proof.page.practice import practice
 from proof.page.riddle import riddle
 from proof.page.strata import laws_compared, parameters, strata
-from proof.page.trials_made import trials_made
-from proof.page.trust import calibration, improvement, reliability_picture
-from proof.prove.campaign import Proved
+from proof.page.trial_sets import trial_sets
+from proof.prove.campaign import ProofResults
 from proof.prove.diagnosing import nominal_scenario
 from proof.prove.scored import OURS, ScoredSet
 from proof.prove.trial_set import riddle_set
@@ -34,16 +34,16 @@ TITLE = "Blind trials of the diagnosis"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Written:
-    """Where the pages stand, and the figures that they begin with."""
+class WrittenPages:
+    """Paths of the pages, and the scores of the diagnosis."""
 
     html: Path
     markdown: Path
     summary: Summary
 
 
-def write_pages(proved: Proved, *, more: tuple[Chapter, ...] = ()) -> Written:
-    """Write proof.html, proof.md and null_table.yaml into the folder of the proof."""
+def write_pages(proved: ProofResults, *, more: tuple[Chapter, ...] = ()) -> WrittenPages:
+    """Write proof.html, proof.md and null_table.yaml into the folder of results."""
     summaries = summaries_of(proved.blind)
     found = thresholds(_null(proved.blind), least_share=LEAST_SHARE)
     page = proof_page(proved, summaries, found, more=more)
@@ -53,17 +53,17 @@ def write_pages(proved: Proved, *, more: tuple[Chapter, ...] = ()) -> Written:
     if _null(proved.blind):
         text = yaml.safe_dump({"tables": [null_entry(proved, found)]}, sort_keys=False)
         (proved.plan.out / "null_table.yaml").write_text(text, encoding="utf-8")
-    return Written(html=paths[0], markdown=paths[1], summary=summaries[OURS])
+    return WrittenPages(html=paths[0], markdown=paths[1], summary=summaries[OURS])
 
 
 def proof_page(
-    proved: Proved, summaries: dict[str, Summary], found: tuple[Threshold, ...], *, more: tuple[Chapter, ...] = ()
+    proved: ProofResults, summaries: dict[str, Summary], found: tuple[Threshold, ...], *, more: tuple[Chapter, ...] = ()
 ) -> ProofPage:
-    """Return the page; ``more`` chapters stand before the failures."""
+    """Return the page; ``more`` chapters come before the failures."""
     ours, trials = summaries[OURS], trials_of(proved.blind, OURS)
     chapters = [headline(ours)]
-    chapters += [beside(summaries)] if len(summaries) > 1 else []
-    chapters += [trials_made(proved), strata(ours), parameters(ours), improvement(ours, trials), calibration(ours)]
+    chapters += [baselines_compared(summaries)] if len(summaries) > 1 else []
+    chapters += [trial_sets(proved), strata(ours), parameters(ours), improvement(ours, trials), calibration(ours)]
     chapters += [null(_null(proved.blind), found)] if proved.plan.oracle_cases != 0 else []
     if proved.same_laws:
         chapters.append(laws_compared(ours, summarise(list(trials_of(proved.same_laws, OURS)))))
@@ -83,20 +83,22 @@ def proof_page(
     )
 
 
-def lead(proved: Proved, ours: Summary) -> tuple[str, ...]:
-    """Return what a reader in haste must know."""
+def lead(proved: ProofResults, ours: Summary) -> tuple[str, ...]:
+    """Return the main scores."""
     exact, within = ours.groups["all"]["all"]
     first = (
-        f"{exact.hits} of {exact.trials} blind trials exactly right ({percent(exact.hits / max(exact.trials, 1))}, at "
-        f"least {percent(exact.lower)} with 95 % confidence), {within.hits} exactly or within the class; "
-        f"false names on {ours.false_names.hits}, on {ours.false_on_blank.hits} of the {ours.false_on_blank.trials} "
-        "rigs with nothing hidden."
+        f"{exact.hits} of {exact.trials} blind trials are exactly right ({percent(exact.hits / max(exact.trials, 1))}; "
+        f"at least {percent(exact.lower)} with 95 % confidence), and {within.hits} exactly or within the class."
     )
-    return (first, *_used_for_thresholds(proved))
+    second = (
+        f"{ours.false_names.hits} trials have a false name; {ours.false_on_blank.hits} of them are among the "
+        f"{ours.false_on_blank.trials} rigs without hidden effects."
+    )
+    return (first, second, *_used_for_thresholds(proved))
 
 
-def null_entry(proved: Proved, found: tuple[Threshold, ...]) -> dict[str, Any]:
-    """Return the entry of ``null_tables.yaml`` that these clean rigs make."""
+def null_entry(proved: ProofResults, found: tuple[Threshold, ...]) -> dict[str, Any]:
+    """Return the entry of ``null_tables.yaml`` from these clean rigs."""
     scenario = nominal_scenario()
     return as_table(
         found, key=content_key(scenario), title=scenario.title, command=proved.plan.command, seeds=proved.plan.seeds,
@@ -105,7 +107,7 @@ def null_entry(proved: Proved, found: tuple[Threshold, ...]) -> dict[str, Any]:
 
 
 def summaries_of(sets: tuple[ScoredSet, ...]) -> dict[str, Summary]:
-    """Return the figures of every method over all sets together."""
+    """Return the scores of every method over all sets."""
     return {method: summarise(list(trials_of(sets, method))) for method in sets[0].trials}
 
 
@@ -118,15 +120,15 @@ def _null(sets: tuple[ScoredSet, ...]) -> list[Any]:
     return [gains for one in sets for gains in one.null.values()]
 
 
-def _used_for_thresholds(proved: Proved) -> tuple[str, ...]:
+def _used_for_thresholds(proved: ProofResults) -> tuple[str, ...]:
     table = null_table(nominal_scenario())
     both = () if table is None else sorted(set(table.seeds).intersection(proved.plan.seeds))
     if not both:
         return ()
     listed = ", ".join(map(str, both))
-    return (f"Not to be quoted: the shipped thresholds were made from seeds that are scored here ({listed}).",)
+    return (f"Do not quote these scores: the shipped thresholds were derived from the same seeds ({listed}).",)
 
 
-def _wanders(proved: Proved) -> dict[str, bool]:
+def _wanders(proved: ProofResults) -> dict[str, bool]:
     sets = [riddle_set(seed, proved.plan.out, duration=proved.plan.duration) for seed in proved.plan.seeds]
     return {f"{one.name}, {case.name}": case.wanders for one in sets for case in one.cases}

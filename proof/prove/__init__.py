@@ -1,11 +1,11 @@
-"""What ``python -m proof`` does, stage by stage.
+"""The stages of ``python -m proof``.
 
-- ``plan``        what is asked for
-- ``trial_set``   the rigs of one seed: sealed, then recorded, or found as they were left
-- ``jobs``        many cases over worker processes, each done once
-- ``diagnosing``  recordings of one rig to a diagnosis and the baselines' verdicts; sees no answers
-- ``opened``      what needs the opened answers: the oracle, and what clean rigs gain
-- ``scored``      diagnoses, baselines and oracle beside the answers
+- ``plan``        the options
+- ``trial_set``   the rigs of one seed: sealed, then recorded; finished ones are kept
+- ``jobs``        cases distributed over worker processes
+- ``diagnosing``  diagnosis and baseline verdicts of one rig, without access to answers
+- ``opened``      stages that need the opened answers: oracle and gains of clean rigs
+- ``scored``      diagnoses, baselines and oracle compared with the answers
 - ``practice``    a folder of practice recordings with their answers
-- ``campaign``    all of it in its order
+- ``campaign``    all stages in order
 """

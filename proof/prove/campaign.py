@@ -1,4 +1,4 @@
-"""The whole proof in its order: seal everything, record, diagnose, and only then open the answers."""
+"""All stages in order: seal the answers, record, diagnose, and then open the answers."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from proof.prove.trial_set import (
 from proof.sealed import unseal
 
 Stage = Callable[[str], Progress]
-Tell = Callable[[str], None]
+Report = Callable[[str], None]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Proved:
-    """All sets of trials with their answers open; ``practice`` and ``riddle`` only where they were asked for."""
+class ProofResults:
+    """All sets of trials with open answers; ``practice`` and ``riddle`` are optional."""
 
     plan: Plan
     blind: tuple[ScoredSet, ...]
@@ -38,24 +38,24 @@ class Proved:
     practice: ScoredSet | None = None
 
 
-def prove(plan: Plan, *, tell: Tell, stage: Stage) -> Proved:
-    """Make, seal and record all trials, diagnose them, open the answers and judge.
+def prove(plan: Plan, *, report: Report, stage: Stage) -> ProofResults:
+    """Seal, record and diagnose all trials, open the answers and return the outcomes.
 
     Parameters
     ----------
-    tell : callable
-        Takes a line for the terminal; the seals are told before the first diagnosis starts.
+    report : callable
+        Takes a line for the terminal; the seals are reported before the first diagnosis.
     stage : callable
-        Gives the progress of a stage by its name.
+        Returns the progress of a stage by its name.
     """
-    practice = list(_practice_jobs(plan))  # first, as its folder may be wrong
+    practice = list(_practice_jobs(plan))  # first, to detect a wrong folder early
     blind = [blind_set(seed, plan.cases, plan.out, duration=plan.duration) for seed in plan.seeds]
     same = [same_laws_set(s, plan.cases, plan.out, duration=plan.duration) for s in plan.seeds if plan.same_laws]
     riddles = [riddle_set(seed, plan.out, duration=plan.duration) for seed in plan.seeds if plan.riddle]
     sets = [*blind, *same, *riddles]
     seals = {trials.name: sealed_digest(trials) for trials in sets}
     for name, digest in seals.items():
-        tell(f"{name}: answers sealed, SHA-256 {digest}")
+        report(f"{name}: answers sealed, SHA-256 {digest}")
     missing = [
         (case, trials.folder) for trials in sets for case in trials.cases if not is_recorded(case, trials)
     ]  # fmt: skip
@@ -73,12 +73,12 @@ def prove(plan: Plan, *, tell: Tell, stage: Stage) -> Proved:
             scored(one.name, one.folder, answers[one.name], seal=seals[one.name], baselines=baselines) for one in some
         )
 
-    return Proved(plan=plan, blind=judged(blind, names), same_laws=judged(same, ()), riddle=judged(riddles, ()),
+    return ProofResults(plan=plan, blind=judged(blind, names), same_laws=judged(same, ()), riddle=judged(riddles, ()),
                   practice=_practice(plan))  # fmt: skip
 
 
 def baseline_names() -> tuple[str, ...]:
-    """Name the baselines that are run beside the diagnosis."""
+    """Return the names of the baselines."""
     from proof.baselines import BASELINES
 
     return tuple(BASELINES)
@@ -98,9 +98,9 @@ def _practice_jobs(plan: Plan) -> Iterable[DiagnosisJob]:
 
 
 def _diagnose_all(plan: Plan, jobs: Sequence[DiagnosisJob], stage: Stage) -> None:
-    """Diagnose what an earlier call has not."""
-    left = [job for job in jobs if not is_diagnosed(job)]
-    run_jobs(diagnosed, left, workers=plan.workers, progress=stage("diagnosing"))
+    """Diagnose the cases that no earlier call has finished."""
+    remaining = [job for job in jobs if not is_diagnosed(job)]
+    run_jobs(diagnosed, remaining, workers=plan.workers, progress=stage("diagnosing"))
 
 
 def _practice(plan: Plan) -> ScoredSet | None:

@@ -1,4 +1,4 @@
-"""One rig's recordings to a diagnosis and the baselines' verdicts: nothing here can see an answer."""
+"""Diagnosis and baseline verdicts of one rig, without access to answers."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SCENARIO = "wear_rig.yaml"
 
 @dataclass(frozen=True, kw_only=True)
 class DiagnosisJob:
-    """Recordings of one rig, and the folder that its diagnosis goes into; ``baselines`` are the verdicts beside it."""
+    """Recordings of one rig, the folder of its diagnosis, and the names of the baselines to run."""
 
     name: str
     recordings: tuple[Path, ...]
@@ -42,7 +42,7 @@ def job_of(name: str, recordings: Path, folder: Path, *, baselines: Sequence[str
 
 
 def is_diagnosed(job: DiagnosisJob) -> bool:
-    """Tell whether an earlier call left this diagnosis and its baselines, or the reason why there is none."""
+    """Return whether an earlier call wrote this diagnosis and its baselines, or the error instead."""
     if refusal_path(job.folder, DIAGNOSES, job.name).is_file():
         return True
     wanted = [job.folder / DIAGNOSES, *(job.folder / BASELINE_VERDICTS / one for one in job.baselines)]
@@ -50,9 +50,9 @@ def is_diagnosed(job: DiagnosisJob) -> bool:
 
 
 def diagnosed(job: DiagnosisJob) -> str:
-    """Diagnose one rig, write what was said and what it cost, and give its name.
+    """Diagnose one rig, write diagnosis, baselines and cost, and return its name.
 
-    The diagnosis is written last: while it is not there, nothing is.
+    The diagnosis is written last and marks the case as finished.
     """
     try:
         started, worked = time.perf_counter(), time.process_time()
@@ -62,8 +62,8 @@ def diagnosed(job: DiagnosisJob) -> str:
             "processor_seconds": round(time.process_time() - worked, 2),
             "peak_MiB": round(_peak(), 1),
         }
-        for name, said in baseline_verdicts(outcome, job.baselines).items():
-            write_json(job.folder / BASELINE_VERDICTS / name / f"{job.name}.json", said)
+        for name, found in baseline_verdicts(outcome, job.baselines).items():
+            write_json(job.folder / BASELINE_VERDICTS / name / f"{job.name}.json", found)
         write_json(job.folder / COSTS / f"{job.name}.json", cost)
         write_json(job.folder / DIAGNOSES / f"{job.name}.json", as_json(outcome.diagnosis))
     except Exception as wrong:
@@ -79,37 +79,37 @@ def baseline_verdicts(outcome: Outcome, names: Sequence[str]) -> dict[str, dict[
 
 
 def nominal_scenario() -> Scenario:
-    """Read the shipped wear rig, which is all that a diagnosis is given beside the recordings."""
+    """Return the shipped wear rig, the nominal scenario of all trials."""
     path = shipped_scenarios() / SCENARIO
     return read_scenario(read_document(path), load_catalog(shipped_folder()), seed=0)
 
 
 def read_all(paths: Sequence[Path]) -> list[Recording]:
-    """Read the runs of one rig."""
+    """Return the recordings of one rig."""
     return [read_recording(path) for path in paths]
 
 
 def write_json(path: Path, data: Any) -> None:
-    """Write a file whole or not at all."""
+    """Write a JSON file completely or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 def refuse(folder: Path, stage: str, name: str, wrong: Exception) -> None:
-    """Keep the reason why a stage gave nothing for a case."""
+    """Write the error of a stage for a case."""
     path = refusal_path(folder, stage, name)
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"{type(wrong).__name__}: {wrong}\n", encoding="utf-8")
 
 
 def refusal_path(folder: Path, stage: str, name: str) -> Path:
-    """Return where that reason stands; delete the file to have the case done again."""
+    """Return the path of that error; delete the file to repeat the case."""
     return folder / REFUSED / f"{stage}-{name}.txt"
 
 
 def _peak() -> float:
-    """Return the largest memory that this process has held so far [MiB]; 0 where the system does not say."""
+    """Return the peak memory of this process so far [MiB]; 0 if the system does not report it."""
     if sys.platform == "win32":
         return 0.0
     import resource

@@ -1,4 +1,4 @@
-"""Many cases over worker processes, with progress; a worker's linear algebra runs in one thread."""
+"""Cases distributed over worker processes, with progress; linear algebra is single-threaded."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def no_progress(_done: int, _total: int, _name: str) -> None:
 def run_jobs(
     work: Callable[[Job], str], jobs: Sequence[Job], *, workers: int, progress: Progress = no_progress
 ) -> None:
-    """Do ``work`` on every job; it gives the name that progress shows. With one worker nothing is spawned."""
+    """Run ``work`` on every job; it returns the name for the progress. One worker runs in this process."""
     if not jobs:
         return
     progress(0, len(jobs), "")
@@ -27,7 +27,7 @@ def run_jobs(
             for done, job in enumerate(jobs, start=1):
                 progress(done, len(jobs), work(job))
         return
-    # spawned, not forked: compiled code and threads of the parent stay its own
+    # spawn, not fork: a fork would copy compiled code and threads of the parent
     with ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_one_thread) as pool:
         futures = [pool.submit(work, job) for job in jobs]
         try:
@@ -39,7 +39,7 @@ def run_jobs(
 
 
 def _one_thread() -> Any:  # in a worker it holds until the worker ends
-    # only libraries that are loaded already can be told, and two threads each on two workers slow both down
+    # the limit applies to loaded libraries only, so scipy.linalg is loaded first
     import scipy.linalg  # noqa: F401
     from threadpoolctl import threadpool_limits
 

@@ -1,4 +1,4 @@
-"""What needs the opened answers: what the true mechanisms reach, and what the library gains where nothing is hidden."""
+"""Stages that need the opened answers: the oracle, and the gains on rigs without hidden effects."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from torquerig.diagnosis.outcome import as_json
 
 @dataclass(frozen=True, kw_only=True)
 class OpenedJob:
-    """One case with what its answer says: the mechanisms of the library that it has; none of them asks for gains."""
+    """One case with its true mechanisms of the library; without any, the gains of the library are computed."""
 
     name: str
     folder: Path
@@ -24,15 +24,15 @@ class OpenedJob:
 
     @property
     def stage(self) -> str:
-        """The folder that its result goes into."""
+        """Folder of the result."""
         return ORACLE if self.true else NULL
 
 
 def opened_jobs(answers: dict[str, Any], folder: Path, first: int | None = None) -> Iterator[OpenedJob]:
-    """Yield what is still to be done of the ``first`` so many cases.
+    """Yield the unfinished jobs of the ``first`` cases.
 
-    Those that only have effects in no library have nothing to do. The order of the cases is drawn: the first ones are a
-    fair sample.
+    Cases with effects outside the library only have none. The order of the cases is random, so that the first ones are
+    a fair sample.
     """
     for name, answer in sorted(answers.items())[:first]:
         true = tuple(row["mechanism"] for row in answer["effects"] if row["in_library"])
@@ -43,7 +43,7 @@ def opened_jobs(answers: dict[str, Any], folder: Path, first: int | None = None)
 
 
 def opened(job: OpenedJob) -> str:
-    """Write the oracle's diagnosis, or the gains of the library on a clean rig, and give the case's name."""
+    """Write the oracle's diagnosis, or the gains on a clean rig, and return the case's name."""
     try:
         recordings = read_all(sorted((job.folder / RECORDINGS / job.name).glob("*.parquet")))
         if job.true:

@@ -1,4 +1,4 @@
-"""What a proof is asked for."""
+"""Options of the blind trials."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from pathlib import Path
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """Which trials, where to, and how many at a time.
+    """Trials, folder of results and number of processes.
 
     Parameters
     ----------
     seeds : tuple of int
     cases : int
-        Of each seed.
+        Number of rigs per seed.
     out : Path
-        Folder of everything; what is there already is not made again.
+        Folder of all results; finished cases are kept.
     workers : int
-        Processes.
+        Number of processes.
     same_laws : bool
-        The same rigs once more with the reference's own laws.
+        Whether to repeat the rigs with the laws of the simulator.
     riddle : bool
-        The twelve rigs of the 280 Hz riddle for each seed.
+        Whether to add the twelve rigs with a 280 Hz line for each seed.
     oracle_cases : int or None
-        How many rigs of each seed, from the first on, get an oracle or the gains of clean rigs; None: all of them.
+        Number of rigs per seed with oracle or clean-rig gains, from the first on; None: all.
     duration : float
-        Of each run [s].
+        Length of each recording [s].
     practice, real : Path or None
         Folders of recordings with known answers.
     """
@@ -44,7 +44,7 @@ class Plan:
 
     @property
     def command(self) -> str:
-        """The command that makes the same again, without any folder of this machine."""
+        """Command that reproduces the results, without folders of this machine."""
         words = ["python -m proof", *(f"--seed {seed}" for seed in self.seeds), f"--cases {self.cases}"]
         words += ["--duration " + f"{self.duration:g}"] if self.duration != 12.0 else []
         words += [] if self.oracle_cases is None else [f"--oracle-cases {self.oracle_cases}"]

@@ -1,4 +1,4 @@
-"""Practice recordings: a folder with one folder per rig, and ``answers.yaml`` in its maker's own words."""
+"""Practice recordings: a folder with one folder per rig, and ``answers.yaml``."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ def practice_cases(folder: Path) -> dict[str, Path]:
         If the folder holds no rigs or no answers.
     """
     if not (folder / ANSWERS).is_file():
-        raise ProofError(f"{folder / ANSWERS}: not found; --practice takes a folder of rigs with their answers beside")
+        raise ProofError(f"{folder / ANSWERS}: not found; --practice needs a folder of rigs with {ANSWERS}")
     cases = {path.name: path for path in sorted(folder.iterdir()) if any(path.glob("*.parquet"))}
     if not cases:
-        raise ProofError(f"{folder}: holds no folder with recordings (.parquet)")
+        raise ProofError(f"{folder}: no folder with recordings (.parquet) in it")
     return cases
 
 
 def practice_answers(folder: Path) -> dict[str, dict[str, Any]]:
     """Return the answers in the form of the sealed ones, by the name of the rig."""
-    told = yaml.safe_load((folder / ANSWERS).read_text(encoding="utf-8"))
-    return {name: _answer(row["left_out"]) for name, row in told.items()}
+    stated = yaml.safe_load((folder / ANSWERS).read_text(encoding="utf-8"))
+    return {name: _answer(row["left_out"]) for name, row in stated.items()}
 
 
 def _answer(left_out: dict[str, dict[str, Any]]) -> dict[str, Any]:

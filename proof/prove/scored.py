@@ -1,4 +1,4 @@
-"""Diagnoses, baselines and oracle of a set of trials beside the answers, once these are open."""
+"""Diagnoses, baselines and oracle of a set of trials, compared with the opened answers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ OURS = "torquerig"
 
 @dataclass(frozen=True, kw_only=True)
 class Cost:
-    """Wall time, processor time [s] and largest memory [MiB] of one diagnosis, and how many samples it was given."""
+    """Wall time [s], processor time [s] and peak memory [MiB] of one diagnosis."""
 
     case: str
     seconds: float
@@ -29,20 +29,20 @@ class Cost:
 
 @dataclass(frozen=True, kw_only=True)
 class ScoredSet:
-    """A set of trials with its answers open.
+    """A set of trials with open answers.
 
     Parameters
     ----------
     name, seal : str
     trials : mapping of str to tuple of Trial
-        By method: ``torquerig`` and the baselines that were run; a trial's name begins with the set's.
+        By method: ``torquerig`` and the baselines; a trial's name begins with the set's.
     said : mapping of str to dict
-        The diagnosis of each case as it was written, by the trial's name.
+        The written diagnosis of each case, by the trial's name.
     costs : tuple of Cost
     null : mapping of str to tuple of NullGain
-        Of the rigs with nothing hidden.
+        Gains on the rigs without hidden effects.
     refusals : mapping of str to str
-        Why a case has no diagnosis.
+        Error of each case without a diagnosis.
     """
 
     name: str
@@ -57,9 +57,9 @@ class ScoredSet:
 def scored(
     name: str, folder: Path, answers: Mapping[str, dict[str, Any]], *, seal: str, baselines: Sequence[str] = ()
 ) -> ScoredSet:
-    """Judge every case of a folder by what stands in its diagnoses, baselines and oracle."""
+    """Return the outcomes of every case of a folder, from its diagnoses, baselines and oracle."""
     verdicts = {OURS: folder / DIAGNOSES} | {one: folder / BASELINE_VERDICTS / one for one in baselines}
-    # a baseline's misfit is another measure than the oracle's, so only the diagnosis is set beside it
+    # a baseline's residual is defined differently, so only the diagnosis is compared with the oracle
     trials = {
         method: _judged(name, answers, where, folder / ORACLE if method == OURS else None)
         for method, where in verdicts.items()

@@ -1,8 +1,8 @@
-"""Real recordings whose answers are known, through the diagnosis; ``python -m proof.real`` prints the table.
+"""Diagnoses of real recordings with known answers; ``python -m proof.real`` prints the table.
 
-- ``public``   where the originals stand: source, revision, SHA-256; fetched, or read from a folder
-- ``emps``     DC motor and ball screw: dry friction, its directions, a ripple over position
+- ``public``   public sources with revision and SHA-256; downloaded, or read from a folder
+- ``emps``     DC motor and ball screw: dry friction by direction, a ripple over position
 - ``laas``     cogging of an 18-slot, 24-magnet motor
 - ``brfd``     a banded drum brake: presliding and backlash
-- ``figures``  held-out errors of the baseline and of each step
+- ``figures``  held-out residuals of the baseline and of each step
 """

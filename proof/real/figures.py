@@ -1,4 +1,4 @@
-"""Held-out errors of a real rig: of the baseline without the effect, and of each hypothesis that was tried."""
+"""Held-out residuals of a real rig: of the baseline scenario, and of each tested hypothesis."""
 
 from __future__ import annotations
 
@@ -24,26 +24,26 @@ RIGS = ("emps", "laas", "brfd")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Told:
-    """How the figures of one rig are counted: relative [%] or in the channel's unit, and below which frequency [Hz].
+class ErrorMeasure:
+    """Unit of the residual of one rig, relative [%] or of the channel, and its upper frequency [Hz].
 
-    EMPS is counted below 30 Hz: the pulses of the held-out run excite a flexibility that no rigid model has.
+    EMPS is evaluated below 30 Hz, because the held-out pulses excite a flexibility that a rigid model lacks.
     """
 
     unit: str
     below: float | None = None
 
 
-TOLD = {
-    "emps": Told(unit="% of the force", below=30.0),
-    "laas": Told(unit="A"),
-    "brfd": Told(unit="kip"),
+ERROR_MEASURES = {
+    "emps": ErrorMeasure(unit="% of the force", below=30.0),
+    "laas": ErrorMeasure(unit="A"),
+    "brfd": ErrorMeasure(unit="kip"),
 }
 
 
 @dataclass(frozen=True, kw_only=True)
 class Figure:
-    """One line of the table: what the model has, whether the diagnosis named it, and its held-out error."""
+    """One line of the table: mechanism of the model, whether it is a finding, and held-out residual."""
 
     model: str
     named: bool
@@ -51,41 +51,41 @@ class Figure:
 
 
 def scenario_of(rig: str) -> Scenario:
-    """Return the baseline scenario of a rig: everything but the effect."""
+    """Return the baseline scenario of a rig, without the effect."""
     return read_scenario(read_document(Path(__file__).parent / f"{rig}.yaml"), Catalog(), seed=0)
 
 
 def diagnosed(rig: str, *, progress: Callable[[str], None] = lambda _: None) -> MotionOutcome:
-    """Return the diagnosis of a rig's recordings; FileNotFoundError where they are not here and cannot be fetched."""
+    """Return the diagnosis of a rig's recordings; FileNotFoundError if they are missing and cannot be downloaded."""
     module = import_module(f"proof.real.{rig}")
     held = (module.HELD,) if isinstance(module.HELD, str) else module.HELD
     return diagnose_motion(scenario_of(rig), module.recordings(), held_out=held, progress=progress)
 
 
 def figures(rig: str, outcome: MotionOutcome) -> tuple[Figure, ...]:
-    """Return the held-out error of the baseline and, step by step, of every hypothesis worth a tenth of the best."""
-    told = TOLD[rig]
-    answer = [Figure(model="baseline", named=True, held_out=error(outcome.before, outcome.runs, told))]
+    """Return the held-out residual of the baseline and, for each step, of hypotheses above a tenth of the best gain."""
+    measure = ERROR_MEASURES[rig]
+    answer = [Figure(model="baseline", named=True, held_out=error(outcome.before, outcome.runs, measure))]
     for step in outcome.steps:
         worth = [one for one in step.tried if one.gain > 0.1 * step.kept.gain]
         answer += [
-            Figure(model=_name(one), named=one is step.kept, held_out=error(one.model, outcome.runs, told))
+            Figure(model=_name(one), named=one is step.kept, held_out=error(one.model, outcome.runs, measure))
             for one in sorted(worth, key=lambda one: one.gain)
         ]
     return tuple(answer)
 
 
-def error(model: FittedMotion, runs: tuple[Moved, ...], told: Told) -> float:
-    """Return the rms of what a model leaves of the held-out runs, as ``told`` counts it."""
+def error(model: FittedMotion, runs: tuple[Moved, ...], measure: ErrorMeasure) -> float:
+    """Return the rms residual of the held-out runs in the unit of ``measure``."""
     pairs = [(run, residual) for run, residual in zip(runs, model.residuals, strict=True) if run.held.any()]
-    rms = root_mean_square([_counted(residual, run, told)[run.held] for run, residual in pairs])
-    if told.unit.startswith("%"):
-        return 100 * rms / root_mean_square([_counted(run.effort, run, told)[run.held] for run, _ in pairs])
+    rms = root_mean_square([_filtered(residual, run, measure)[run.held] for run, residual in pairs])
+    if measure.unit.startswith("%"):
+        return 100 * rms / root_mean_square([_filtered(run.effort, run, measure)[run.held] for run, _ in pairs])
     return rms / abs(runs[0].channel.si_per_unit)
 
 
-def _counted(values: NDArray[np.float64], run: Moved, told: Told) -> NDArray[np.float64]:
-    return values if told.below is None else low_passed(values, told.below / run.rate)
+def _filtered(values: NDArray[np.float64], run: Moved, measure: ErrorMeasure) -> NDArray[np.float64]:
+    return values if measure.below is None else low_passed(values, measure.below / run.rate)
 
 
 def _name(one: Tried) -> str:

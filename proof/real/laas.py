@@ -10,8 +10,8 @@ from torquerig.recordings.recording import Channel, Recording
 MAPPING = "mapping_stopped_data.txt"
 FIT, HELD = "forward", "backward"
 TORQUE_CONSTANT = 60 / (2 * np.pi * 300)  # [N m/A] of a motor of 300 rpm/V
-_STEPS_PER_SECOND = 20.0  # the steps came about every 50 ms; between them it stood
-_SETTLING = 20  # steps: the controller takes so long to turn back
+_STEPS_PER_SECOND = 20.0  # [1/s] a step about every 50 ms, with standstill in between
+_SETTLING = 20  # steps until the controller has reversed
 
 SOURCE = Source(
     folder="laas-cogging",

@@ -1,7 +1,7 @@
-"""Where the real recordings stand: public source, revision and SHA-256 of every file; nothing of them is shipped.
+"""Public sources of the real recordings, with revision and SHA-256 of every file; none is shipped.
 
 They are read from the folder that the environment variable TORQUERIG_REAL_DATA names (with one subfolder per source),
-or fetched by pooch (``pip install --group proof``) into the user's cache, each checked against its SHA-256.
+or downloaded by pooch (``pip install --group proof``) into the user's cache, each checked against its SHA-256.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ class Source:
     sha256: Mapping[str, str] = field(default_factory=dict)
 
     def file(self, name: str) -> Path:
-        """Return the checked file ``name``, from the named folder or fetched.
+        """Return the path of the checked file ``name``, from the folder or downloaded.
 
         Raises
         ------
         FileNotFoundError
-            With what to do, where it is neither there nor can be fetched.
+            If the file is missing and cannot be downloaded; it says what to do.
         ValueError
-            Where the file is another one than it was when its figures were made.
+            If the SHA-256 differs from the recorded one.
         """
         root = os.environ.get(VARIABLE)
         path = Path(root) / self.folder / name if root else self._fetched(name)
@@ -59,11 +59,13 @@ class Source:
             )
         found = hashlib.sha256(path.read_bytes()).hexdigest()
         if found != self.sha256[name]:
-            raise ValueError(f"{path}: its SHA-256 is {found}, not {self.sha256[name]}; fetch revision {self.revision}")
+            raise ValueError(
+                f"{path}: its SHA-256 is {found}, not {self.sha256[name]}; download revision {self.revision}"
+            )
         return path
 
     def address(self, name: str) -> str:
-        """Return where the file ``name`` stands on GitHub."""
+        """Return the address of the file ``name`` on GitHub."""
         return f"https://raw.githubusercontent.com/{self.repository}/{self.revision}/{quote(self.paths[name])}"
 
     def _fetched(self, name: str) -> Path:
@@ -71,8 +73,8 @@ class Source:
             import pooch
         except ImportError:
             raise FileNotFoundError(
-                f"the recordings of {self.repository} are not here; set {VARIABLE} to a folder that holds them, or "
-                "pip install pooch to fetch them"
+                f"the recordings of {self.repository} are missing; set {VARIABLE} to their folder, or install "
+                "pooch to download them"
             ) from None
         known = f"sha256:{self.sha256[name]}"
         return Path(pooch.retrieve(self.address(name), known_hash=known, path=pooch.os_cache("torquerig"), fname=None))

@@ -1,10 +1,10 @@
-"""What can be said for sure of a share that was counted? One-sided exact bounds."""
+"""One-sided exact confidence bounds of a share."""
 
 from __future__ import annotations
 
 
 def lower_bound(hits: int, trials: int, *, level: float = 0.95) -> float:
-    """Largest share that so many hits or more would refute at this level, exactly.
+    """Return the exact lower confidence bound of a share, for ``hits`` of ``trials``.
 
     Source: Clopper and Pearson 1934, Biometrika 26(4), 404-413, one side only; 190 of 200 give 0.917.
     """
@@ -16,5 +16,5 @@ def lower_bound(hits: int, trials: int, *, level: float = 0.95) -> float:
 
 
 def upper_bound(hits: int, trials: int, *, level: float = 0.95) -> float:
-    """Smallest share that so many hits or fewer would refute at this level; 0 of 59 give 0.05."""
+    """Return the exact upper confidence bound of a share; 0 of 59 give 0.05."""
     return 1.0 - lower_bound(trials - hits, trials, level=level)

@@ -1,4 +1,4 @@
-"""Whether a confidence of 0.9 is right nine times in ten."""
+"""Calibration: a confidence of 0.9 must be right nine times in ten."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ReliabilityRow:
-    """One bin of confidences: its edges, how many findings lie there, what they said and how many were right."""
+    """One bin of confidences: edges, number of findings, mean confidence ``said``, and share ``right``."""
 
     low: float
     high: float
@@ -32,7 +32,7 @@ class Calibration:
 
 
 def calibration_of(findings: Iterable[tuple[float, bool]]) -> Calibration | None:
-    """Compare confidences with what was right, in ten bins of equal width; nothing where nothing was named.
+    """Return the calibration in ten bins of equal width; None without findings.
 
     Source: Guo, Pleiss, Sun and Weinberger 2017, ICML, eq. 3 (expected calibration error); Brier 1950, Monthly Weather
     Review 78(1).

@@ -1,4 +1,4 @@
-"""What does a diagnosis say? Read from its JSON as the contract has it, and no further than it is scored."""
+"""The scored parts of a diagnosis, read from its JSON in the form of the contract."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ VERDICTS = ("adequate", "missing_physics", "unexplained")
 
 @dataclass(frozen=True)
 class Estimate:
-    """One parameter of a finding with its 95 % interval, or none."""
+    """One parameter of a finding with its 95 % interval, or None."""
 
     value: float | None
     interval: tuple[float, float] | None
@@ -22,7 +22,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Finding:
-    """One mechanism that a diagnosis names."""
+    """One finding of a diagnosis."""
 
     mechanism: str
     confidence: float
@@ -33,7 +33,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class Claim:
-    """What a diagnosis says of one case; misfits are on data that no fit has seen."""
+    """The diagnosis of one case; ``before`` and ``after`` are held-out residuals."""
 
     verdict: str
     findings: tuple[Finding, ...] = ()
@@ -42,21 +42,21 @@ class Claim:
 
 
 def read_claim(path: Path) -> Claim:
-    """Read one diagnosis.
+    """Return the claim of one diagnosis file.
 
     Raises
     ------
     ProofError
-        If it is no diagnosis of the contract's kind; the file and the key are named.
+        If the file is not a diagnosis in the form of the contract; it names the file and the key.
     """
     try:
         return claim_of(json.loads(path.read_text(encoding="utf-8")))
     except (json.JSONDecodeError, KeyError, TypeError, ValueError) as wrong:
-        raise ProofError(f"{path}: not a diagnosis of the contract's kind ({wrong!r})") from wrong
+        raise ProofError(f"{path}: the file is not a diagnosis in the form of the contract ({wrong!r})") from wrong
 
 
 def claim_of(text: dict[str, Any]) -> Claim:
-    """Take what is scored out of a diagnosis."""
+    """Return the scored parts of a diagnosis."""
     if text["verdict"] not in VERDICTS:
         raise ValueError(f"verdict {text['verdict']!r}")
     fit = text.get("fit") or {}
@@ -69,7 +69,7 @@ def claim_of(text: dict[str, Any]) -> Claim:
 
 
 def _finding(row: dict[str, Any]) -> Finding:
-    """Read one finding."""
+    """Return one finding."""
     parameters = []
     for name, stated in (row.get("parameters") or {}).items():
         value, interval = stated.get("value"), stated.get("ci95")

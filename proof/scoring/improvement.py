@@ -1,4 +1,4 @@
-"""How much of the misfit on unseen data goes away, beside what an oracle could take away."""
+"""Reduction of the held-out residual, compared with the oracle."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from proof.scoring.claims import Claim
 
 @dataclass(frozen=True)
 class Improvement:
-    """Share of the held-out misfit that a claim removes; ``of_oracle`` compares it with the true mechanism, fitted."""
+    """Share of the held-out residual that a claim removes; ``of_oracle`` is relative to the fitted true mechanisms."""
 
     share: float
     of_oracle: float | None
@@ -18,9 +18,9 @@ class Improvement:
 
 
 def improvement_of(claim: Claim, oracle: Claim | None) -> Improvement | None:
-    """Give the improvement of a claim that states both misfits; ``harmed`` means more than 1 % worse than before.
+    """Return the improvement of a claim with both residuals; ``harmed`` means more than 1 % worse than before.
 
-    The oracle's share is taken with its own misfits, as its fit starts from the same recordings.
+    The oracle's share uses the residuals of the oracle's diagnosis of the same recordings.
     """
     share = _share(claim)
     if share is None or claim.before is None or claim.after is None:
@@ -34,7 +34,7 @@ def improvement_of(claim: Claim, oracle: Claim | None) -> Improvement | None:
 
 
 def _share(claim: Claim) -> float | None:
-    """Give one minus after over before, where both are numbers."""
+    """Return one minus after over before, or None."""
     if claim.before is None or claim.after is None or claim.before <= 0.0:
         return None
     share = 1.0 - claim.after / claim.before

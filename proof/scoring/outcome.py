@@ -1,4 +1,4 @@
-"""Is a diagnosis right? Each effect is matched with a finding by name first, then within the finding's class."""
+"""Outcome of a diagnosis: true effects are matched with findings by name first, then within the class."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from proof.scoring.claims import Claim, Finding
 
 
 class Outcome(Enum):
-    """What a diagnosis of one case is worth, best first."""
+    """Outcome of one case, best first."""
 
     EXACT = "exactly right"
     IN_CLASS = "right within the class"
-    PARTIAL = "right as far as it goes"
-    UNEXPLAINED = "unexplained where not due"
+    PARTIAL = "partly right"
+    UNEXPLAINED = "falsely unexplained"
     MISSED = "missed"
     FALSE_NAME = "false name"
     NO_ANSWER = "no diagnosis"
@@ -32,13 +32,13 @@ class TrueEffect:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Every name that is right for it."""
+        """Every right name of the effect."""
         return (self.mechanism, *self.also_right)
 
 
 @dataclass(frozen=True)
 class Match:
-    """A finding, and the effect that it names (none: a false name), in its own name or by its class."""
+    """A finding with the effect that it names (None: a false name), by name or by class."""
 
     finding: Finding
     effect: TrueEffect | None
@@ -46,7 +46,7 @@ class Match:
 
 
 def match_findings(effects: tuple[TrueEffect, ...], findings: tuple[Finding, ...]) -> list[Match]:
-    """Match every finding with an effect of the library, each effect once: names first, then classes."""
+    """Return every finding with its effect of the library, each effect once: names first, then classes."""
     free = [effect for effect in effects if effect.in_library]
     matched: dict[int, Match] = {}
     for by_class in (False, True):
@@ -62,7 +62,7 @@ def match_findings(effects: tuple[TrueEffect, ...], findings: tuple[Finding, ...
 
 
 def judge(due: str, effects: tuple[TrueEffect, ...], claim: Claim | None) -> Outcome:
-    """Say what a claim is worth where this verdict is due; a false name outweighs everything right beside it."""
+    """Return the outcome of a claim for the true verdict ``due``; one false name makes the case false."""
     if claim is None:
         return Outcome.NO_ANSWER
     matches = match_findings(effects, claim.findings)

@@ -12,7 +12,7 @@ from proof.scoring.outcome import Match
 
 @dataclass(frozen=True)
 class ParameterError:
-    """Relative error of one parameter; ``covered`` is None where no interval was given."""
+    """Relative error of one parameter; ``covered`` is None without an interval."""
 
     mechanism: str
     name: str
@@ -23,7 +23,7 @@ class ParameterError:
 
 @dataclass(frozen=True)
 class ErrorFigures:
-    """Over so many estimates: median and 90 % quantile of the relative error, share of intervals that cover."""
+    """Number of estimates, median and 90 % quantile of the relative error, share of intervals with the true value."""
 
     count: int
     median: float
@@ -32,7 +32,7 @@ class ErrorFigures:
 
 
 def errors_of(match: Match) -> list[ParameterError]:
-    """Compare the parameters that truth and finding both name; a wrong order counts like any other error.
+    """Return the errors of the parameters that truth and finding both state; an order counts like any parameter.
 
     A parameter that truly has no value (the time constant of a linear drift) is right if it is given none, and wrong by
     all of it if it is given one.
@@ -54,7 +54,7 @@ def errors_of(match: Match) -> list[ParameterError]:
 
 
 def figures(errors: Iterable[ParameterError]) -> ErrorFigures | None:
-    """Summarise errors, or nothing where there are none."""
+    """Return the statistics of errors, or None without errors."""
     rows = list(errors)
     if not rows:
         return None

@@ -1,4 +1,4 @@
-"""What do all trials say together? Shares with exact bounds, errors, improvement and calibration."""
+"""Summary of all trials: shares with exact bounds, errors, improvement and calibration."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ SIZES = ((1.0 / 3.0, "just visible to small"), (2.0 / 3.0, "as in handbooks"), (
 
 @dataclass(frozen=True)
 class Share:
-    """So many of so many, with one-sided exact 95 % bounds."""
+    """A counted share with one-sided exact 95 % bounds."""
 
     hits: int
     trials: int
 
     @property
     def lower(self) -> float:
-        """The share is at least this, with 95 % confidence."""
+        """Lower 95 % confidence bound."""
         return lower_bound(self.hits, self.trials)
 
     @property
     def upper(self) -> float:
-        """The share is at most this, with 95 % confidence."""
+        """Upper 95 % confidence bound."""
         return upper_bound(self.hits, self.trials)
 
 
 @dataclass(frozen=True)
 class Summary:
-    """Every figure of a set of trials.
+    """All scores of a set of trials.
 
     ``groups`` holds (exact, exact or within the class) by what groups them; ``oracles`` counts the rigs behind
     ``of_oracle``.
@@ -60,13 +60,13 @@ class Summary:
 
 
 def summarise(trials: list[Trial]) -> Summary:
-    """Give the figures of a set of trials."""
+    """Return the scores of a set of trials."""
     matches = [match for trial in trials for match in trial.matches]
     errors = [error for match in matches for error in errors_of(match)]
     blank = [trial for trial in trials if trial.due == "adequate"]
     outside = [trial for trial in trials if trial.due == "unexplained"]
     gains = [trial.improvement for trial in trials if trial.improvement is not None and trial.matches]
-    # of every rig that has an oracle: one in which nothing was named has gained nothing
+    # all rigs with an oracle, also those without findings, which have no improvement
     each = [trial.improvement.of_oracle for trial in trials if trial.improvement is not None]
     oracle = [share for share in each if share is not None]
     hedged = [match.finding for match in matches if match.finding.equivalent_to]
@@ -74,7 +74,7 @@ def summarise(trials: list[Trial]) -> Summary:
         outcomes={outcome.value: sum(trial.outcome is outcome for trial in trials) for outcome in Outcome},
         groups={
             "all": _grouped(trials, lambda _: "all"),
-            "what was hidden": _grouped(trials, lambda trial: trial.kind),
+            "hidden effects": _grouped(trials, lambda trial: trial.kind),
             "size": _grouped((trial for trial in trials if trial.effects), size_name),
             "mechanism": _grouped(
                 (trial for trial in trials if len(trial.effects) == 1), lambda trial: trial.effects[0].mechanism
@@ -98,24 +98,24 @@ def summarise(trials: list[Trial]) -> Summary:
 
 
 def called_unexplained(trial: Trial) -> bool:
-    """Tell whether a case was called unexplained and nothing in it was given a false name."""
+    """Return whether a case has the verdict unexplained and no false name."""
     return trial.claim is not None and trial.claim.verdict == "unexplained" and trial.outcome is not Outcome.FALSE_NAME
 
 
 def size_name(trial: Trial) -> str:
-    """Name the third that a case's smallest effect lies in, between just visible and far too large."""
+    """Return the size class of a case's smallest effect."""
     smallest = min(effect.size for effect in trial.effects)
     return next(name for top, name in SIZES if smallest <= top)
 
 
 def _share(trials: Iterable[Trial], right: Callable[[Trial], bool]) -> Share:
-    """Count."""
+    """Return the share of right trials."""
     answers = [right(trial) for trial in trials]
     return Share(sum(answers), len(answers))
 
 
 def _grouped(trials: Iterable[Trial], key: Callable[[Trial], str]) -> dict[str, tuple[Share, Share]]:
-    """Count exact, and exact or within the class, for each group."""
+    """Return the shares exactly right, and exactly or within the class, for each group."""
     groups: dict[str, list[Trial]] = {}
     for trial in trials:
         groups.setdefault(key(trial), []).append(trial)
@@ -129,7 +129,7 @@ def _grouped(trials: Iterable[Trial], key: Callable[[Trial], str]) -> dict[str, 
 
 
 def _by_parameter(errors: list[ParameterError]) -> dict[str, ErrorFigures]:
-    """Summarise each parameter of each mechanism."""
+    """Return the statistics of each parameter of each mechanism."""
     names = sorted({(error.mechanism, error.name) for error in errors})
     rows = {
         f"{mechanism}.{name}": figures(e for e in errors if (e.mechanism, e.name) == (mechanism, name))

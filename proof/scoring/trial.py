@@ -1,4 +1,4 @@
-"""What became of each case? Its sealed answer beside its diagnosis."""
+"""A case with its sealed answer, its diagnosis and its outcome."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from proof.scoring.outcome import Match, Outcome, TrueEffect, judge, match_findi
 
 @dataclass(frozen=True)
 class Trial:
-    """One case: the verdict that was due, what it truly had, what was said, and what that is worth."""
+    """One case: true verdict ``due``, true effects, diagnosis and outcome."""
 
     name: str
     due: str
@@ -27,16 +27,16 @@ class Trial:
 
     @property
     def kind(self) -> str:
-        """Which of the shares of the trials it belongs to."""
+        """Kind of the case."""
         if self.due == "unexplained":
-            return "in no library"
+            return "effects outside the library"
         if self.effects:
             return "one effect" if len(self.effects) == 1 else "two effects"
         return "wrong parameters only" if self.wrong_parameters else "clean"
 
 
 def trial_of(name: str, answer: dict[str, Any], claim: Claim | None, *, oracle: Claim | None = None) -> Trial:
-    """Judge one case."""
+    """Return one case with its outcome."""
     effects = tuple(
         TrueEffect(
             row["mechanism"], row["in_library"], float(row["size"]), tuple(row["also_right"]), dict(row["parameters"])
@@ -57,7 +57,7 @@ def trial_of(name: str, answer: dict[str, Any], claim: Claim | None, *, oracle: 
 
 
 def read_trials(answers: dict[str, Any], folder: Path) -> list[Trial]:
-    """Judge every sealed case by ``diagnoses/NAME.json``, and beside ``oracle/NAME.json`` where there is one."""
+    """Return every sealed case with ``diagnoses/NAME.json``, and ``oracle/NAME.json`` if there is one."""
     trials = []
     for name, answer in sorted(answers.items()):
         found, oracle = folder / "diagnoses" / f"{name}.json", folder / "oracle" / f"{name}.json"

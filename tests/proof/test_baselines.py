@@ -11,7 +11,7 @@ from proof.baselines import BASELINES, TITLES
 from proof.baselines.named_lines import named_lines
 from proof.baselines.residual_fft import lines_of, residual_fft
 from proof.baselines.sparse_regression import sparse_regression
-from proof.baselines.stlsq import own_stlsq, pysindy_stlsq, stlsq
+from proof.baselines.stlsq import plain_stlsq, pysindy_stlsq, stlsq
 from proof.baselines.verdict import Named, verdict
 from proof.prove.diagnosing import nominal_scenario
 from proof.scoring.claims import claim_of
@@ -96,7 +96,7 @@ def test_pysindys_stlsq_and_the_plain_one_agree(threshold):
     truth = np.zeros(12)
     truth[[1, 5, 7]] = 2.0, -0.7, 0.1
     target = columns @ truth + 0.01 * rng.standard_normal(400)
-    own, theirs = (f(columns, target, threshold=threshold) for f in (own_stlsq, pysindy_stlsq))
+    own, theirs = (f(columns, target, threshold=threshold) for f in (plain_stlsq, pysindy_stlsq))
     assert np.flatnonzero(own).tolist() == [i for i in (1, 5, 7) if abs(truth[i]) > threshold]
     np.testing.assert_allclose(own, theirs, atol=1e-6)
     assert not stlsq(columns, 1e-3 * target, threshold=threshold).any()

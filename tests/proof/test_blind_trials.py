@@ -22,20 +22,20 @@ from proof.rig_program.machine import machine_of
 from proof.rig_program.recording import record
 from proof.rig_program.transfer import mode_frequencies
 from proof.sealed import SEAL, seal, unseal
-from proof.trials import SHARES, deal, draw_trials
+from proof.trials import SHARES, case_kinds, draw_trials
 
 
 @pytest.mark.parametrize("cases", [10, 25, 100])
 def test_four_in_ten_cases_have_nothing_that_a_library_could_name(cases):
-    cards = deal(5, cases)
-    assert len(cards) == cases
-    nameless = [card for card in cards if not set(card.kinds) & set(IN_LIBRARY)]
+    kinds_of_cases = case_kinds(5, cases)
+    assert len(kinds_of_cases) == cases
+    nameless = [kind for kind in kinds_of_cases if not set(kind.effects) & set(IN_LIBRARY)]
     assert len(nameless) >= 0.4 * cases
     assert sum(SHARES.values()) == pytest.approx(1.0)
 
 
 def test_every_kind_comes_up_as_often_as_any_other():
-    kinds = Counter(card.kinds[0] for card in deal(1, 300) if card.kinds)
+    kinds = Counter(kind.effects[0] for kind in case_kinds(1, 300) if kind.effects)
     inside = [kinds[kind] for kind in IN_LIBRARY]
     outside = [kinds[kind] for kind in IN_NO_LIBRARY]
     assert max(inside) - min(inside) <= 1
@@ -95,7 +95,7 @@ def test_a_broken_seal_is_seen(tmp_path):
     apart.write_text(apart.read_text().replace("adequate", "unexplained"))
     with pytest.raises(ProofError, match="changed after it was sealed"):
         unseal(tmp_path / "t", apart=apart)
-    with pytest.raises(ProofError, match="sealed answers already"):
+    with pytest.raises(ProofError, match="already holds sealed answers"):
         seal({}, tmp_path / "t")
     with pytest.raises(ProofError, match="not found"):
         unseal(tmp_path / "nowhere")

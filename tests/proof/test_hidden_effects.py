@@ -26,7 +26,7 @@ from proof.rig_program.laws import SAME_LAWS
 from proof.rig_program.plan import PlanKind, Profile, Run, draw_plan
 from proof.rig_program.recording import record
 from proof.rig_program.true_rig import draw_true_rig
-from proof.trials import deal
+from proof.trials import case_kinds
 
 CONTRACTS = Path(__file__).resolve().parents[2] / ".." / "shared" / "CONTRACTS.md"
 KINDS = [*IN_LIBRARY, *IN_NO_LIBRARY]
@@ -147,8 +147,8 @@ def test_effects_that_need_speeds_or_turning_get_them():
 
 def dealt(seed, number):
     """Draw one case of a hundred."""
-    card = deal(seed, 100)[number - 1]
-    return draw_case("one", (seed, number), card.kinds, wrong_parameters=card.wrong_parameters, second=card.second)
+    kind = case_kinds(seed, 100)[number - 1]
+    return draw_case("one", (seed, number), kind.effects, wrong_parameters=kind.wrong_parameters, second=kind.second)
 
 
 def test_a_gap_is_hidden_only_where_flanks_may_part():

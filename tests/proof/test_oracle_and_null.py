@@ -13,7 +13,7 @@ from proof.null import main as null_table_made
 from proof.null_gains import NullGain, as_rows, from_rows
 from proof.oracle import oracle
 from proof.rig_program.draw import answer_of
-from proof.thresholds import CHANCE, FEWEST, best_gains, exceeded_once, thresholds
+from proof.thresholds import FALSE_ALARM, FEWEST, best_gains, exceeded_once, thresholds
 from torquerig import mechanisms
 
 
@@ -72,7 +72,7 @@ def test_the_threshold_of_an_exponential_tail_is_its_quantile():
     rng = np.random.default_rng(8)
     found = [exceeded_once(rng.exponential(5.0, 400).tolist(), rigs=400) for _ in range(40)]
     # the largest of 400 is never undercut, and it lies at ln(400) + 0.577 = 6.6 means, beyond ln(500) = 6.2
-    assert np.mean(found) == pytest.approx(5.0 * np.log(1 / CHANCE), rel=0.15)
+    assert np.mean(found) == pytest.approx(5.0 * np.log(1 / FALSE_ALARM), rel=0.15)
     assert exceeded_once([9.0], rigs=50) == 9.0
     assert exceeded_once([], rigs=50) == 0.0
 

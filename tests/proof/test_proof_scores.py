@@ -167,7 +167,12 @@ def test_all_trials_together():
     assert summary.class_size == pytest.approx(4.0 / 3.0)
     assert (summary.hedged_with_advice.hits, summary.hedged_with_advice.trials) == (0, 1)
     assert summary.calibration.count == 3
-    assert set(summary.groups["what was hidden"]) == {"clean", "wrong parameters only", "one effect", "in no library"}
+    assert set(summary.groups["hidden effects"]) == {
+        "clean",
+        "wrong parameters only",
+        "one effect",
+        "effects outside the library",
+    }
     assert [size_name(trial) for trial in trials[2:]] == ["as in handbooks", "just visible to small", "far larger"]
     assert [called_unexplained(trial) for trial in trials] == [False, False, False, False, True]
 
@@ -195,7 +200,7 @@ def test_the_command_opens_the_seal_and_scores(tmp_path):
     told = CliRunner().invoke(score, [str(tmp_path), "--wrong", "--json", str(tmp_path / "score.json")])
     assert told.exit_code == 0, told.output
     assert "exactly right: 1 of 2" in told.output
-    assert "held-out misfit removed: median 0.590" in told.output
+    assert "held-out residual removed: median 0.590" in told.output
     assert "case-002 typical: had nothing; said no diagnosis" in told.output
     assert json.loads((tmp_path / "score.json").read_text())["outcomes"]["exactly right"] == 1
     assert claim_of(text).findings[0].parameters[0][1].interval == (83.99, 84.01)

@@ -11,7 +11,7 @@ from proof.null_gains import NullGain
 from proof.page.proof_page import write_pages
 from proof.page.real import real_chapters
 from proof.prove import campaign, diagnosing
-from proof.prove.campaign import Proved, prove
+from proof.prove.campaign import ProofResults, prove
 from proof.prove.diagnosing import job_of, refusal_path, write_json
 from proof.prove.jobs import no_progress, run_jobs
 from proof.prove.opened import opened_jobs
@@ -65,7 +65,7 @@ def test_the_seal_is_told_before_anything_is_recorded_or_diagnosed(tmp_path):
         told.append(name)
         return no_progress
 
-    prove(plan_of(tmp_path, oracle_cases=0), tell=told.append, stage=stage)
+    prove(plan_of(tmp_path, oracle_cases=0), report=told.append, stage=stage)
     seal = (tmp_path / "seed-5" / SEAL).read_text().strip()
     assert told == [f"seed 5: answers sealed, SHA-256 {seal}", "recording", "diagnosing"]
     assert all(
@@ -75,17 +75,17 @@ def test_the_seal_is_told_before_anything_is_recorded_or_diagnosed(tmp_path):
 
 @pytest.mark.usefixtures("_canned", "_no_recordings")
 def test_a_case_whose_diagnosis_is_there_is_not_run_again(tmp_path, monkeypatch):
-    first = prove(plan_of(tmp_path, cases=3), tell=str, stage=lambda _: no_progress)
+    first = prove(plan_of(tmp_path, cases=3), report=str, stage=lambda _: no_progress)
     run = []
     monkeypatch.setattr(campaign, "diagnosed", lambda job: run.append(job.name) or canned(job))
-    again = prove(plan_of(tmp_path, cases=3), tell=str, stage=lambda _: no_progress)
+    again = prove(plan_of(tmp_path, cases=3), report=str, stage=lambda _: no_progress)
     assert run == []
     assert again.blind == first.blind
     (tmp_path / "seed-5" / "diagnoses" / "case-002.json").unlink()
-    prove(plan_of(tmp_path, cases=3), tell=str, stage=lambda _: no_progress)
+    prove(plan_of(tmp_path, cases=3), report=str, stage=lambda _: no_progress)
     assert run == ["case-002"]
     (tmp_path / "seed-5" / "baselines" / "refit_only" / "case-001.json").unlink()
-    prove(plan_of(tmp_path, cases=3), tell=str, stage=lambda _: no_progress)
+    prove(plan_of(tmp_path, cases=3), report=str, stage=lambda _: no_progress)
     assert run == ["case-002", "case-001"]
     assert not list((tmp_path / "seed-5").rglob("*.partial"))
 
@@ -94,11 +94,11 @@ def test_a_folder_of_other_trials_is_refused(tmp_path):
     trials = blind_set(5, 2, tmp_path, duration=2.0)
     digest = sealed_digest(trials)
     assert sealed_digest(trials) == digest
-    with pytest.raises(ProofError, match="do not make"):
+    with pytest.raises(ProofError, match="do not match this seed"):
         sealed_digest(blind_set(5, 3, tmp_path, duration=2.0))
     (tmp_path / "seed-6").mkdir()
     (tmp_path / "seed-6" / "mine.txt").write_text("kept")
-    with pytest.raises(ProofError, match="without a seal"):
+    with pytest.raises(ProofError, match="has no seal"):
         sealed_digest(blind_set(6, 2, tmp_path, duration=2.0))
 
 
@@ -181,17 +181,17 @@ def test_practice_rigs_and_the_same_laws_have_their_chapters(tmp_path):
     left = {"a": {"left_out": {}}, "b": {"left_out": {"blade_pass": {"blades": 6.0, "amplitude_Nm": 0.5}}}}
     (rigs / "answers.yaml").write_text(yaml.safe_dump(left))
     plan = plan_of(tmp_path / "out", cases=3, oracle_cases=0, same_laws=True, practice=rigs)
-    proved = prove(plan, tell=str, stage=lambda _: no_progress)
+    proved = prove(plan, report=str, stage=lambda _: no_progress)
     text = write_pages(proved).markdown.read_text()
     assert "1 of 2 exactly right." in text.split("## Practice recordings")[1]
     assert "blade\\_pass | adequate | missed" in text
-    assert "## With and without differing laws" in text
-    assert "Beside the baselines" in text  # they cost next to nothing
+    assert "## Effect of laws that differ from the simulator" in text
+    assert "Comparison with the baselines" in text  # they cost next to nothing
     assert "--oracle-cases 0 --same-laws" in text
 
 
 @pytest.fixture
-def proved(tmp_path) -> Proved:
+def proved(tmp_path) -> ProofResults:
     """Twelve cases of which one is right, one falsely named, one in the class, one without diagnosis."""
     trials = blind_set(7, 12, tmp_path, duration=2.0)
     folder, answers = trials.folder, trials.answers
@@ -219,7 +219,7 @@ def proved(tmp_path) -> Proved:
         text = said("missing_physics", "gear_mesh", equivalent=["pwm_aliasing"])
         write_json(riddles.folder / "diagnoses" / f"{name}.json", text)
     riddle = scored(riddles.name, riddles.folder, riddles.answers, seal="r" * 64)
-    return Proved(plan=plan_of(tmp_path, seeds=(7,), cases=12, riddle=True), blind=(blind,), riddle=(riddle,),
+    return ProofResults(plan=plan_of(tmp_path, seeds=(7,), cases=12, riddle=True), blind=(blind,), riddle=(riddle,),
                   same_laws=(blind,))  # fmt: skip
 
 
@@ -234,12 +234,12 @@ def test_the_page_holds_every_figure_in_both_forms(proved):
     html, text = written.html.read_text(), written.markdown.read_text()
     summary = written.summary
     exact, within = summary.groups["all"]["all"]
-    assert f"{exact.hits} of {exact.trials} blind trials exactly right" in html
+    assert f"{exact.hits} of {exact.trials} blind trials are exactly right" in html
     assert within.hits == exact.hits + 1
     for page in (html, text):
         for word in (
-            "What was reached", "Beside the baselines", "Taken apart", "Calibration", "Where nothing is hidden",
-            "The riddle of 280 Hz", "Failures", "refitting parameters only", proved.blind[0].seal,
+            "Results", "Comparison with the baselines", "Scores by group", "Calibration", "Rigs without hidden effects",
+            "The 280 Hz line: mesh, comb or resonance", "Failures", "refitting parameters only", proved.blind[0].seal,
         ):  # fmt: skip
             assert word in page
     assert f"≥ {100 * exact.lower:.1f} %" in html

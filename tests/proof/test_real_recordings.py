@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from proof.real import brfd, emps, laas
-from proof.real.figures import TOLD, diagnosed, error, figures, scenario_of
+from proof.real.figures import ERROR_MEASURES, diagnosed, error, figures, scenario_of
 from proof.real.public import VARIABLE
 from torquerig.diagnosis.motion.fitted import FittedMotion, fitted
 from torquerig.diagnosis.motion.moved import moved_runs
@@ -20,7 +20,7 @@ from torquerig.rig.assembly import Part
 
 REAL = Path(__file__).resolve().parents[2] / ".." / "shared" / "real-data"
 
-recorded = pytest.mark.skipif(not REAL.is_dir(), reason="the real recordings (shared/real-data) are not here")
+recorded = pytest.mark.skipif(not REAL.is_dir(), reason="the real recordings (shared/real-data) are missing")
 
 
 @pytest.fixture(autouse=True)
@@ -83,7 +83,7 @@ def held_out_of_brfd(*parts: Part) -> float:
     for part in parts:
         rig = rig + part
     model: FittedMotion = fitted(rig, runs, ())
-    return error(model, runs, TOLD["brfd"])
+    return error(model, runs, ERROR_MEASURES["brfd"])
 
 
 @pytest.mark.parametrize("module", [emps, laas, brfd])

@@ -1,4 +1,4 @@
-"""Whether a confidence can be believed, and whether naming an effect ever makes the model worse."""
+"""Calibration of the confidence, and improvement or harm on held-out data."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def calibration(ours: Summary) -> Chapter:
     """Return expected calibration error, Brier score and the reliability table."""
     found = ours.calibration
     if found is None:
-        return Chapter(anchor="calibration", title="Calibration", lines=("Nothing was named, so nothing can be said.",))
+        return Chapter(anchor="calibration", title="Calibration", lines=("No findings, so no calibration.",))
     rows = tuple(
         (*words(f"{row.low:.1f} to {row.high:.1f}"), number(str(row.count)), number(percent(row.said)),
          number(percent(row.right)))
@@ -25,25 +25,25 @@ def calibration(ours: Summary) -> Chapter:
     )  # fmt: skip
     lines = (
         (
-            f"Expected calibration error {found.expected_error:.3f} over {found.count} findings (asked: 0.05 or less), "
+            f"Calibration error: {found.expected_error:.3f} of {found.count} findings (required: at most 0.05), "
             f"Brier score {found.brier:.3f}."
         ),
     )
-    table = Table(caption="Reliability", head=("confidence", "findings", "said, mean", "right"), rows=rows)
+    table = Table(caption="Reliability", head=("confidence", "findings", "mean confidence", "right"), rows=rows)
     return Chapter(anchor="calibration", title="Calibration", lines=lines, tables=(table,))
 
 
 def reliability_picture(ours: Summary) -> tuple[Picture, ...]:
-    """Return the reliability diagram, where anything was named."""
+    """Return the reliability diagram, if there are findings."""
     if ours.calibration is None:
         return ()
     figure = reliability_figure([(row.said, row.right, row.count) for row in ours.calibration.table])
-    told = "Confidence that was said against the share that was right; numbers are findings."
-    return (picture(figure, caption=told, told="reliability diagram"),)
+    caption = "Stated confidence and share of right findings; the numbers count findings."
+    return (picture(figure, caption=caption, told="reliability diagram"),)
 
 
 def improvement(ours: Summary, trials: Sequence[Trial]) -> Chapter:
-    """Return what was gained on data that no fit has seen, beside the oracle, and every case that was harmed."""
+    """Return the improvement on held-out data compared with the oracle, and every case with harm."""
     gains = [(trial, trial.improvement) for trial in trials if trial.improvement is not None and trial.matches]
     harmed = tuple(
         words(
@@ -54,21 +54,28 @@ def improvement(ours: Summary, trials: Sequence[Trial]) -> Chapter:
     )
     lines = [
         (
-            f"Over {len(gains)} rigs in which something was named, the median share of the held-out misfit that "
-            f"goes away is {percent(ours.improvement)}."
+            f"On {len(gains)} rigs with findings, the median reduction of the held-out residual is "
+            f"{percent(ours.improvement)}."
         ),
         (
-            "The oracle is told which mechanisms of the library are there, and nothing else; it fits them with the "
-            "diagnosis' own code, without any threshold. Of what it removes the diagnosis removes "
-            f"{percent(ours.of_oracle)} (median over the {ours.oracles} rigs that it was run on, those in which "
-            "nothing was named among them; asked: 90 % or more)."
+            "The oracle knows the true mechanisms and fits them with the code of the diagnosis, without thresholds. "
+            f"The diagnosis reaches {percent(ours.of_oracle)} of the oracle's reduction (median of {ours.oracles} "
+            "rigs, including rigs without findings; required: 90 % or more)."
         ),
         f"Worse by more than 1 % on held-out data: {len(harmed)} of {len(gains)}.",
     ]
-    tables = (Table(caption="Harmed", head=("case", "named", "misfit removed"), rows=harmed),) if harmed else ()
-    return Chapter(
-        anchor="improvement", title="Improvement on held-out data, and harm", lines=tuple(lines), tables=tables
+    tables = (
+        (
+            Table(
+                caption="Cases with a larger held-out residual",
+                head=("case", "findings", "residual removed"),
+                rows=harmed,
+            ),
+        )
+        if harmed
+        else ()
     )
+    return Chapter(anchor="improvement", title="Improvement on held-out data", lines=tuple(lines), tables=tables)
 
 
 PERCENT = 100.0
