@@ -1,4 +1,4 @@
-"""A wear rig written from the reference rig's text alone, beside and apart from the simulator it is used to judge.
+"""A wear rig written from the text of the reference rig alone, independent of the simulator that it tests.
 
 - ``nominal``       the figures of the reference rig and how far a real one may lie from them
 - ``true_rig``      one real rig, drawn around the nominal

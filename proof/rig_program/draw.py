@@ -1,4 +1,4 @@
-"""What is one case? A rig, its laws, a plan of runs and the effects that the nominal model leaves out."""
+"""One case: a rig, its laws, a plan of runs and the effects that the nominal model lacks."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def record_case(case: Case, folder: Path) -> None:
 
 
 def answer_of(case: Case) -> dict[str, Any]:
-    """Say what is true of a case, for the sealed answers: effects first, then everything that was drawn."""
+    """Return the sealed answer of a case: effects first, then all drawn values."""
     outside = any(not effect.in_library for effect in case.effects)
     return {
         "verdict": "unexplained" if outside else "missing_physics" if case.effects else "adequate",
@@ -123,5 +123,5 @@ def answer_of(case: Case) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Give an enumeration its name and leave everything else."""
+    """Return the name of an enumeration, and any other value unchanged."""
     return value.name.lower() if hasattr(value, "name") else value

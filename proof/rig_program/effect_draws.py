@@ -1,4 +1,4 @@
-"""Which effects can be drawn, and which two of them would hide each other."""
+"""Effects that can be drawn, and pairs that mask each other."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ IN_NO_LIBRARY: dict[str, Callable[..., Effect]] = {
     "tone_bursts": draw_tone_bursts,
 }
 
-# pairs of which one would keep the other from being seen
+# pairs in which one effect masks the other
 HIDING = {
     frozenset(pair)
     for pair in (
@@ -89,7 +89,7 @@ NEEDS_SPEEDS = {"quadratic_drag", "torsional_mode", "hardening_shaft"}  # at one
 
 
 def draw_effect(rng: np.random.Generator, kind: str, setting: Setting, *, size: float) -> Effect:
-    """Draw one effect of a kind at ``size`` (0 just visible, 1 far larger than any handbook's)."""
+    """Draw one effect of a kind at ``size`` (0 just visible, 1 far larger than in handbooks)."""
     return (IN_LIBRARY | IN_NO_LIBRARY)[kind](rng, setting, size=size)
 
 
@@ -100,7 +100,7 @@ def draw_pair(rng: np.random.Generator, first: str) -> str:
 
 
 def plan_kind(rng: np.random.Generator, kinds: tuple[str, ...]) -> PlanKind:
-    """Draw the test programme under which these kinds can be seen at all."""
+    """Draw a test programme in which these kinds are visible."""
     if NEEDS_TURNING.intersection(kinds):
         return PlanKind.TURNING if rng.random() < 0.85 else PlanKind.OTHER
     weights = {PlanKind.TYPICAL: 0.5, PlanKind.TURNING: 0.15, PlanKind.OTHER: 0.25, PlanKind.ONE_SPEED: 0.1}
@@ -111,5 +111,5 @@ def plan_kind(rng: np.random.Generator, kinds: tuple[str, ...]) -> PlanKind:
 
 
 def shows(plan: Sequence[Run], kinds: tuple[str, ...]) -> bool:
-    """Whether some run of a plan can show these kinds at all: under a load that never ceases no flanks part."""
+    """Return whether a run of a plan can show these kinds; a constant load prevents contact loss."""
     return "backlash" not in kinds or any(run.occupancy == 0 or run.profile is Profile.REVERSAL for run in plan)

@@ -1,4 +1,4 @@
-"""What acts on the machine sample by sample, before and after an effect has laid its hand on it."""
+"""Inputs of the machine, sample by sample, before and after the effects."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ class Forcing:
 
     @property
     def samples(self) -> int:
-        """How many samples the run has, settling included."""
+        """Number of samples of the run, with settling."""
         return int(self.set_point.size)
 
 
 def forcing_of(run: Run, rig: TrueRig, laws: Laws, rng: np.random.Generator, *, wanders: bool = True) -> Forcing:
-    """Draw what acts on a rig in one run."""
+    """Draw the inputs of a rig in one run."""
     set_point = speed_course(run, rng, speed_error=rig.speed_error, wanders=wanders)
     load = load_course(run, laws, rng, mean=rig.mean_load(run.occupancy), samples=set_point.size)
     nothing = np.zeros(set_point.size)

@@ -1,4 +1,4 @@
-"""Whether a gap shows in any recording: where drag holds the flanks together all the time, each is as without it."""
+"""Test whether a gap is visible in a recording: constant contact makes the recordings equal."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from proof.rig_program.true_rig import TrueRig
 def gap_shows(
     plan: Sequence[Run], rig: TrueRig, laws: Laws, *, effects: Sequence[Effect], seed: tuple[int, ...]
 ) -> bool:
-    """Whether some run's torque differs from the same run's without the gap by more than the sensor's noise (rms).
+    """Return whether some run's torque differs from the same run's without the gap by more than the sensor noise (rms).
 
     True where there is no gap: how large other effects must be to be just visible is drawn from closed forms
     (``effects.visible``), which a contact has not.

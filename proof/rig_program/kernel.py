@@ -15,7 +15,7 @@ _FAST = {"reassoc", "contract", "nsz", "arcp"}
 
 @njit(fastmath=_FAST, error_model="numpy", inline="always")
 def _look_up(table, angle):
-    """Give a table's value at an angle [rad], on the straight line between its points."""
+    """Return a table's value at an angle [rad], on the straight line between its points."""
     size = table.size
     if size == 1:
         return table[0]
@@ -27,7 +27,7 @@ def _look_up(table, angle):
 
 @njit(fastmath=_FAST, error_model="numpy", inline="always")
 def _soft_sign(x):
-    """Tanh, which need not be asked where it is 1 to the last bit."""
+    """Return tanh, without evaluation where it is 1 to the last bit."""
     if x > 20.0:
         return 1.0
     if x < -20.0:
@@ -58,7 +58,7 @@ def run_machine(m, y, forcing, rule, steps, sample_rate):
     """
     set_point, loads, pushes, caps, phases = forcing
     earlier_weights, weights = rule
-    # taken out of the tuple once: what is asked of it in the loop costs more than the equations
+    # unpacked once: access in the loop would cost more than the equations
     ratio, loss = m.ratio, m.loss
     j0, j1, j2, j3, j4, j5 = (m.inertia[0], m.inertia[1], m.inertia[2], m.inertia[3], m.inertia[4], m.inertia[5])
     motor_viscous, motor_coulomb, motor_width = m.motor_viscous, m.motor_coulomb, m.motor_coulomb_width

@@ -1,4 +1,4 @@
-"""What does this rig do differently from any simulator? The laws that a model can only approximate, drawn per case.
+"""Laws that a model can only approximate, drawn for each case.
 
 A proof with recordings from the model's own equations proves nothing (an inverse crime), so friction near standstill,
 the contact in a gap, the shape of the load, the integrator and the sampled controller are drawn; `SAME_LAWS` are those
@@ -16,7 +16,7 @@ from proof.rig_program import nominal
 
 
 class Friction(IntEnum):
-    """How dry friction behaves near standstill."""
+    """Law of dry friction near standstill."""
 
     TANH = 0
     DAHL = 1
@@ -25,7 +25,7 @@ class Friction(IntEnum):
 
 
 class Contact(IntEnum):
-    """How a gap's flanks push while they touch: the damper acts fully, in proportion to the dent, or not at all."""
+    """Contact law of a gap: full damping, damping proportional to the indentation, or none."""
 
     DAMPED = 0
     DENT_DAMPED = 1
@@ -33,7 +33,7 @@ class Contact(IntEnum):
 
 
 class Integrator(IntEnum):
-    """How the equations are stepped."""
+    """Integrator of the equations."""
 
     EULER = 0
     MIDPOINT = 1
@@ -48,7 +48,7 @@ class Pulse(IntEnum):
 
 
 class SlowFilter(IntEnum):
-    """What makes the load's slow variation out of white noise."""
+    """Filter that makes the slow variation of the load from white noise."""
 
     BUTTERWORTH = 0
     TWO_POLES = 1
@@ -150,7 +150,7 @@ def _steps(rng: np.random.Generator, integrator: Integrator) -> int:
 
 
 def _fourth_mass(rng: np.random.Generator) -> tuple[float, float, float] | None:
-    """Draw a mass too weak to deserve a name, or none."""
+    """Draw a small additional mass, or none."""
     if rng.random() < 0.5:
         return None
     return float(rng.uniform(0.002, 0.01)), float(rng.uniform(300.0, 1200.0)), float(rng.uniform(0.05, 0.15))

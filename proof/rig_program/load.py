@@ -1,4 +1,4 @@
-"""What does the bed do to the wear part? Mean torque, particle hits and a slow variation, in the laws of the case."""
+"""Load of the bed on the wear part: mean torque, particle hits and slow variation, by the laws of the case."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def particle_hits(run: Run, laws: Laws, rng: np.random.Generator, *, samples: in
 
 
 def pulse_shape(pulse: Pulse, decay: float) -> NDArray[np.float64]:
-    """Give one hit of unit height (m,); the half-sine has the integral of the decay."""
+    """Return one hit of unit height (m,); the half-sine has the integral of the decay."""
     if pulse is Pulse.EXPONENTIAL:
         return np.asarray(np.exp(-np.arange(round(12.0 * decay * nominal.SAMPLE_RATE)) / (decay * nominal.SAMPLE_RATE)))
     length = max(round(0.5 * np.pi * decay * nominal.SAMPLE_RATE), 3)
@@ -46,7 +46,7 @@ def pulse_shape(pulse: Pulse, decay: float) -> NDArray[np.float64]:
 def slow_variation(laws: Laws, rng: np.random.Generator, *, samples: int) -> NDArray[np.float64]:
     """Draw noise of unit rms below `nominal.SLOW_CORNER` (n,), shaped in the frequency domain by the law's filter."""
     step = 250
-    points = samples // step + 512  # a stretch is thrown away, so that the ends are not joined
+    points = samples // step + 512  # the surplus is discarded, so that the ends do not join
     spectrum = np.fft.rfft(rng.standard_normal(points))
     ratio = np.fft.rfftfreq(points, step / nominal.SAMPLE_RATE) / nominal.SLOW_CORNER
     if laws.slow_filter is SlowFilter.BUTTERWORTH:

@@ -1,4 +1,4 @@
-"""The numbers that the compiled loop takes, and how they follow from a rig and its laws."""
+"""Parameters of the compiled loop, from a rig and its laws."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ class Machine(NamedTuple):
 
 
 def machine_of(rig: TrueRig, laws: Laws) -> Machine:
-    """Give the machine of a rig with nothing left out; the wear part's table holds its lines at idle."""
+    """Return the machine of a rig with nothing left out; the wear part's table holds its lines at idle."""
     inertia = np.zeros(6)
     inertia[MOTOR] = rig["rotor_inertia"] * nominal.RATIO**2
     inertia[GEAR], inertia[SENSOR], inertia[WEAR] = rig["gear_inertia"], rig["sensor_inertia"], rig["wear_inertia"]

@@ -1,4 +1,4 @@
-"""What the reference wear rig looks like, and how far a real one may lie from it.
+"""The reference wear rig, and the deviations of real ones from it.
 
 Each quantity is ``(value, rel_sd)``: the nominal value and the one-sigma log-normal spread of real rigs around it.
 """

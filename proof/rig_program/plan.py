@@ -1,4 +1,4 @@
-"""Which runs are recorded? The conditions on the test sheet, drawn as an engineer would choose them."""
+"""Plan of runs: test conditions, drawn as an engineer would choose them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 
 class Profile(Enum):
-    """How the speed set-point goes over a recording."""
+    """Course of the speed set-point over a recording."""
 
     STEADY = "steady"
     RAMP = "ramp"
@@ -17,7 +17,7 @@ class Profile(Enum):
 
 
 class PlanKind(Enum):
-    """Which sort of test programme is run."""
+    """Kind of test programme."""
 
     TYPICAL = "typical"
     TURNING = "turning"
@@ -27,7 +27,7 @@ class PlanKind(Enum):
 
 @dataclass(frozen=True)
 class Run:
-    """One run as the test sheet states it: motor speed [rpm], occupancy [%], particle size [mm], length [s]."""
+    """Test conditions of one run: motor speed [rpm], occupancy [%], particle size [mm], length [s]."""
 
     speed: float
     profile: Profile

@@ -1,4 +1,4 @@
-"""What is a recording of the rig program? Two columns."""
+"""A recording of the rig program: two columns."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Recording:
-    """What one run left: ``torque`` (n,) [V] and ``encoder`` (n,) [count]."""
+    """Signals of one run: ``torque`` (n,) [V] and ``encoder`` (n,) [count]."""
 
     torque: NDArray[np.float64]
     encoder: NDArray[np.int32]

@@ -1,4 +1,4 @@
-"""How is one run recorded? The machine is run from a turning start, and what the sensor says is kept."""
+"""Recording of one run: the machine starts while turning, and the sensor signals are stored."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from proof.rig_program.waves import OUTPUT_POINTS, sum_of
 def record(
     run: Run, rig: TrueRig, laws: Laws, *, effects: tuple[Effect, ...], seed: list[int], wanders: bool = True
 ) -> Recording:
-    """Record one run of a rig with what it has beyond the nominal model; the same seed gives the same recording.
+    """Return the recording of one run of a rig with its effects; the same seed gives the same recording.
 
-    Each effect draws from numbers of its own, so that the run without it is the same run.
+    Each effect has a separate random generator, so that the run without it is otherwise the same.
     """
     rng = np.random.default_rng([*seed, 0])
     own = [(effect, np.random.default_rng([*seed, i])) for i, effect in enumerate(effects, start=1)]
@@ -45,7 +45,7 @@ def record(
 
 
 def at_occupancy(machine: Machine, rig: TrueRig, run: Run) -> Machine:
-    """Make the wear part's lines as small as a run's occupancy makes them."""
+    """Return the machine with the wear part's lines scaled for the run's occupancy."""
     share = 1.0 + nominal.WEAR_LINES_BY_OCCUPANCY * run.occupancy
     return machine._replace(wear_table=sum_of(rig.wear_lines, points=OUTPUT_POINTS) / share)
 
@@ -56,7 +56,7 @@ def move(machine: Machine, forcing: Forcing, laws: Laws, *, start_angle: float =
     Raises
     ------
     FloatingPointError
-        If the motion is not finite: the draw asked for more than the integrator can do.
+        If the motion is not finite: the drawn rig is outside the range of the integrator.
     """
     from proof.rig_program.kernel import run_machine
 
@@ -65,12 +65,12 @@ def move(machine: Machine, forcing: Forcing, laws: Laws, *, start_angle: float =
     inputs = (forcing.set_point, forcing.load, forcing.push, forcing.coupling_limit, forcing.line_phase)
     moved = run_machine(machine, state, inputs, rule_of(laws.integrator), steps, nominal.SAMPLE_RATE)
     if not np.isfinite(moved[-1]).all():
-        raise FloatingPointError("the rig's motion grew beyond all bounds")
+        raise FloatingPointError("the rig's motion is not finite")
     return np.asarray(moved)
 
 
 def turning_start(machine: Machine, forcing: Forcing, *, start_angle: float) -> NDArray[np.float64]:
-    """Give the state (18,) of a rig that turns at its first set-point under its first load."""
+    """Return the state (18,) of a rig that turns at its first set-point under its first load."""
     from proof.rig_program.kernel import STATES
 
     speed = forcing.set_point[0] / machine.ratio
@@ -91,7 +91,7 @@ def turning_start(machine: Machine, forcing: Forcing, *, start_angle: float) -> 
 
 
 def steps_for(machine: Machine, forcing: Forcing, laws: Laws) -> int:
-    """Give the steps in a sample: those drawn, or more where dry friction or a branch is too stiff for them."""
+    """Return the steps per sample: those drawn, or more if dry friction or a branch is stiff."""
     dry = float(forcing.load.max()) + float(machine.dry[[0, 1, 3, 4]].max()) + float(machine.blade_table.max())
     rate = dry / laws.friction_width / machine.inertia[3] if laws.friction == 0 else 0.0
     if laws.friction in (1, 2):

@@ -1,4 +1,4 @@
-"""What becomes of the amplifier's output on its way into the file? Noise, converter, and the encoder beside it."""
+"""From the amplifier's output to the file: noise, converter and encoder."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def add_noise(
     white = rng.standard_normal(volts.size + 64)
     noise = white.copy()
     power = colour
-    for lag in range(1, 33):  # the recursion's own answer, cut where it has died away
+    for lag in range(1, 33):  # impulse response of the recursion, truncated
         if abs(power) < 1e-9:
             break
         noise[lag:] += power * white[:-lag]
@@ -24,12 +24,12 @@ def add_noise(
 
 
 def convert(volts: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Give the converter's codes in volts: 16 bits over +-10 V."""
+    """Return the converter's codes in volts: 16 bits over +-10 V."""
     step = 2.0 * nominal.CONVERTER_RANGE / 2**nominal.CONVERTER_BITS
     half = 2 ** (nominal.CONVERTER_BITS - 1)
     return np.asarray(np.clip(np.round(volts / step), -half, half - 1) * step)
 
 
 def count(motor_angle: NDArray[np.float64]) -> NDArray[np.int32]:
-    """Give the counts of the encoder on the motor for its angle [rad]."""
+    """Return the counts of the encoder on the motor for its angle [rad]."""
     return np.floor(motor_angle * (nominal.ENCODER_COUNTS / (2.0 * np.pi))).astype(np.int32)

@@ -1,4 +1,4 @@
-"""How the speed set-point goes, before and during a recording."""
+"""Course of the speed set-point before and during a recording."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from proof.rig_program.plan import Profile, Run
 def speed_course(
     run: Run, rng: np.random.Generator, *, speed_error: float, wanders: bool = True
 ) -> NDArray[np.float64]:
-    """Give the motor's true set-point at every sample, settling included (n,) [rad/s].
+    """Return the motor's true set-point at every sample, settling included (n,) [rad/s].
 
     Time zero is the beginning of the recording; a ramp waits at a tenth of the set-point before it, a reversal is in
     full swing.

@@ -1,4 +1,4 @@
-"""How are the equations stepped? Three explicit rules as tables of weights."""
+"""Integrators: three explicit rules as tables of weights."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _LAST = (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84)
 
 
 def rule_of(integrator: Integrator) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Give a rule's weights of earlier stages (s, s) and of all stages at the end (s,).
+    """Return a rule's weights of earlier stages (s, s) and of all stages at the end (s,).
 
     Source: Dormand and Prince 1980, J. Comp. Appl. Math. 6(1), 19-26, table 2 (the fifth-order rule).
     """

@@ -1,4 +1,4 @@
-"""What the sensor shows of a small torque at one frequency, and the floor that a line must stand out of.
+"""Transfer from a small torque to the sensor at one frequency, and the noise floor that a line must exceed.
 
 The same equations of motion, linear (a rig that drives and never lets go), solved at one frequency at a time; used to
 draw effects in sizes from just visible upwards, and in the tests as closed forms beside the integrated rig.
@@ -19,7 +19,7 @@ LINE_WIDTH = (0.1, 4.0e-4)  # [Hz] of a line recorded for 12 s, and relative: th
 
 
 def springs(machine: Machine) -> list[tuple[int, int, float, float]]:
-    """List every spring: its two masses, stiffness [Nm/rad] and damping [Nms/rad]."""
+    """Return every spring: its two masses, stiffness [Nm/rad] and damping [Nms/rad]."""
     rows = [
         (MOTOR, GEAR, machine.gear_stiffness, machine.gear_damping),
         (GEAR, SENSOR, machine.sensor_stiffness, machine.sensor_damping),
@@ -44,7 +44,7 @@ def mode_frequencies(machine: Machine) -> NDArray[np.float64]:
 
 
 def to_sensor(machine: Machine, frequency: float, forces: NDArray[np.complex128], *, loop: bool = True) -> complex:
-    """Give the amplifier's output [Nm] for torques (6,) [Nm] at the masses at one frequency [Hz]."""
+    """Return the amplifier's output [Nm] for torques (6,) [Nm] at the masses at one frequency [Hz]."""
     s = 2j * np.pi * frequency
     system = np.diag(np.where(machine.inertia > 0.0, machine.inertia * s**2, 1.0)).astype(complex)
     for one, other, k, c in springs(machine):
@@ -92,10 +92,10 @@ def line_floor(rig: TrueRig, run: Run, frequency: float) -> float:
 
 
 def steady_runs(plan: tuple[Run, ...]) -> list[Run]:
-    """Give the runs of a plan that hold their speed, or all of them where none does."""
+    """Return the runs of a plan that hold their speed, or all of them where none does."""
     return [run for run in plan if run.profile is Profile.STEADY] or list(plan)
 
 
 def resisting(rig: TrueRig, run: Run) -> float:
-    """Give the mean torque [Nm] that the wear part asks for at a run's speed, bed and bearings together."""
+    """Return the mean torque [Nm] that the wear part requires at a run's speed, bed and bearings together."""
     return rig.mean_load(run.occupancy) + rig["wear_viscous"] * run.motor_speed / nominal.RATIO

@@ -1,4 +1,4 @@
-"""Which real rig stands behind a case? Its quantities, lines and load level, drawn around the nominal."""
+"""The true rig of a case: quantities, lines and load level, drawn around the nominal ones."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class TrueRig:
     speed_error: float
 
     def __getitem__(self, name: str) -> float:
-        """Give one quantity [SI] by its name in `nominal.QUANTITIES`."""
+        """Return one quantity [SI] by its name in `nominal.QUANTITIES`."""
         return self.quantities[name]
 
     def mean_load(self, occupancy: float) -> float:

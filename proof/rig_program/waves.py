@@ -32,6 +32,6 @@ def sum_of(lines: Iterable[Line], *, points: int) -> NDArray[np.float64]:
 
 
 def slope_of(table: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Give the derivative of a table over its turn (points,) [per rad], by its Fourier series."""
+    """Return the derivative of a table over its turn (points,) [per rad], by its Fourier series."""
     spectrum = np.fft.rfft(table)
     return np.asarray(np.fft.irfft(1j * np.arange(spectrum.size) * spectrum, table.size))

@@ -1,4 +1,4 @@
-"""How is a recording written? A Parquet table and a sidecar of the same name that holds the test sheet."""
+"""Writing of a recording: a Parquet table and a sidecar of the same name with the test conditions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from proof.rig_program.recorded import Recording
 
 
 def write_recording(recording: Recording, path: Path, *, run: Run, with_encoder: bool) -> None:
-    """Write ``path`` (.parquet) and its sidecar; the encoder is left out where the rig has none."""
+    """Write ``path`` (.parquet) and its sidecar, without an encoder column if the rig has none."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -28,7 +28,7 @@ def write_recording(recording: Recording, path: Path, *, run: Run, with_encoder:
 
 
 def sidecar(run: Run, *, with_encoder: bool) -> dict[str, Any]:
-    """Give the test sheet of a run: channels and set-points, nothing that only the rig knows."""
+    """Return the test conditions of a run: channels and set-points, no true values."""
     channels: dict[str, Any] = {"torque_V": {"quantity": "torque", "unit": "V", "Nm_per_V": 1.0}}
     if with_encoder:
         counts = nominal.ENCODER_COUNTS

@@ -22,7 +22,7 @@ class Backlash(Effect):
     gap: float
 
     def parameters(self) -> dict[str, float | None]:
-        """Give the full gap."""
+        """Return the full gap."""
         return {"gap_arcmin": self.gap}
 
     def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:

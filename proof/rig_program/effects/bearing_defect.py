@@ -1,4 +1,4 @@
-"""Bearing defect: a flaw is rolled over at a broken order of the output shaft, and each time a local mode rings."""
+"""Bearing defect: impacts at a non-integer order of the output shaft, each of which rings a local mode."""
 
 from __future__ import annotations
 

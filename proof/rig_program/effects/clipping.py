@@ -1,4 +1,4 @@
-"""Clipping: a stage of the chain has less room than the torque needs."""
+"""Clipping: a stage of the measuring chain has a smaller range than the torque."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Clipping(Effect):
     limit: float
 
     def parameters(self) -> dict[str, float | None]:
-        """Give the limit."""
+        """Return the limit."""
         return {"limit_V": self.limit}
 
     def on_voltage(self, volts: NDArray[np.float64], run: Run, rng: np.random.Generator) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""What an effect can lay its hand on: the machine, its inputs, the voltage, the file."""
+"""Interface of an effect: it changes the machine, its inputs, the voltage or the file."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from proof.rig_program.true_rig import TrueRig
 class Effect(ABC):
     """One effect that the nominal model leaves out.
 
-    ``kind`` is the class that a diagnosis should name, or the name of an effect in no library; ``in_library`` tells
-    which. Every question has an empty answer, and an effect answers those that concern it.
+    ``kind`` is the class that a diagnosis should name, or the name of an effect in no library; ``in_library`` states
+    which. Each method changes nothing by default; an effect overrides those that it needs.
     """
 
     kind: ClassVar[str]
@@ -28,18 +28,18 @@ class Effect(ABC):
 
     @abstractmethod
     def parameters(self) -> dict[str, float | None]:
-        """Give the true parameters under the names and in the units of the contract."""
+        """Return the true parameters under the names and in the units of the contract."""
 
     def also_right(self) -> tuple[str, ...]:
-        """Name the classes that would be as right as its own on any recording; most have none."""
+        """Return other classes that are equally right on any recording; most effects have none."""
         return ()
 
     def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:
-        """Give the machine with the effect in it."""
+        """Return the machine with the effect in it."""
         return machine
 
     def on_forcing(self, forcing: Forcing, run: Run, rng: np.random.Generator) -> Forcing:
-        """Give what acts on the machine, with the effect in it."""
+        """Return what acts on the machine, with the effect in it."""
         return forcing
 
     def on_voltage(
@@ -48,22 +48,22 @@ class Effect(ABC):
         run: Run,
         rng: np.random.Generator,
     ) -> NDArray[np.float64]:
-        """Give the voltage before the converter (n,) [V], with the effect in it."""
+        """Return the voltage before the converter (n,) [V], with the effect in it."""
         return volts
 
     def on_file(self, recording: Recording, run: Run, rng: np.random.Generator) -> Recording:
-        """Give the recording as it is written, with the effect in it."""
+        """Return the recording as it is written, with the effect in it."""
         return recording
 
 
 @dataclass(frozen=True)
 class Setting:
-    """For which rig and plan is an effect drawn? Known to the drawing only, so that sizes begin at visible."""
+    """Rig and plan for which an effect is drawn, so that the smallest size is visible."""
 
     rig: TrueRig
     plan: tuple[Run, ...]
 
 
 def between(low: float, high: float, *, size: float) -> float:
-    """Give the value at ``size`` (0 just visible, 1 far larger than any handbook's), evenly in its logarithm."""
+    """Return the value at ``size`` (0 just visible, 1 far larger than in handbooks), on a logarithmic scale."""
     return float(low * (max(high, 1.2 * low) / low) ** size)

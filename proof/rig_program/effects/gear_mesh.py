@@ -63,7 +63,7 @@ def draw_gear_mesh(rng: np.random.Generator, setting: Setting, *, size: float) -
     """Draw teeth of a 5:1 planetary gear or any other, and an error from just visible to 1 mrad or 1 Nm."""
     teeth = int(rng.choice([48, 64, 72, 80, 84, 96, 108, 112, int(rng.integers(25, 150))]))
     while teeth % round(nominal.RATIO) == 0 and teeth // round(nominal.RATIO) in nominal.MOTOR_LINES:
-        teeth = int(rng.integers(25, 150))  # a line of the motor lies there: a mesh could not be told from it
+        teeth = int(rng.integers(25, 150))  # a line of the motor has this order: not distinguishable
     at = output_frequency(teeth)
     low = just_visible(setting, at, lambda machine, f, _: gain_of_twist(machine, f))
     per_rad = unit_reading(setting, at, lambda machine, f, _: gain_of_twist(machine, f))

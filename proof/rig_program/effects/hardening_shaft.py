@@ -22,7 +22,7 @@ class HardeningShaft(Effect):
     cubic: float
 
     def parameters(self) -> dict[str, float | None]:
-        """Give the cubic coefficient."""
+        """Return the cubic coefficient."""
         return {"cubic_per_rad2": self.cubic}
 
     def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:

@@ -31,7 +31,7 @@ class JumpingLine(Effect):
         return {"order_output": self.order, "amplitude_Nm": self.torque, "jumps_per_s": self.jumps_per_second}
 
     def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:
-        """Give the wear part the line."""
+        """Return the wear part the line."""
         return machine._replace(line_order=self.order, line_torque=self.torque)
 
     def on_forcing(self, forcing: Forcing, run: Run, rng: np.random.Generator) -> Forcing:

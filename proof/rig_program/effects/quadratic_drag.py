@@ -21,7 +21,7 @@ class QuadraticDrag(Effect):
     coefficient: float
 
     def parameters(self) -> dict[str, float | None]:
-        """Give the coefficient."""
+        """Return the coefficient."""
         return {"coefficient_Nms2": self.coefficient}
 
     def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:

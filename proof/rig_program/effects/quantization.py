@@ -1,4 +1,4 @@
-"""Quantization: the file holds fewer steps than the converter could."""
+"""Quantization: the file has coarser steps than the converter."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Quantization(Effect):
     step: float
 
     def parameters(self) -> dict[str, float | None]:
-        """Give the step."""
+        """Return the step."""
         return {"step_V": self.step}
 
     def on_file(self, recording: Recording, run: Run, rng: np.random.Generator) -> Recording:

@@ -1,4 +1,4 @@
-"""Sensor bandwidth: the amplifier's low-pass sits lower than its data sheet says."""
+"""Sensor bandwidth: the amplifier's low-pass has a lower cut-off than its data sheet states."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from proof.rig_program.plan import Run
 
 @dataclass(frozen=True)
 class SensorBandwidth(Effect):
-    """A second-order low-pass with this corner [Hz] and damping ratio (0.707: Butterworth) in place of the sheet's."""
+    """A second-order low-pass with corner [Hz] and damping ratio (0.707: Butterworth) instead of the data sheet's."""
 
     kind: ClassVar[str] = "sensor_bandwidth"
     cutoff: float
     damping: float
 
     def parameters(self) -> dict[str, float | None]:
-        """Give the corner."""
+        """Return the corner."""
         return {"cutoff_Hz": self.cutoff}
 
     def on_machine(self, machine: Machine, run: Run, rng: np.random.Generator) -> Machine:

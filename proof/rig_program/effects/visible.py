@@ -1,4 +1,4 @@
-"""From which size on a line can be seen in at least one run of a plan."""
+"""Smallest visible size of a line in at least one run of a plan."""
 
 from __future__ import annotations
 
@@ -45,12 +45,12 @@ def unit_reading(
 
 
 def motor_frequency(order: float) -> Callable[[Run], float]:
-    """Give the frequency [Hz] of an order of the motor, by run."""
+    """Return the frequency [Hz] of an order of the motor, by run."""
     return lambda run: float(order * run.motor_speed / (2.0 * np.pi))
 
 
 def output_frequency(order: float) -> Callable[[Run], float]:
-    """Give the frequency [Hz] of an order of the output shaft, by run."""
+    """Return the frequency [Hz] of an order of the output shaft, by run."""
     return motor_frequency(order / nominal.RATIO)
 
 

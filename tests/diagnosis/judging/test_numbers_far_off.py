@@ -38,7 +38,7 @@ def test_a_level_at_its_limit_is_told_with_the_runs_that_have_it(wear_rig: Scena
     found = number_far_off(case_at(wear_rig, 1.0, LIMIT))
     assert found is not None
     sentence, mismatch = found
-    assert "load.mean_by_occupancy_percent.21 would have to be 5.39" in sentence
+    assert "load.mean_by_occupancy_percent.21: the fit requires 5.39" in sentence
     assert "states 3.8" in sentence
     assert mismatch.recordings == ("at21",)
     assert mismatch.domain == "level"
