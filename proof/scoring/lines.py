@@ -43,11 +43,11 @@ def wrong_lines(trials: list[Trial]) -> list[str]:
     for trial in trials:
         if trial.outcome in (Outcome.EXACT, Outcome.IN_CLASS):
             continue
-        true = ", ".join(f"{effect.mechanism} ({effect.size:.2f})" for effect in trial.effects) or "no effect"
-        claim = "no diagnosis"
+        true = ", ".join(f"{effect.mechanism} ({effect.size:.2f})" for effect in trial.effects) or "none"
+        claim = "none"
         if trial.claim is not None:
             claim = ", ".join([trial.claim.verdict, *(f.mechanism for f in trial.claim.findings)])
-        lines.append(f"  {trial.name} {trial.plan}: true {true}; diagnosis {claim}: {trial.outcome.value}")
+        lines.append(f"  {trial.name} {trial.plan}: {trial.outcome.value}; true effects: {true}; diagnosis: {claim}")
     return lines
 
 

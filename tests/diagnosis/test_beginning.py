@@ -29,7 +29,7 @@ class Reading:
         return {"motor.pole_pairs": float(self.pairs), "motor.slots": 12.0}
 
 
-@pytest.mark.parametrize(("missed", "said"), [(10.0, ["motor.pole_pairs 4 (not 5, as drawn)"]), (480.0, [])])
+@pytest.mark.parametrize(("missed", "said"), [(10.0, ["motor.pole_pairs = 4 (drawn: 5)"]), (480.0, [])])
 def test_the_reading_that_fits_is_taken(
     missed: float, said: list[str], wear_rig: Scenario, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -77,7 +77,7 @@ def test_the_command_writes_recordings_and_prints_the_seal(tmp_path):
         }  # fmt: skip
     again = CliRunner().invoke(make, ["--seed", "2", "--cases", "2", "--out", str(folder)])
     assert again.exit_code == 2
-    assert "nothing is overwritten" in again.output
+    assert "the folder is not empty" in again.output
 
 
 def test_the_same_seed_makes_the_same_recordings(tmp_path):

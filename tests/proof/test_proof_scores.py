@@ -201,7 +201,7 @@ def test_the_command_opens_the_seal_and_scores(tmp_path):
     assert told.exit_code == 0, told.output
     assert "exactly right: 1 of 2" in told.output
     assert "held-out residual removed: median 0.590" in told.output
-    assert "case-002 typical: had nothing; said no diagnosis" in told.output
+    assert "case-002 typical: no diagnosis; true effects: none; diagnosis: none" in told.output
     assert json.loads((tmp_path / "score.json").read_text())["outcomes"]["exactly right"] == 1
     assert claim_of(text).findings[0].parameters[0][1].interval == (83.99, 84.01)
 
@@ -209,5 +209,5 @@ def test_the_command_opens_the_seal_and_scores(tmp_path):
 def test_what_is_no_diagnosis_is_refused_with_its_name(tmp_path):
     path = tmp_path / "case-001.json"
     path.write_text('{"verdict": "perhaps"}')
-    with pytest.raises(Exception, match=r"case-001\.json: not a diagnosis"):
+    with pytest.raises(Exception, match=r"case-001\.json: the file is not a diagnosis"):
         read_claim(path)

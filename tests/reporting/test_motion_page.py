@@ -123,7 +123,7 @@ def test_every_rival_stands_with_its_scores(page: str, found: MotionOutcome) -> 
     for one in step.tried:
         variant = f" ({one.candidate.variant.replace('_', ' ')})" if one.candidate.variant else ""
         assert re.search(re.escape(one.candidate.mechanism.replace("_", " ") + variant) + r" +-?[\d.]+ ", text)
-    assert "named" in text
+    assert "accepted" in text
     assert "model without it" in text
 
 

@@ -41,5 +41,5 @@ def test_the_band_of_a_mode_that_stays_wrong_both_ways(
 def test_it_is_withdrawn_and_said() -> None:
     fit = HeldOut(nominal=9.0, before=4.0, after=1.0, improvement=(0.75, 0.6, 0.9), by_twin=False, explained=0.95)
     left = (band(5.0), band(-6.0, run="run2"))
-    assert "too quiet in another" in why_withdrawn(fit, left, resembled=True, both_ways=True)
+    assert "too weak in another" in why_withdrawn(fit, left, resembled=True, both_ways=True)
     assert why_withdrawn(fit, left, resembled=True) == ""

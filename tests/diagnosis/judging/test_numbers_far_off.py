@@ -49,7 +49,7 @@ def test_a_level_at_its_limit_is_told_with_the_runs_that_have_it(wear_rig: Scena
 def test_a_number_of_the_load_need_not_be_at_its_limit(inertia: float, wear_rig: Scenario) -> None:
     found = number_far_off(case_at(wear_rig, inertia, 6.2))
     assert found is not None
-    assert "further off" not in found[0]
+    assert "or beyond" not in found[0]
     assert "6.2 of its spreads" in found[0]
 
 

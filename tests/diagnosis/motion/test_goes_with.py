@@ -60,4 +60,4 @@ def test_a_zero_that_settles_is_a_drift(carriage: Carriage, diagnosed: Diagnosed
 def test_noise_alone_goes_with_nothing(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 0 * time))
     assert outcome.diagnosis.verdict == "adequate"
-    assert not [each for each in outcome.diagnosis.remarks if "goes with" in each]
+    assert not [each for each in outcome.diagnosis.remarks if "of the squared residual: " in each]

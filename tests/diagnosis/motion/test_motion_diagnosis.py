@@ -163,7 +163,7 @@ def test_a_recording_without_effort_or_motion_is_refused_in_one_sentence(
     with pytest.raises(RecordingError, match=r"run.csv: there is no torque, force or motor_torque channel"):
         diagnosed(place)
     quiet = {**whole.channels, "force_N": Channel(values=np.zeros(whole.samples), quantity="force", unit="N")}
-    with pytest.raises(RecordingError, match=r"run.csv: its effort is zero all along"):
+    with pytest.raises(RecordingError, match=r"run.csv: its torque or force is always zero"):
         diagnosed(Recording(sample_rate=whole.sample_rate, channels=quiet, name="run.csv"))
 
 

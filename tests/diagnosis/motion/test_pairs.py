@@ -73,7 +73,7 @@ def test_cogging_and_friction_that_are_missing_together_are_both_named(diagnosed
     assert found["stribeck_friction"]["coulomb_Nm"].value == pytest.approx(0.006, rel=0.05)
     (cogging, _) = outcome.steps
     assert cogging.kept is cogging.tried[0]
-    assert "once dry friction is in it" in outcome.diagnosis.findings[0].explanation
+    assert "With stribeck friction in the model, it explains" in outcome.diagnosis.findings[0].explanation
     assert outcome.diagnosis.fit.after < 0.1 * outcome.diagnosis.fit.before
 
 

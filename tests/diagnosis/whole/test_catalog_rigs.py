@@ -67,4 +67,4 @@ def test_a_motor_with_another_number_of_poles_than_was_drawn(tmp_path: Path, rec
     ]
     said = diagnose(drawn, runs, others=other_readings(document, catalog, seed=0)).diagnosis
     assert said.verdict == "adequate"
-    assert any("motor.pole_pairs 4 (not 5" in remark for remark in said.remarks)
+    assert any("motor.pole_pairs = 4 (drawn: 5" in remark for remark in said.remarks)

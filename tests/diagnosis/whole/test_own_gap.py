@@ -50,7 +50,7 @@ def test_a_width_that_was_found_takes_the_place_of_the_stated_one(in_gear: bool,
     assert "backlash" not in {part.name for part in opened.parts}
     assert "4.0 arcmin" in gap.sentence(found)
     assert "6.5 arcmin" in gap.sentence(found)
-    assert "nothing tells" in gap.sentence(shut + Backlash(name="backlash", gap=STATED))
+    assert "do not determine another width" in gap.sentence(shut + Backlash(name="backlash", gap=STATED))
 
 
 def test_a_gear_without_a_gap_has_none(wear_rig: Scenario) -> None:
