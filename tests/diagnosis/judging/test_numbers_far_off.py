@@ -50,7 +50,7 @@ def test_a_number_of_the_load_need_not_be_at_its_limit(inertia: float, wear_rig:
     found = number_far_off(case_at(wear_rig, inertia, 6.2))
     assert found is not None
     assert "or beyond" not in found[0]
-    assert "6.2 of its spreads" in found[0]
+    assert "6.2 stated standard deviations" in found[0]
 
 
 def test_any_other_number_is_of_all_runs(wear_rig: Scenario) -> None:
