@@ -95,7 +95,8 @@ else:  # whatever files there are, so that a mechanism goes with its file
 
 def extended() -> dict[str, type[Part]]:
     """Return the classes of all mechanisms by name: those of this folder, and those of other installed packages."""
-    built_in: dict[str, type[Part]] = {name: globals()[name] for name in globals()["__all__"]}
+    here = globals()  # a class can be missing here: blind trials hide mechanisms for a while
+    built_in: dict[str, type[Part]] = {name: here[name] for name in here["__all__"] if name in here}
     return built_in | {cls.__name__: cls for cls in extensions_of("torquerig.mechanisms", Part).values()}
 
 
