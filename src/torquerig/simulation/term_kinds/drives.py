@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from math import pi
 from typing import NamedTuple
 
@@ -52,7 +51,7 @@ class DriveKind(TermKind[Drive, Drives]):
 
     def chosen(self, terms: Sequence[Term]) -> tuple[Drive, ...]:
         """Return the drives with the ripple that has a size."""
-        return tuple(replace(drive, ripple=sounding(drive.ripple)) for drive in super().chosen(terms))
+        return tuple(sounding(drive, "ripple") for drive in super().chosen(terms))
 
     def orders(self, terms: Sequence[Drive]) -> Iterator[tuple[str, float]]:
         """Yield the ripple."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +31,7 @@ class HarmonicKind(TermKind[HarmonicTorque, Harmonics]):
 
     def chosen(self, terms: Sequence[Term]) -> tuple[HarmonicTorque, ...]:
         """Return the torques with the waves that have a size."""
-        return tuple(replace(term, waves=sounding(term.waves)) for term in super().chosen(terms))
+        return tuple(sounding(term, "waves") for term in super().chosen(terms))
 
     def orders(self, terms: Sequence[HarmonicTorque]) -> Iterator[tuple[str, float]]:
         """Yield the waves."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, pi, sin
 from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
@@ -132,9 +132,11 @@ def phase_of(owner: str, wave: Wave, seed: int) -> float:
     return float(random_for(seed, f"phase {key}").uniform(0, 2 * pi))
 
 
-def sounding(waves: Sequence[Wave]) -> tuple[Wave, ...]:
-    """Return the waves that have a size: one of none must not change how the others are multiplied together."""
-    return tuple(wave for wave in waves if wave.amplitude)
+def sounding(term: AnyTerm, *fields: str) -> AnyTerm:
+    """Return a term without the waves of no size: they must not change how the others are multiplied together."""
+    kept = {name: tuple(wave for wave in getattr(term, name) if wave.amplitude) for name in fields}
+    silent = any(len(waves) < len(getattr(term, name)) for name, waves in kept.items())
+    return replace(term, **kept) if silent else term  # type: ignore[type-var]
 
 
 def starts(lengths: Iterable[int]) -> Starts:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +10,7 @@ import numpy as np
 from torquerig.errors import InputError
 from torquerig.rig.terms import Spring, Term
 from torquerig.simulation.arrays import Floats, Rows, Starts
-from torquerig.simulation.term_kinds.kind import Link, Lowering, TermKind, floats, phased, sounding, whole
+from torquerig.simulation.term_kinds.kind import Link, Lowering, Phased, TermKind, floats, phased, sounding, whole
 
 
 class Springs(NamedTuple):
@@ -54,10 +53,7 @@ class SpringKind(TermKind[Spring, Springs]):
 
     def chosen(self, terms: Sequence[Term]) -> tuple[Spring, ...]:
         """Return all springs, with the waves that have a size."""
-        return tuple(
-            replace(spring, error=sounding(spring.error), stiffness_waves=sounding(spring.stiffness_waves))
-            for spring in super().chosen(terms)
-        )
+        return tuple(sounding(spring, "error", "stiffness_waves") for spring in super().chosen(terms))
 
     def orders(self, terms: Sequence[Spring]) -> Iterator[tuple[str, float]]:
         """Yield the waves of error and stiffness, of the output side's angle."""
@@ -67,8 +63,6 @@ class SpringKind(TermKind[Spring, Springs]):
         """Return the springs."""
         number = to.number
         errors = phased([(s.name, number[s.b], s.error) for s in terms], to.table, to.seed)
-        waves = phased([(f"{s.name}.stiffness", number[s.b], s.stiffness_waves) for s in terms], to.table, to.seed)
-        sizes = np.hypot(waves.c, waves.s)
         return Springs(
             a=whole(number[s.a] for s in terms),
             b=whole(number[s.b] for s in terms),
@@ -83,7 +77,7 @@ class SpringKind(TermKind[Spring, Springs]):
             e_order=errors.order,
             e_cos=errors.c,
             e_sin=errors.s,
-            swing=floats(sizes[start:end].sum() for start, end in zip(waves.first, waves.first[1:], strict=False)),
+            swing=floats(_swing(spring, to) for spring in terms),
         )
 
     def links(self, rows: Springs, *, stiffest: bool) -> Iterator[Link]:
@@ -91,6 +85,19 @@ class SpringKind(TermKind[Spring, Springs]):
         stiffness = rows.stiffness * (1 + rows.swing) if stiffest else rows.stiffness
         for row in zip(rows.a, rows.b, stiffness, rows.damping, rows.inverse_ratio, strict=True):
             yield Link(*row)
+
+
+def _swing(spring: Spring, to: Lowering) -> float:
+    """Return by how much of its mean the stiffness of a spring can vary at most [1]."""
+    if not spring.stiffness_waves:
+        return 0.0
+    waves = _stiffness_waves([spring], to)
+    return float(np.hypot(waves.c, waves.s).sum())
+
+
+def _stiffness_waves(springs: Sequence[Spring], to: Lowering) -> Phased:
+    owners = [(f"{spring.name}.stiffness", to.number[spring.b], spring.stiffness_waves) for spring in springs]
+    return phased(owners, to.table, to.seed)
 
 
 class VariedKind(TermKind[Spring, Varied]):
@@ -113,8 +120,7 @@ class VariedKind(TermKind[Spring, Varied]):
                     f"{spring.name}: its stiffness varies by {swing:.3g} of its mean, so that it would not be above 0 "
                     "at all angles; make the sum of the amplitudes smaller than 1"
                 )
-        owners = [(f"{s.name}.stiffness", to.number[s.b], s.stiffness_waves) for _, s in varied]
-        waves = phased(owners, to.table, to.seed)
+        waves = _stiffness_waves([spring for _, spring in varied], to)
         return Varied(
             spring=whole(row for row, _ in varied),
             damping_follows=whole(s.damping_follows for _, s in varied),
