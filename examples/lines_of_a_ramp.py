@@ -13,7 +13,7 @@ hum = tr.mechanisms.MainsInterference(name="hum", amplitudes=(0.02,))
 ramp = tr.simulate(scenario + hum, duration=12.0, seed=1)
 found = tr.order_lines(ramp)
 print(found.summary())
-print(found.to_frame().head(8).to_string(index=False, float_format="%.3g"))
+print(found.to_frame().to_string(index=False, float_format="%.3g"))
 
 # %%
 # In the order map the lines of the shaft are upright. In the Campbell diagram they are straight lines through the

@@ -36,7 +36,8 @@ def test_links_lead_to_a_file_and_a_heading(page: Path) -> None:
     text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
     for target, anchor in LINK.findall(text):
         file = (page.parent / target).resolve() if target else page
-        assert file.exists(), f"{page.name}: {target}"
+        built = file.name == "index.rst" and file.parent.name == "gallery"  # made by the build
+        assert built or file.exists(), f"{page.name}: {target}"
         assert not anchor or anchor in anchors(file), f"{page.name}: {target}{anchor}"
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import torquerig
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
 from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion, under_measured_motion
@@ -114,3 +115,20 @@ def test_joint_of_howto_diagnose_measured_motion_is_read(tmp_path: Path) -> None
     file.write_text(example("howto-diagnose-measured-motion.md", "joint.yaml"), encoding="utf-8")
     made = read_scenario(read_document(file), load_catalog(ROOT / "catalogs"), seed=0)
     assert under_measured_motion(made.rig)
+
+
+def test_scripts_of_howto_use_python_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The blocks from simulate to a further effect run in order; those of minutes are parsed and their names exist."""
+    text = (ROOT / "docs" / "howto-use-python.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    quick = [block for block in blocks if "tr.compare" not in block and "tr.diagnose" not in block]
+    assert (len(blocks), len(quick)) == (6, 4)
+    monkeypatch.chdir(tmp_path)
+    scope: dict[str, object] = {}
+    for block in quick:
+        exec(compile(block, "howto-use-python.md", "exec"), scope)
+    assert (tmp_path / "clean.parquet").exists()
+    assert (tmp_path / "orders.png").exists()
+    for block in blocks:
+        compile(block, "howto-use-python.md", "exec")
+    assert [name for name in re.findall(r"\btr\.(\w+)", text) if not hasattr(torquerig, name)] == []
