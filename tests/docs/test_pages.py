@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -69,3 +70,16 @@ def test_the_index_leads_to_every_page() -> None:
     names = [page.name for page in PAGES if page.name not in ("README.md", "index.md")]
     assert [name for name in names if f"({name})" not in index] == []
     assert [name for name in names if name.removesuffix(".md") not in tree] == []
+
+
+def test_every_name_of_the_reference_exists() -> None:
+    names = re.findall(r"^   (torquerig\.\S+)$", (DOCS / "api.rst").read_text(encoding="utf-8"), re.MULTILINE)
+    gone = []
+    for home, _, name in (one.rpartition(".") for one in names):
+        try:
+            if not hasattr(import_module(home), name):
+                gone.append(f"{home}.{name}")
+        except ModuleNotFoundError:
+            gone.append(home)
+    assert gone == []
+    assert len(names) > 200

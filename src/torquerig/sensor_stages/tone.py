@@ -20,7 +20,7 @@ class Tone:
     Parameters
     ----------
     frequency : float
-        f [Hz], > 0. Above half the sample rate the samples show it folded, at |f - n rate|: aliasing by itself.
+        f [Hz], > 0. Above half the sample rate the samples show it folded, at ``|f - n rate|``: aliasing by itself.
     amplitudes : tuple of float
         a_1, a_2, ..., zero to peak, in the unit of the torque channel, >= 0.
     phases : tuple of float
