@@ -76,3 +76,13 @@ def test_a_study_reads_old_chain_names(capsys: pytest.CaptureFixture[str]) -> No
     filters = Filters.model_validate({"file": "filters.yaml", "names": ["none", "seed_code", "seed_text"]})
     assert filters.names == ("none", "report_filter_code", "report_filter_text")
     assert len(capsys.readouterr().err.splitlines()) == 2
+
+
+def test_the_old_option_is_hidden_and_still_read(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["filter", "nowhere.csv", "--judge"])
+    assert "torquerig: notice: the option --judge is now named --evaluate\n" in capsys.readouterr().err
+    main(["filter", "--help"])
+    told = capsys.readouterr().out
+    assert "--evaluate" in told
+    assert "--judge" not in told

@@ -35,7 +35,7 @@ def figure_of(text: str, name: str) -> list[str]:
 
 def test_a_cycle_of_the_wear_rig(capsys):
     text = said(capsys, "duty", WEAR_RIG, "--profile", "duty_cycle", "--picture", "duty.png")
-    assert text.startswith("bldc-12n14p, 5:1, duty_cycle, 300 s, again and again, surroundings 40 C")
+    assert text.startswith("bldc-12n14p, 5:1, duty_cycle, 300 s, repeated without end, ambient 40 °C")
     assert "Safe: the winding stays below its limit of 130..155 C" in text
     nominal, low, high = map(float, figure_of(text, "winding, highest, settled C"))
     assert 40 < low < nominal < high < 130
@@ -80,7 +80,10 @@ def test_a_table_is_simulated_for_its_length_and_its_gap_refused(capsys):
 REFUSED = {
     "torque": (("--set", "load.occupancy=21", "--set", "motor.torque_limit=0.5 N*m"), "its drive's limit is 0.5 N*m"),
     "speed": (("--set", "output_speed=1300 rpm"), "needs 6500 rpm, reaches at most 6000 rpm"),
-    "profile": (("--profile", "steadi"), "--profile steadi: is no profile and no table file; did you mean 'steady'?"),
+    "profile": (
+        ("--profile", "steadi"),
+        "--profile steadi: is neither a profile nor a table file; did you mean 'steady'?",
+    ),
     "no table": (("--profile", "no.csv"), "no.csv: there is no such file of a profile"),
 }
 
@@ -104,4 +107,4 @@ def test_a_profile_that_ends_too_soon_and_a_study_of_a_cycle_are_refused(capsys)
 def test_a_motor_that_no_catalog_has_has_no_known_heat(capsys):
     own = ("--set", "rig.motor={kind: motor, inertia: 1.5e-4 kg*m^2, torque_limit: 2 N*m}")
     assert "the driven motor is not in the catalog" in said(capsys, "duty", WEAR_RIG, *own, code=2)
-    assert "--duration: 0 s is no length" in said(capsys, "duty", WEAR_RIG, "--duration", "0 s", code=2)
+    assert "--duration: 0 s must be more than 0" in said(capsys, "duty", WEAR_RIG, "--duration", "0 s", code=2)

@@ -125,7 +125,7 @@ def test_all_weights_zero_and_a_sheet_without_a_column_are_exit_code_2(tmp_path,
         ((str(EXAMPLE), "--before", "none.yaml"), "none.yaml: there is no such file"),
         (
             (TABLES, "--out", "m.md"),
-            "holds published tables; --out, --trace and --before want a matrix of one's own",
+            "is a file of published tables; --out, --trace and --before need a decision matrix",
         ),
         (("none.xlsx",), "none.xlsx: there is no such file"),
     ],

@@ -28,7 +28,7 @@ def test_the_wear_rig_is_told_with_modes_margins_and_crossings(capsys: pytest.Ca
     assert "twist in torque_sensor" in out
     assert "speed_controller: stable; crossover 29.39 Hz" in out
     assert "motor.cogging                         6     1  127.46     1274.6" in out
-    assert "left out: the torque limit of the motor" in out
+    assert "omitted: the torque limit of the motor" in out
 
 
 def test_settings_move_the_modes(capsys: pytest.CaptureFixture[str]) -> None:

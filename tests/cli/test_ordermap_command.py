@@ -35,9 +35,9 @@ def ramp(tmp_path, monkeypatch):
 def test_it_tells_shaft_from_grid_and_draws(ramp, capsys):
     main(("ordermap", "ramp.parquet", "--scenario", str(SCENARIO), "--picture", "orders.svg"))
     told = capsys.readouterr().out
-    found = told[told.index("stands out") :]
-    shaft = next(row for row in found.splitlines() if row.startswith("shaft"))
-    fixed = next(row for row in found.splitlines() if row.startswith("fixed"))
+    found = told[told.index("constant  ") :]
+    shaft = next(row for row in found.splitlines() if row.startswith("order "))
+    fixed = next(row for row in found.splitlines() if row.startswith("frequency "))
     assert "electrical x1" in shaft
     assert "1 x mains" in fixed
     drawn = (ramp / "orders.svg").read_bytes()
@@ -50,7 +50,7 @@ def test_it_tells_shaft_from_grid_and_draws(ramp, capsys):
     [
         (("--mains", "0 Hz"), "write for example '50 Hz'"),
         (("--mains", "50 N"), "--mains"),
-        (("--scenario", str(SCENARIO), "--ratio", "5"), "leave --motor, --ratio and --gearbox out"),
+        (("--scenario", str(SCENARIO), "--ratio", "5"), "remove --motor, --ratio and --gearbox"),
         (("--picture", "orders.pdf"), "written as .svg or .png"),
         (("--motor", "bldc"), "bldc-12n14p"),
     ],

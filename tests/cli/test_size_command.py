@@ -31,7 +31,7 @@ def said(capsys, *arguments: str, code: int = 0) -> str:
 
 def test_a_servo_on_the_duty_cycle(capsys):
     text = said(capsys, "size", WEAR_RIG, "--motor", "HDS6A-0104A", "--gearbox", "economy-5-1", "--picture", "size.png")
-    assert text.startswith("HDS6A-0104A, 5:1, duty_cycle, 300 s, again and again, surroundings 40 C")
+    assert text.startswith("HDS6A-0104A, 5:1, duty_cycle, 300 s, repeated without end, ambient 40 °C")
     assert "largest input speed of economy-5-1" in text.split("ask for", 1)[1]
     assert "Alpha-beta: 30:1, where speed bounds it" in text
     assert "order_lines" in text
@@ -50,7 +50,7 @@ def test_every_drive_in_one_table(capsys):
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (("--all", "--motor", "REF"), "leave --motor, --gearbox and --picture out"),
+        (("--all", "--motor", "REF"), "remove --motor, --gearbox and --picture"),
         (("--picture", "size.pdf"), "written as .svg or .png"),
         (("--motor", "HDS6A-0104B"), "HDS6A-0104A"),
     ],

@@ -16,21 +16,21 @@ from torquerig.errors import TorquerigError
 from torquerig.version import __version__
 
 COMMANDS = {
-    "init": "copy the shipped catalogs and scenarios into a folder of your own",
-    "catalog": "show what can be bought, with what is known and what is not",
-    "orders": "show where the lines of a motor and gearbox stand, and which coincide",
-    "ordermap": "show a recording's lines over the order of its shaft, told from fixed frequencies",
-    "modes": "show at what frequencies a rig rings, its speed loop's margins, and which line meets which mode",
-    "simulate": "simulate one rig and write what its sensor records",
-    "duty": "tell what a duty cycle asks of a motor and how hot it becomes",
-    "size": "tell whether motor, gearbox and sensor are large enough for a duty cycle",
-    "synth": "make test signals whose every part is known",
-    "info": "show what is in a recording",
-    "filter": "put a recording through filter chains and say what they changed",
-    "matrix": "work out elimination, Pugh and Kesselring matrices and what is wrong with them",
-    "diagnose": "say where recordings and model differ, and which physics was left out",
-    "reference-results": "set the simulated rig beside the reference report's tables and figures",
-    "reference-decision": "make the reference report's motor decision again, cell by cell beside its tables",
+    "init": "copy the shipped catalogs and scenarios into a folder",
+    "catalog": "list motors, gearboxes, sensors and couplings with their known values",
+    "orders": "list the order lines of a motor and gearbox, and which coincide",
+    "ordermap": "separate the order lines of a recording from its fixed frequencies",
+    "modes": "compute natural frequencies, stability margins and critical speeds of a rig",
+    "simulate": "simulate one rig and write the recording of its sensor",
+    "duty": "compute torque, speed and winding temperature of a motor over a duty cycle",
+    "size": "check whether motor, gearbox and sensor are large enough for a duty cycle",
+    "synth": "make test signals from known components",
+    "info": "show channels, levels and faults of a recording",
+    "filter": "apply filter chains to a recording and show their effect",
+    "matrix": "compute elimination, Pugh and Kesselring matrices and check them for errors",
+    "diagnose": "find physics that recordings show and the model of the rig lacks",
+    "reference-results": "compare the simulated rig with the results of the reference report",
+    "reference-decision": "compute the motor decision of the reference report again, cell by cell",
     "compare": "simulate and rank every motor x gearbox x filter of a study",
 }
 _RENAMED = {"seed-results": "reference-results", "seed-decision": "reference-decision"}
@@ -67,19 +67,19 @@ class _Lazy(click.Group):
 @click.group(cls=_Lazy, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="torquerig")
 def group() -> None:
-    """Tell what a torque sensor will read, what disturbs it, and which drive to buy.
+    """Simulate, filter, compare and diagnose rigs that measure torque.
 
     Start with: torquerig compare scenarios/wear_rig.yaml
     """
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line; exit 0 when it went well, 2 with one sentence for bad input, 130 when interrupted."""
+    """Run the command line; exit code 0 on success, 2 with one sentence for bad input, 130 when interrupted."""
     run(group, arguments, name="torquerig")
 
 
 def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -> None:
-    """Run a command by this name; exit 0 when it went well, 2 with one sentence for bad input, 130 when interrupted."""
+    """Run a command by this name; exit codes as in :func:`main`."""
     try:
         command.main(args=None if arguments is None else list(arguments), prog_name=name, standalone_mode=False)
     except TorquerigError as error:
@@ -92,7 +92,7 @@ def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -
         _say(f"torquerig: {_sentence(error)}")
         sys.exit(2)
     except (KeyboardInterrupt, click.Abort):
-        _say("torquerig: interrupted; nothing was left half-written")
+        _say("torquerig: interrupted; no file is incomplete")
         sys.exit(130)
     except BrokenPipeError:
         sys.stderr.close()
@@ -100,11 +100,13 @@ def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -
 
 
 def _sentence(error: click.ClickException) -> str:
-    """Return a usage error in one sentence, with the help that would answer it."""
-    told = error.format_message().rstrip(".")
-    told = told[0].lower() + told[1:]
+    """Return a usage error in one sentence, with the help command to read."""
+    message = error.format_message().rstrip(".")
+    message = message[0].lower() + message[1:]
     context = error.ctx if isinstance(error, click.UsageError) else None
-    return f"{told}; see {context.command_path} --help" if context and "did you mean" not in told.lower() else told
+    if context is None or "did you mean" in message.lower():
+        return message
+    return f"{message}; see {context.command_path} --help"
 
 
 def _say(text: str) -> None:

@@ -1,4 +1,4 @@
-"""``torquerig catalog``: what can be bought."""
+"""``torquerig catalog``: motors, gearboxes, sensors and couplings with their known values."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.table import catalog_tables
-from torquerig.cli.inputs import catalog_option
+from torquerig.cli.common_options import catalog_option
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
 
@@ -20,9 +20,9 @@ from torquerig.plain_table import grid
 @click.argument("name", required=False)
 @catalog_option
 def command(name: str | None, catalogs: tuple[Path, ...]) -> None:
-    """Show all motors, gearboxes, sensors and couplings, or all that is known of NAME (an alias will do).
+    """List all motors, gearboxes, sensors and couplings, or all values of NAME (an alias is accepted).
 
-    A ? is unknown; what stands behind it is the interval that a simulation draws from.
+    A ? marks an unknown value. The interval after it is the range that a simulation draws from.
     """
     catalog = catalog_for(None, catalogs)
     if name is not None:

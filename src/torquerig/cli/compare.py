@@ -1,4 +1,4 @@
-"""``torquerig compare``: which motor, gearbox and filter to buy."""
+"""``torquerig compare``: rank every motor, gearbox and filter of a study."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option, set_option
+from torquerig.cli.common_options import catalog_option, set_option
 from torquerig.cli.matrix import ENDINGS, check_target
 from torquerig.cli.progress import drive_progress
 from torquerig.decide.matrix_analysis import analyse_matrix
@@ -35,19 +35,18 @@ from torquerig.study.what_if import Change, changes
 @click.argument("scenario", type=click.Path(path_type=Path))
 @click.option("--out", type=click.Path(path_type=Path), default=None,
               help="Folder of the report; default reports/NAME-OF-SCENARIO.")  # fmt: skip
-@click.option(
-    "--all-points", is_flag=True, help="Every occupancy and particle size that the study lists, one report each."
-)
+@click.option("--all-points", is_flag=True, help="Write one report for each occupancy and particle size of the study.")
 @click.option(
     "--trace", "traced", nargs=2, multiple=True, metavar="DRIVE CRITERION",
-    help="Also tell how this cell came about: a criterion of 'DRIVE | FILTER', or a demand on DRIVE; may be repeated.",
+    help="Also show how this cell was computed: a criterion of 'DRIVE | FILTER', or a requirement on DRIVE; "
+         "repeatable.",
 )  # fmt: skip
 @click.option(
     "--matrix", "matrices", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
-    help=f"Also write the drives, each with its best filter, as a matrix of one's own: {', '.join(ENDINGS)}.",
+    help=f"Also write a decision matrix of the drives, each with its best filter: {', '.join(ENDINGS)}.",
 )  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite what --matrix names.")
-@click.option("--workers", type=click.IntRange(1), default=None, help="Runs at a time; default: one per core.")
+@click.option("--force", is_flag=True, help="Overwrite the files of --matrix.")
+@click.option("--workers", type=click.IntRange(1), default=None, help="Number of parallel runs. Default: one per core.")
 @set_option
 @catalog_option
 def command(
@@ -57,7 +56,7 @@ def command(
 ) -> None:  # fmt: skip
     """Simulate every motor x gearbox x filter of SCENARIO, rank them, and write a report.
 
-    With --set the unedited study is run beside the edited one, and what the edit changes is shown.
+    With --set both the original and the edited study run, and the report lists the differences.
     """
     document = read_document(scenario)
     study = open_study(overridden(document, settings), catalog_for(scenario, catalogs))
@@ -69,16 +68,16 @@ def command(
         check_target(path, force=force)
     if all_points:
         if traced or matrices:
-            raise InputError("--trace and --matrix are of one study; leave --all-points out")
-        _every_point(study, folder, workers)
+            raise InputError("--trace and --matrix need one study; remove --all-points")
+        _compare_points(study, folder, workers)
         return
     runs = _run(study, "edited study" if settings else "study", workers)
     found: tuple[Change, ...] = ()
     if settings:
-        unedited = _run(open_study(document, study.catalog), "unedited study", workers)
-        found = changes(unedited, runs)
-    decided, answer = _tell(runs)
-    _tell_changes(found, settings)
+        original = _run(open_study(document, study.catalog), "original study", workers)
+        found = changes(original, runs)
+    decided, answer = _print_ranking(runs)
+    _print_changes(found, settings)
     for pair in traced:
         click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
     for path in matrices:
@@ -93,7 +92,7 @@ def _run(study: Study, title: str, workers: int | None) -> StudyRuns:
         return run_study(study, progress=progress, workers=workers)
 
 
-def _tell(runs: StudyRuns) -> tuple[Decided, Verdict]:
+def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
     decided = decide(runs)
     answer = verdict(decided)
     click.echo(ranked_text(decided) + "\n")
@@ -101,24 +100,24 @@ def _tell(runs: StudyRuns) -> tuple[Decided, Verdict]:
     return decided, answer
 
 
-def _tell_changes(found: tuple[Change, ...], settings: tuple[str, ...]) -> None:
+def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...]) -> None:
     if not found:
         return
-    rows = [["unedited", "edited", "error N*m", "edited", "change %", "disturbance N*m", "edited"]]
+    rows = [["original", "edited", "error N*m", "edited", "change %", "disturbance N*m", "edited"]]
     for change in found:
         before, after = change.error_before, change.error_after
-        moved = "-" if before is None or after is None or before == 0 else f"{100 * (after / before - 1):+.1f}"
-        rows.append([change.before, change.after, _number(before), _number(after), moved,
+        change_percent = "-" if before is None or after is None or before == 0 else f"{100 * (after / before - 1):+.1f}"
+        rows.append([change.before, change.after, _number(before), _number(after), change_percent,
                      _number(change.disturbance_before), _number(change.disturbance_after)])  # fmt: skip
-    click.echo(f"\nWhat {' and '.join(settings)} changes (reading error with the best filter of each drive):")
+    click.echo(f"\nEffect of {' and '.join(settings)} (reading error with the best filter of each drive):")
     click.echo(grid(rows))
 
 
-def _every_point(study: Study, folder: Path, workers: int | None) -> None:
+def _compare_points(study: Study, folder: Path, workers: int | None) -> None:
     points: tuple[Point, ...] = points_of(study)
     if not points:
         raise InputError(
-            f"{study.document.place(('study',))}: there is no all_points:; list occupancy or particle_size"
+            f"{study.document.place(('study',))}: all_points is missing; list occupancy or particle_size there"
         )
     rows = [["occupancy %", "particle mm", "winner", "error N*m", "verdict"]]
     quick = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
@@ -131,8 +130,9 @@ def _every_point(study: Study, folder: Path, workers: int | None) -> None:
         error = made.drive.chains[made.chain].truth_error.value if made else None
         rows.append([f"{point.occupancy_percent:g}", f"{1e3 * point.particle_size:g}", answer.winner or "-",
                      _number(error), answer.word])  # fmt: skip
-    click.echo(grid(rows) + f"\n\none report per point in {folder}; each point has one copy of each drive, so that its "
-               "verdict rests on the catalog's prices and ratings alone")  # fmt: skip
+    click.echo(grid(rows) + f"\n\none report per point in {folder}; each point has one Monte Carlo sample per "
+                            f"drive, so its "
+               "uncertainty covers the intervals of the catalog only")  # fmt: skip
 
 
 def _number(value: float | None) -> str:

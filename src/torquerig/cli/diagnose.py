@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import click
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option, edited, set_option
-from torquerig.cli.targets import check_targets
+from torquerig.cli.common_options import catalog_option, edited, set_option
+from torquerig.cli.output_paths import check_output_paths
 from torquerig.errors import InputError
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.files.sidecar import sidecar_path
@@ -76,7 +76,7 @@ def command(
         raise click.UsageError("Missing option '--json': name the JSON file to write, or - for standard output.")
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
     written = [(target, _MARK), *([] if out == "-" else [(Path(out), SCHEMA)]), *([(report, _PAGE)] if report else [])]
-    check_targets(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
+    check_output_paths(written, inputs=(*recordings, *map(sidecar_path, recordings), scenario))
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     read = _read(recordings)
     with stages("diagnose") as progress, side_by_side(workers or min(os.cpu_count() or 1, _MOST_WORKERS)):

@@ -27,8 +27,8 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
     InputError, RecordingError
         If a diagnosis would reject the scenario or a recording before any computation.
     """
-    moves = under_measured_motion(scenario.rig)
-    rows = _of_motion(scenario, recordings) if moves else _of_speed_loop(scenario, recordings)
+    is_moved = under_measured_motion(scenario.rig)
+    rows = _of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings)
     names = sorted(scenario.uncertainties)
     fitted = f"parameters fitted before mechanisms are tested: {', '.join(names) or 'none, no parameter has a rel_sd'}"
     return "\n".join([grid([_HEAD, *rows]), wrapped(fitted), "scenario and recordings match; no diagnosis was made"])

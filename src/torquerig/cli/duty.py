@@ -1,4 +1,4 @@
-"""``torquerig duty``: what a duty cycle asks of a motor, and how hot it becomes."""
+"""``torquerig duty``: torque, speed and winding temperature of a motor over a duty cycle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import click
 
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
@@ -26,26 +26,32 @@ MOST_ROWS = 24  # of the table of stretches
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Asked:
-    """A duty, of which motor, in words, and what is beyond a rating."""
+class _DutyOfMotor:
+    """A duty cycle, its motor, a title, and the exceeded ratings."""
 
     duty: MotorDuty
     entry: Motor
-    told: str
+    title: str
     flags: tuple[str, ...] = ()
 
 
 @click.command("duty")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--motor", default=None, help="Another motor of the catalog (or alias), as the study would run it.")
-@click.option("--gearbox", default=None, help="Another gearbox of the catalog, as the study would run it.")
+@click.option(
+    "--motor", default=None, help="Another motor of the catalog (or alias), tuned and limited as in the study."
+)
+@click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
 @click.option("--recording", type=click.Path(path_type=Path), default=None,
               help="Take torque and speed from a recording (with motor_torque) instead of the profile.")  # fmt: skip
 @click.option("--duration", default="10 s", show_default=True, help="Length of a ramp or reversal, with its unit.")
 @click.option("--ambient", type=click.FloatRange(-60, 150), default=40.0, show_default=True,
               help="Temperature of the surroundings in degrees Celsius.")  # fmt: skip
 @click.option(
-    "--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes what the catalog leaves open."
+    "--seed",
+    type=click.IntRange(0),
+    default=1,
+    show_default=True,
+    help="Seed for values that the catalog gives as intervals.",
 )
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the cycle: .png or .svg.")
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
@@ -57,10 +63,10 @@ def command(
     seed: int, picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Tell what the profile of SCENARIO, again and again, asks of its motor, and how hot its winding becomes.
+    """Compute torque, speed and winding temperature of SCENARIO's motor when its profile repeats without end.
 
-    Nothing is simulated: speed and torque follow from inertias, loads, friction and gears. What the catalog leaves open
-    stays an interval, and what it does not say is listed.
+    There is no simulation: speed and torque follow from inertias, loads, friction and gears. Values that the catalog
+    gives as intervals stay intervals. Values that no document states are listed with the assumption.
     """
     if picture is not None and picture.exists() and not force:
         raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
@@ -69,45 +75,45 @@ def command(
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     entry = entry_of(made.rig, catalog)
     if entry is None:
-        raise InputError(f"{scenario}: the driven motor is not in the catalog, so that nothing is known of its heat; "
+        raise InputError(f"{scenario}: the driven motor is not in the catalog, so its thermal data are unknown; "
                          "name one with catalog: or --motor")  # fmt: skip
     if recording is not None:
         read = read_recording(recording)
-        asked = _Asked(
-            duty=duty_of_recording(read), entry=entry, told=f"{entry.name}, {recording}, {read.duration:g} s"
+        of_motor = _DutyOfMotor(
+            duty=duty_of_recording(read), entry=entry, title=f"{entry.name}, {recording}, {read.duration:g} s"
         )
     else:
         points = made.rig.run.set_points
         length = _seconds(duration) if points is None else points.breakpoints(top=0.0, duration=0.0).length
         flags = check_demand(made, catalog, duration=length)
         demand = drive_demand(made.rig, duration=length)
-        told = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
-        asked = _Asked(duty=duty_of_requirement(demand), entry=entry, told=told, flags=flags)
+        title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
+        of_motor = _DutyOfMotor(duty=duty_of_requirement(demand), entry=entry, title=title, flags=flags)
     copies = thermal_variants(entry)
-    judged = temperatures_of_duty(asked.duty, copies, ambient=ambient)
-    _tell(asked, copies, judged, ambient=ambient)
+    judged = temperatures_of_duty(of_motor.duty, copies, ambient=ambient)
+    _print_duty(of_motor, copies, judged, ambient=ambient)
     if picture is not None:
-        _draw(asked, copies, picture, ambient=ambient, force=force)
+        _draw(of_motor, copies, picture, ambient=ambient, force=force)
 
 
-def _tell(asked: _Asked, copies: ThermalVariants, judged: DutyTemperatures, *, ambient: float) -> None:
-    click.echo(f"{asked.told}, again and again, surroundings {ambient:g} C")
-    if asked.duty.duration.size <= MOST_ROWS:
-        click.echo(grid(duty_rows(asked.duty, copies.nominal)) + "\n")
-    click.echo(grid(figure_rows(judged, asked.entry)) + "\n")
+def _print_duty(of_motor: _DutyOfMotor, copies: ThermalVariants, judged: DutyTemperatures, *, ambient: float) -> None:
+    click.echo(f"{of_motor.title}, repeated without end, ambient {ambient:g} °C")
+    if of_motor.duty.duration.size <= MOST_ROWS:
+        click.echo(grid(duty_rows(of_motor.duty, copies.nominal)) + "\n")
+    click.echo(grid(figure_rows(judged, of_motor.entry)) + "\n")
     click.echo(wrapped(verdict_sentence(judged, copies)))
-    for flag in asked.flags:
+    for flag in of_motor.flags:
         click.echo(wrapped(f"flagged: {flag}"))
-    click.echo("\nassumed, because no document states it:")
+    click.echo("\nassumed, because no document states these values:")
     for name, text in copies.assumed.items():
         click.echo(wrapped(f"{name}: {text}"))
 
 
-def _draw(asked: _Asked, copies: ThermalVariants, path: Path, *, ambient: float, force: bool) -> None:
+def _draw(of_motor: _DutyOfMotor, copies: ThermalVariants, path: Path, *, ambient: float, force: bool) -> None:
     from torquerig.reporting.figures.picture import write_picture
     from torquerig.reporting.sizing.duty_figure import duty_figure
 
-    figure = duty_figure(asked.duty, copies, ambient=ambient, title=asked.told)
+    figure = duty_figure(of_motor.duty, copies, ambient=ambient, title=of_motor.title)
     write_picture(figure, path, overwrite=force)
     click.echo(f"wrote {path}")
 
@@ -118,5 +124,5 @@ def _seconds(duration: str) -> float:
     except UnitError as error:
         raise UnitError(f"--duration: {error}") from None
     if not seconds > 0:
-        raise InputError(f"--duration: {duration} is no length; write for example '10 s'")
+        raise InputError(f"--duration: {duration} must be more than 0; write for example '10 s'")
     return seconds

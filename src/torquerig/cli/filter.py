@@ -1,4 +1,4 @@
-"""``torquerig filter``: a recording through filter chains."""
+"""``torquerig filter``: apply filter chains to a recording and show their effect."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
-from torquerig.cli.filter_judge import judge_chains, judged_pictures
-from torquerig.cli.filter_long import blocks_for, described, filter_long
-from torquerig.cli.inputs import catalog_option
+from torquerig.cli.common_options import catalog_option
+from torquerig.cli.filter_blocks import blocks_for, described, filter_long
+from torquerig.cli.filter_evaluation import evaluation_pictures, print_evaluations
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.chain_file import read_chains
 from torquerig.filters.chains.filter_chain import Chain
@@ -24,10 +24,11 @@ from torquerig.recordings.files import check_target, open_stream, read_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.recording import Recording
+from torquerig.renamed import current_name
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
-# a mean of equal numbers is off by so much
+# rounding error of the mean of equal numbers
 _ROUNDING = 1e-14
 _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "energy change %")
 
@@ -41,62 +42,74 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
     help="Filter chain to apply; repeatable. Default: report_filter_code and report_filter_text.",
 )
 @click.option(
-    "--filters", type=click.Path(path_type=Path), default=None, help="File of chains; default: the shipped one."
+    "--filters",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="YAML file of filter chains. Default: the shipped scenarios/filters.yaml.",
 )
-@click.option("--motor", default=None, help="Motor of the catalog, where the sidecar does not name it.")
-@click.option("--ratio", type=float, default=None, help="Motor turns per output turn, where the sidecar does not say.")
+@click.option("--motor", default=None, help="Motor of the catalog, if the sidecar does not name it.")
+@click.option(
+    "--ratio", type=float, default=None, help="Motor turns per output turn, if the sidecar has no gear_ratio."
+)
 @click.option("--out", type=click.Path(path_type=Path), default=None, help="Write the filtered recording (one chain).")
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the spectrum before and after.")
-@click.option("--judge", is_flag=True, help="Say what the chains are worth, and draw four panels of each (--picture).")
+@click.option(
+    "--evaluate", is_flag=True, help="Evaluate each chain: placebo test, step response, error to the true load, figure."
+)
+@click.option("--judge", "judge", is_flag=True, hidden=True)
 @click.option(
     "--block",
     default=None,
     metavar="TIME",
-    help="Filter in blocks of this length, such as '60 s'; a long recording is anyway.",
+    help="Filter in blocks of this length, such as '60 s'. Default for a long recording: blocks of a fitting length.",
 )
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording or picture of that name.")
 @catalog_option
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
-    out: Path | None, picture: Path | None, judge: bool, block: str | None, force: bool, catalogs: tuple[Path, ...],
+    out: Path | None, picture: Path | None, evaluate: bool, judge: bool, block: str | None, force: bool,
+    catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Put RECORDING through filter chains and say what they changed: spread, mean, energy, and each family of lines.
+    """Apply filter chains to RECORDING and show the change of standard deviation, mean, energy and order lines.
 
-    A smaller spread is no proof of less noise: any twenty notches lower it. Only a simulated recording with its truth
-    tells how far the result is from the true load. --judge says that by band, energy, hits and delay, and sets the same
-    chain at empty orders beside it.
+    A smaller standard deviation does not prove less noise: any twenty notches reduce it. The error to the true load is
+    known only for a simulated recording with truth channels. --evaluate lists this error by frequency band, energy,
+    hits and delay. It also compares each chain with the same chain at orders without lines (placebo test).
 
-    A long recording is filtered block by block, so that memory stays flat whatever its length; what is drawn and judged
-    of it is a stretch from its middle.
+    A long recording is filtered block by block with constant memory. Figures and evaluation then use a section from its
+    middle.
     """
-    _check_targets(names, out, None if judge else picture, force=force)
+    if judge:
+        evaluate = True
+        current_name("--judge", {"--judge": "--evaluate"}, what="option")
+    _check_targets(names, out, None if evaluate else picture, force=force)
     names = names or ("report_filter_code", "report_filter_text")
-    panels = judged_pictures(recording, names, picture, force=force) if judge else {}
+    panels = evaluation_pictures(recording, names, picture, force=force) if evaluate else {}
     stream = open_stream(recording)
     sheet = described(stream)
     kinematics, assumed = kinematics_of_recording(sheet, catalog_for(None, catalogs), motor=motor, ratio=ratio)
     known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
     chains = [_chain(name, known) for name in names]
-    if picture is not None and not judge:
+    if picture is not None and not evaluate:
         _refuse_picture_without_speed(sheet)
     blocking = blocks_for(stream, chains, block=None if block is None else _seconds(block))
     if blocking is None:
-        told = _filtered_whole(recording, chains, kinematics, out=out, force=force)
+        before_and_after = _filtered_whole(recording, chains, kinematics, out=out, force=force)
     else:
-        told = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
+        before_and_after = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
     if assumed:
         click.echo(f"assumed of {assumed}")
-    if judge:
-        where = "" if blocking is None else ", a stretch from the middle"
-        judge_chains(told[0], chains, kinematics, panels, where=where, force=force)
+    if evaluate:
+        where = "" if blocking is None else ", a section from the middle"
+        print_evaluations(before_and_after[0], chains, kinematics, panels, where=where, force=force)
     elif picture is not None:
-        _draw(*told, chains[0], kinematics, picture, force=force)
+        _draw(*before_and_after, chains[0], kinematics, picture, force=force)
 
 
 def _filtered_whole(
     path: Path, chains: Sequence[Chain], kinematics: Kinematics, *, out: Path | None, force: bool
 ) -> tuple[Recording, Recording]:
-    """Filter, tell and write; return the recording before and after the first chain."""
+    """Filter, print and write; return the recording before and after the first chain."""
     before = read_recording(path)
     results = [chain.apply(before) for chain in chains]
     effects = [
@@ -104,7 +117,7 @@ def _filtered_whole(
         for chain, after in zip(chains, results, strict=True)
     ]
     known = TRUE_LOAD in before.channels
-    _tell(
+    _print_effects(
         path,
         before,
         chains,
@@ -122,15 +135,15 @@ def _filtered_in_blocks(
     stream: RecordingStream, chains: Sequence[Chain], kinematics: Kinematics, blocking: Blocking, *, out: Path | None,
     force: bool,
 ) -> tuple[Recording, Recording]:  # fmt: skip
-    """Filter and write block by block, and tell; return a stretch of the recording before and after the first chain."""
+    """Filter and write block by block; return a section of the recording before and after the first chain."""
     made = filter_long(stream, chains, blocking, ratio=kinematics.ratio, out=out, force=force)
     seconds, overlap = (samples / stream.sample_rate for samples in (blocking.samples, blocking.overlap))
-    click.echo(f"filtered in blocks of {seconds:.4g} s that overlap by {overlap:.3g} s on either side")
-    _tell(stream.path, described(stream), chains, made.effects, made.errors, samples=made.samples)
-    return made.stretch.before, made.stretch.after[0]
+    click.echo(f"filtered in blocks of {seconds:.4g} s with an overlap of {overlap:.3g} s on each side")
+    _print_effects(stream.path, described(stream), chains, made.effects, made.errors, samples=made.samples)
+    return made.section.before, made.section.after[0]
 
 
-def _tell(
+def _print_effects(
     path: Path, before: Recording, chains: Sequence[Chain], effects: Sequence[FilterEffect],
     errors: Sequence[float] | None, *, samples: int,
 ) -> None:  # fmt: skip
@@ -147,13 +160,13 @@ def _tell(
         rows = [[*row, f"{error:.5f}"] for row, error in zip(rows, errors, strict=True)]
     click.echo(grid([[*_HEAD, *([] if errors is None else ["error to true load N*m"])], *rows]) + "\n")
     for chain, effect in zip(chains, effects, strict=True):
-        _tell_families(chain, effect)
+        _print_families(chain, effect)
     click.echo(f"speed for energy and lines: {first.speed_origin}")
 
 
 def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | None, *, force: bool) -> None:
     if (out or picture) and len(names) != 1:
-        raise InputError("--out and --picture take one chain; name it with --chain")
+        raise InputError("--out and --picture need exactly one --chain")
     if out is not None:
         check_target(out, overwrite=force)
     if picture is not None:
@@ -165,7 +178,7 @@ def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | Non
 def _chain(written: str, known: Mapping[str, Chain]) -> Chain:
     name = current_chain(written)
     if name not in known:
-        raise InputError(f"--chain {name}: there is no such chain; {did_you_mean(name, known)}")
+        raise InputError(f"--chain {name}: unknown filter chain; {did_you_mean(name, known)}")
     return known[name]
 
 
@@ -175,7 +188,7 @@ def _seconds(written: str) -> float:
     except UnitError as error:
         raise UnitError(f"--block: {error}") from None
     if not seconds > 0:
-        raise InputError(f"--block: blocks of {written} cannot be; write for example '60 s'")
+        raise InputError(f"--block: {written} is not more than 0; write for example '60 s'")
     return seconds
 
 
@@ -188,13 +201,13 @@ def _row(chain: Chain, effect: FilterEffect) -> list[str]:
     ]  # fmt: skip
 
 
-def _tell_families(chain: Chain, effect: FilterEffect) -> None:
+def _print_families(chain: Chain, effect: FilterEffect) -> None:
     levels = effect.family_levels()
     if levels:
         rows = [[family, f"{was:.5f}", f"{now:.5f}"] for family, (was, now) in levels.items()]
         click.echo(grid([[f"{chain.name}: lines", "before N*m", "after N*m"], *rows]) + "\n")
     for reason in chain.left_out:
-        click.echo(f"{chain.name}: left out {reason}")
+        click.echo(f"{chain.name}: not removed: {reason}")
 
 
 def _draw(
@@ -212,4 +225,4 @@ def _draw(
 
 def _refuse_picture_without_speed(sheet: Recording) -> None:
     if not sheet.run.speed:
-        raise InputError(f"{sheet.name}: the sidecar states no speed_rpm, so that no line can be placed; add it")
+        raise InputError(f"{sheet.name}: the sidecar has no speed_rpm, so the order lines have no frequency; add it")

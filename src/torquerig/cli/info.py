@@ -1,4 +1,4 @@
-"""``torquerig info``: what is in a recording."""
+"""``torquerig info``: channels, levels and faults of a recording."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ from torquerig.recordings.recording import Recording
 @click.command("info")
 @click.argument("recording", type=click.Path(path_type=Path))
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
-              help="Draw channels, spectrum and levels (.svg or .png).")  # fmt: skip
+              help="Draw channels, spectrum and levels: .svg or .png.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
 def command(*, recording: Path, picture: Path | None, force: bool) -> None:
-    """Show channels, rate, length, levels and speed of RECORDING, and what looks suspicious, with sample numbers.
+    """Show channels, rate, length, levels and speed of RECORDING, and its faults with sample numbers.
 
-    Suspicious are gaps of time, samples that are not numbers, clipping, dropouts, spikes, values that stand still. A
-    long recording is read block by block.
+    Faults are gaps in time, samples without a number, clipping, dropouts, spikes and constant stretches. A long
+    recording is read block by block.
     """
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
@@ -45,8 +45,8 @@ def command(*, recording: Path, picture: Path | None, force: bool) -> None:
         figures = (f"{number:.6g}" for number in (one.minimum, one.mean, one.maximum, one.std))
         rows.append([name, one.quantity, one.unit, *figures])
     click.echo(grid(rows))
-    speed, told = _speed(stream)
-    click.echo(wrapped(told))
+    speed, speed_text = _speed(stream)
+    click.echo(wrapped(speed_text))
     if stream.table.read_whole:
         click.echo(f"read whole: {stream.table.read_whole}")
     for suspicion in info.suspicions():
@@ -56,7 +56,7 @@ def command(*, recording: Path, picture: Path | None, force: bool) -> None:
 
 
 def _speed(stream: RecordingStream) -> tuple[float | None, str]:
-    """Return the motor's mean speed over the first block [rad/s], and how it was found in words."""
+    """Return the mean motor speed over the first block [rad/s], and a text with its source."""
     from torquerig.orders.angle.best_angle import best_motor_speed
 
     head = next(Blocking(samples=2**20).cut(stream)).without_overlap()
@@ -64,16 +64,16 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     try:
         found = best_motor_speed(head, _lines(stream))
     except TorquerigError as error:
-        in_a_line = stream.run.speed is None and any(head.find(each) for each in ("position", "velocity"))
-        why = "what moves in a line has none" if in_a_line else error
+        is_linear_axis = stream.run.speed is None and any(head.find(each) for each in ("position", "velocity"))
+        why = "a linear axis has no motor speed" if is_linear_axis else error
         return stream.run.speed, f"motor speed: not found ({why})"
     rpm = found.value * 30 / pi
     spread = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
     whole = stream.samples is not None and stream.samples <= head.samples
     where = "" if whole else f" over {_span(first, head)}"
     set_point = stream.run.speed_rpm
-    beside = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
-    return found.value, f"motor speed: {rpm:.6g} rpm{spread}{where} ({found.origin}{beside})"
+    stated = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
+    return found.value, f"motor speed: {rpm:.6g} rpm{spread}{where} ({found.origin}{stated})"
 
 
 def _sound_stretch(head: Recording) -> tuple[int, Recording]:
@@ -97,7 +97,7 @@ def _span(first: int, head: Recording) -> str:
 
 
 def _lines(stream: RecordingStream) -> tuple[KinematicLine, ...]:
-    """Return the lines that the torque may show: those of the sheet's motor and ratio, as far as they are known."""
+    """Return the order lines of the motor and gear ratio in the sidecar, as far as known."""
     pole_pairs, slots = None, None
     if stream.run.motor is not None:
         with suppress(UnknownNameError):

@@ -1,4 +1,4 @@
-"""``torquerig init``: catalogs and scenarios of one's own."""
+"""``torquerig init``: a copy of the shipped catalogs and scenarios, to edit."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from torquerig.errors import InputError
 @click.command("init")
 @click.argument("folder", type=click.Path(path_type=Path), default=Path())
 def command(folder: Path) -> None:
-    """Copy the shipped catalogs and scenarios into FOLDER (default: here); nothing is overwritten."""
+    """Copy the shipped catalogs and scenarios into FOLDER (default: the current one); no file is overwritten."""
     sources = {"catalogs": shipped_folder(), "scenarios": shipped_scenarios()}
     there = [str(folder / name) for name in sources if (folder / name).exists()]
     if there:
-        raise InputError(f"{there[0]}: is there already and stays as it is; choose another folder or move it away")
+        raise InputError(f"{there[0]}: exists already and was not changed; choose another folder or move it")
     for name, source in sources.items():
         shutil.copytree(source, folder / name)
     study = folder / "scenarios" / "wear_rig.yaml"

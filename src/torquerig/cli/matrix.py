@@ -1,4 +1,4 @@
-"""``torquerig matrix``: elimination, Pugh and Kesselring from a file."""
+"""``torquerig matrix``: elimination, Pugh and Kesselring matrices of a file."""
 
 from __future__ import annotations
 
@@ -20,24 +20,26 @@ ENDINGS = (".html", ".md", ".xlsx", ".yaml")
 @click.command("matrix")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
-              help=f"Also write it as {', '.join(ENDINGS)}, by the ending; may be given several times.")  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite what --out names.")
+              help=f"Also write the matrix; the ending is the format: {', '.join(ENDINGS)}; repeatable.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite the files of --out.")
 @click.option("--trace", "traced", nargs=2, multiple=True, metavar="ALTERNATIVE CRITERION",
-              help="Only show how this cell came about; may be given several times.")  # fmt: skip
+              help="Only show how this cell was computed; repeatable.")  # fmt: skip
 @click.option("--before", type=click.Path(path_type=Path), metavar="FILE",
-              help="Only show what was changed since this version, and what that did.")  # fmt: skip
+              help="Only show the changes since this version of FILE, and their effect on the ranking.")  # fmt: skip
 def command(
     file: Path, outs: Sequence[Path], force: bool, traced: Sequence[tuple[str, str]], before: Path | None
 ) -> None:
-    """Recompute the matrices of FILE, say how sure the winner is, and list what is wrong with them.
+    """Compute the matrices of FILE, the confidence of the winner, and a list of errors in the matrices.
 
-    FILE holds published tables (scenarios/reference_tables.yaml), a matrix of one's own
-    (scenarios/matrix_example.yaml), or such a matrix as a filled-in Excel sheet (write one with --out drives.xlsx).
+    FILE is a YAML file of published tables (scenarios/reference_tables.yaml), a decision matrix
+    (scenarios/matrix_example.yaml), or a decision matrix as Excel workbook (written with --out drives.xlsx).
     """
     document = _read(file)
     if isinstance(document.data, dict) and "tables" in document.data:
         if outs or traced or before:
-            raise InputError(f"{file}: holds published tables; --out, --trace and --before want a matrix of one's own")
+            raise InputError(
+                f"{file}: is a file of published tables; --out, --trace and --before need a decision matrix"
+            )
         from torquerig.decide.matrix_io.matrix_report import published_tables_text
         from torquerig.decide.matrix_io.published_tables import tables_from
 
@@ -46,7 +48,7 @@ def command(
     for path in outs:
         check_target(path, force=force)
     worked = _worked_out(document)
-    click.echo(_told(worked, traced, before), nl=False)
+    click.echo(_text(worked, traced, before), nl=False)
     for path in outs:
         from torquerig.reporting.matrix.files import write_matrix
 
@@ -54,7 +56,7 @@ def command(
         click.echo(f"wrote {path}", err=True)
 
 
-def _told(worked: MatrixAnalysis, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
+def _text(worked: MatrixAnalysis, traced: Sequence[tuple[str, str]], before: Path | None) -> str:
     from torquerig.decide.matrix_io.certainty_text import ranking_changes_text, trace_text
     from torquerig.decide.matrix_io.matrix_report import matrix_analysis_text
     from torquerig.decide.trace import trace

@@ -1,4 +1,4 @@
-"""``torquerig modes``: at what frequencies a rig rings, how stable its speed loop is, which line meets which mode."""
+"""``torquerig modes``: natural frequencies, stability margins of the speed loop, and critical speeds of a rig."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option, edited, set_option
+from torquerig.cli.common_options import catalog_option, edited, set_option
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.scenario.kinematics import kinematics_of
@@ -21,21 +21,30 @@ from torquerig.simulation.twin.modes import Mode, Pole
 from torquerig.units import parse_quantity
 
 _IMPOSED = (
-    "{0} imposes the motion: what it moves is clamped here, it closes no loop, and no spring is read that could show "
-    "how strongly a line meets a mode"
+    "{0} imposes the motion: its output is clamped for this calculation, there is no control loop, and no spring "
+    "torque "
+    "is measured, so critical speeds have no amplitude at the sensor"
 )
-NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] how far the diagram goes for a rig without set-point
+NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] highest speed of the diagram for a rig without set-point
 
 
 @click.command("modes")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--speed-max", default=None, help="Highest motor speed of the diagram, with its unit; default 1.5 x the "
+@click.option("--speed-max", default=None, help="Highest motor speed of the diagram, with its unit. Default: 1.5 x "
               "set-point.")  # fmt: skip
 @click.option("--crossings", "rows", type=click.IntRange(1, 200), default=12, show_default=True,
-              help="How many crossings to print, strongest first.")  # fmt: skip
-@click.option("--rate", default="25 kHz", show_default=True, help="Rate of the sampled speed controller.")
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes what a catalog leaves open.")
-@click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw Campbell and Bode: .svg or .png.")
+              help="Number of critical speeds to print, strongest first.")  # fmt: skip
+@click.option("--rate", default="25 kHz", show_default=True, help="Sample rate of the speed controller.")
+@click.option(
+    "--seed",
+    type=click.IntRange(0),
+    default=1,
+    show_default=True,
+    help="Seed for values that the catalog gives as intervals.",
+)
+@click.option(
+    "--picture", type=click.Path(path_type=Path), default=None, help="Draw Campbell and Bode diagrams: .svg or .png."
+)
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
 @set_option
 @catalog_option
@@ -43,37 +52,39 @@ def command(
     *, scenario: Path, speed_max: str | None, rows: int, rate: str, seed: int, picture: Path | None, force: bool,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Show the modes of SCENARIO's rig, the margins of its speed loop, and at which speeds a line meets a mode.
+    """Show the modes of SCENARIO's rig, the stability margins of its speed loop, and its critical speeds.
 
-    The rig is taken as linear about its operating point; what that leaves out is said at the end.
+    At a critical speed an order line has the frequency of a mode. The rig is linearised about its operating point; the
+    omitted terms are listed at the end.
     """
     if picture is not None and picture.exists() and not force:
         raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
     sampled = _read(rate, "Hz", "--rate")
-    asked = None if speed_max is None else _read(speed_max, "rad/s", "--speed-max")
-    if not sampled > 0 or (asked is not None and not asked > 0):
-        raise InputError("--rate and --speed-max are more than 0; write for example --speed-max '3000 rpm'")
+    stated_top = None if speed_max is None else _read(speed_max, "rad/s", "--speed-max")
+    if not sampled > 0 or (stated_top is not None and not stated_top > 0):
+        raise InputError("--rate and --speed-max must be more than 0; write for example --speed-max '3000 rpm'")
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
     twin = twin_of(made.rig, rate=sampled, seed=seed)
-    top = asked or 1.5 * abs(twin.motor_speed_rpm) * pi / 30 or NO_SPEED_TOP
+    top = stated_top or 1.5 * abs(twin.motor_speed_rpm) * pi / 30 or NO_SPEED_TOP
     if picture is not None and not twin.reads_a_spring:
-        raise InputError(f"{scenario}: {made.rig.measured} imposes the motion and no spring is read, so that there is "
-                         "no transfer to draw; leave --picture out, or name a sensor under measured:")  # fmt: skip
+        raise InputError(f"{scenario}: {made.rig.measured} imposes the motion and no spring torque is measured, so "
+                         "there is no transfer function to draw; remove --picture, or name a sensor under "
+                         "measured:")  # fmt: skip
     lines = twin.order_lines(kinematics_of(made.rig).lines())
     click.echo(f"{made.title}: {_about(twin)}\n")
-    _tell_modes(twin.modes())
+    _print_modes(twin.modes())
     if not twin.reads_a_spring:
         click.echo(wrapped(_IMPOSED.format(made.rig.measured)))
         return
     found = twin.crossings(lines, top_speed=top)
     if loops := twin.margins():
         click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
-        _tell_poles(twin.loop_poles())
-    _tell_crossings(found[:rows], len(found), top)
+        _print_poles(twin.loop_poles())
+    _print_crossings(found[:rows], len(found), top)
     if nearest := nearest_to(twin.motor_speed_rpm * pi / 30, [one for one in found if one.torque is not None]):
         click.echo(wrapped(_nearest(nearest, twin.motor_speed_rpm)) + "\n")
-    for left_out in twin.point.left_out:
-        click.echo(wrapped(f"left out: {left_out}"))
+    for omitted in twin.point.left_out:
+        click.echo(wrapped(f"omitted: {omitted}"))
     if picture is not None:
         from torquerig.reporting.figures.modes_figure import modes_figure
         from torquerig.reporting.figures.picture import write_picture
@@ -99,15 +110,15 @@ def _about(twin: Twin) -> str:
     return words + (f", {point.drive_torque:.4g} N*m from the motor" if twin.lowered.drive_names else "")
 
 
-def _tell_modes(modes: Sequence[Mode]) -> None:
+def _print_modes(modes: Sequence[Mode]) -> None:
     if not modes:
-        click.echo("no modes: nothing in this rig twists against anything\n")
+        click.echo("no modes: this rig has no torsional spring\n")
         return
     rows = [
         [str(number), f"{mode.undamped:.5g}", f"{mode.damped:.5g}" if mode.damped else "-", f"{mode.damping:.4f}"]
         for number, mode in enumerate(modes, start=1)
     ]
-    click.echo(grid([["mode", "undamped Hz", "rings at Hz", "damping ratio"], *rows]))
+    click.echo(grid([["mode", "undamped Hz", "damped Hz", "damping ratio"], *rows]))
     for number, mode in enumerate(modes, start=1):
         click.echo(wrapped(f"mode {number}: {mode.words}"))
     click.echo()
@@ -117,9 +128,9 @@ def _margins(found: Margins) -> str:
     if found.crossovers:
         first, *more = found.crossovers
         words = f"crossover {first:.4g} Hz"
-        words += f" (the gain is 1 again at {', '.join(f'{one:.4g}' for one in more)} Hz)" if more else ""
+        words += f" (further crossovers at {', '.join(f'{one:.4g}' for one in more)} Hz)" if more else ""
     else:
-        words = "the gain never reaches 1"
+        words = "no crossover: the gain is always below 1"
     if found.phase_margin is not None:
         words += f", phase margin {found.phase_margin:.1f} degrees at {found.phase_at:.4g} Hz"
     if found.gain_margin is not None:
@@ -128,19 +139,20 @@ def _margins(found: Margins) -> str:
         )
     if found.lower_gain is not None:
         must = "must stay above" if found.stable else "must come down below"
-        words += f", and the gain {must} {found.lower_gain:.3g} of what it is"
+        words += f", and the gain {must} {found.lower_gain:.3g} of its present value"
     words += f", modulus margin {found.modulus_margin:.3f} at {found.modulus_at:.4g} Hz"
-    return f"{found.controller}: {'stable' if found.stable else 'UNSTABLE: it grows until the torque limit'}; {words}"
+    stability = "stable" if found.stable else "UNSTABLE: oscillation grows to the torque limit"
+    return f"{found.controller}: {stability}; {words}"
 
 
-def _tell_poles(poles: Sequence[Pole]) -> None:
+def _print_poles(poles: Sequence[Pole]) -> None:
     rows = [[one.what, f"{one.frequency:.5g}", f"{one.damping:.4f}"] for one in poles]
-    click.echo(grid([["with the loop closed", "|root| Hz", "damping ratio"], *rows]) + "\n")
+    click.echo(grid([["closed loop", "natural frequency Hz", "damping ratio"], *rows]) + "\n")
 
 
-def _tell_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
+def _print_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
     if not shown:
-        click.echo(f"no line meets a mode up to {top * 30 / pi:.5g} rpm\n")
+        click.echo(f"no order line crosses a mode up to {top * 30 / pi:.5g} rpm\n")
         return
     rows = [
         [str(number), cut(one.line.cause, 32), f"{one.line.order:.6g}", str(one.mode), f"{one.frequency:.5g}",
@@ -148,17 +160,28 @@ def _tell_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
          f"{one.gain:.4g}" if one.line.enters.startswith("torque") else "-", f"{one.magnification:.3g}"]
         for number, one in enumerate(shown, start=1)
     ]  # fmt: skip
-    head = ["crossing", "cause", "motor order", "mode", "Hz", "motor rpm", "at sensor N*m", "N*m per N*m", "lifted x"]
+    head = [
+        "critical speed",
+        "cause",
+        "motor order",
+        "mode",
+        "Hz",
+        "motor rpm",
+        "at sensor N*m",
+        "N*m per N*m",
+        "magnification",
+    ]
     click.echo(grid([head, *rows]))
-    more = f"; {count - len(shown)} weaker ones not shown" if count > len(shown) else ""
-    told = f"up to {top * 30 / pi:.5g} rpm, strongest at the sensor first{more}; - where the line's amplitude is not"
-    click.echo(wrapped(f"{told} known, or its cause is an angle and not a torque") + "\n")
+    more = f"; {count - len(shown)} weaker ones are not shown" if count > len(shown) else ""
+    note = f"up to {top * 30 / pi:.5g} rpm, strongest at the sensor first{more}; - where the amplitude of the line is"
+    click.echo(wrapped(f"{note} unknown, or its cause is an angle and not a torque") + "\n")
 
 
 def _nearest(one: Crossing, speed_rpm: float) -> str:
     away = 100 * (one.speed_rpm / abs(speed_rpm) - 1)
     return (
-        f"nearest to the set-point of {speed_rpm:.5g} rpm: {one.line.cause}, order {one.line.order:g}, meets mode "
+        f"critical speed nearest to the set-point of {speed_rpm:.5g} rpm: {one.line.cause}, order "
+        f"{one.line.order:g}, crosses mode "
         f"{one.mode} at {one.speed_rpm:.5g} rpm, {abs(away):.1f} % {'above' if away >= 0 else 'below'}, with "
         f"{one.torque:.3g} N*m at the sensor"
     )

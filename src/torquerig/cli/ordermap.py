@@ -1,4 +1,4 @@
-"""``torquerig ordermap``: what lines a recording shows, which belong to the shaft and which to the clock."""
+"""``torquerig ordermap``: order lines and fixed frequencies of a recording."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option
+from torquerig.cli.common_options import catalog_option
 from torquerig.errors import InputError, UnitError
 from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
 from torquerig.orders.analysis.labels import label_of
@@ -30,18 +30,26 @@ from torquerig.units import parse_quantity
 if TYPE_CHECKING:
     pass
 
-_ENDS = (1, 99)  # per cent of the samples between whose speeds the range is told
+_ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
 
 
 @click.command("ordermap")
 @click.argument("recording", type=click.Path(path_type=Path))
-@click.option("--motor", default=None, help="Motor of the catalog, where the sidecar does not name it.")
-@click.option("--ratio", type=float, default=None, help="Motor turns per output turn, where the sidecar does not say.")
-@click.option("--gearbox", default=None, help="Gearbox of the catalog, for the lines of its teeth.")
+@click.option("--motor", default=None, help="Motor of the catalog, if the sidecar does not name it.")
+@click.option(
+    "--ratio", type=float, default=None, help="Motor turns per output turn, if the sidecar has no gear_ratio."
+)
+@click.option("--gearbox", default=None, help="Gearbox of the catalog, for its gear mesh lines.")
 @click.option("--scenario", type=click.Path(path_type=Path), default=None,
-              help="Scenario of the rig: its teeth, and its modes in the Campbell diagram.")  # fmt: skip
-@click.option("--harmonics", type=click.IntRange(1, 20), default=4, show_default=True, help="Lines of each family.")
-@click.option("--mains", default="50 Hz", show_default=True, help="Frequency of the grid.")
+              help="Scenario of the rig, for its gear mesh lines and its modes in the Campbell diagram.")  # fmt: skip
+@click.option(
+    "--harmonics",
+    type=click.IntRange(1, 20),
+    default=4,
+    show_default=True,
+    help="Number of harmonics of each family of lines.",
+)
+@click.option("--mains", default="50 Hz", show_default=True, help="Mains frequency.")
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
               help="Draw order spectrum, order map and Campbell diagram: .svg or .png.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
@@ -50,10 +58,10 @@ def command(
     *, recording: Path, motor: str | None, ratio: float | None, gearbox: str | None, scenario: Path | None,
     harmonics: int, mains: str, picture: Path | None, force: bool, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Show the lines of RECORDING over the order of its shaft, and tell them from fixed frequencies.
+    """List the spectral lines of RECORDING and decide for each whether its order or its frequency is constant.
 
-    A line of the shaft stays at its order when the speed changes, a line of the grid or of an electronic clock at its
-    frequency. Which of the two axes gathers a line more is tested line by line; a steady run cannot tell.
+    When the speed changes, a line of the shaft keeps its order. A line of the mains or of an electronic clock keeps its
+    frequency. Each line is tested on both axes. A run at constant speed cannot decide.
     """
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
@@ -84,10 +92,10 @@ def _known_of(
     read: Recording, *, motor: str | None, ratio: float | None, gearbox: str | None, scenario: Path | None,
     catalogs: Sequence[Path],
 ) -> tuple[Kinematics, dict[str, float]]:  # fmt: skip
-    """Return what the lines follow from, and the modes of the scenario's rig by name."""
+    """Return the kinematics of the lines, and the modes of the scenario's rig by name."""
     if scenario is not None:
         if motor is not None or ratio is not None or gearbox is not None:
-            raise InputError("--scenario names motor and gearbox already; leave --motor, --ratio and --gearbox out")
+            raise InputError("--scenario states motor and gearbox; remove --motor, --ratio and --gearbox")
         return _of_scenario(scenario, catalogs)
     catalog = catalog_for(None, catalogs)
     return kinematics_of_recording(read, catalog, motor=motor, ratio=ratio, gearbox=gearbox)[0], {}
@@ -117,7 +125,7 @@ def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, ratio: float) 
 
 
 def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLine]) -> str:
-    """Return a row per order that has a cause: its amplitude, and how far that is above the floor beside it."""
+    """Return one row per order with a known cause: its amplitude, and its level above the noise floor."""
     torque = read.torque()
     top = 0.4 * read.sample_rate / float(np.max(np.diff(turns)) * read.sample_rate)
     spectrum = order_spectrum(over_angle(read, turns), highest=top)
@@ -138,12 +146,12 @@ def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLi
 
 def _found_table(found: Sequence[DetectedLine]) -> str:
     if not found:
-        return "nothing stands out of the floor beside it"
-    rows = [["stands out", "place", "amplitude N*m", "gathered by angle %", "by time %", "angle over time dB", "what"]]
+        return "no line exceeds the noise floor"
+    rows = [["constant", "at", "amplitude N*m", "line power over order %", "over Hz %", "order/Hz dB", "cause"]]
     for one in found:
         unit = "order" if one.detected_over == "order" else "Hz"
         rows.append([
-            {"order": "shaft", "frequency": "fixed", "either": "either"}[one.axis], f"{one.place:.6g} {unit}",
+            "undecided" if one.axis == "either" else one.axis, f"{one.place:.6g} {unit}",
             f"{one.amplitude:.5f}", f"{100 * one.domain.by_order:.1f}", f"{100 * one.domain.by_frequency:.1f}",
             f"{one.domain.contrast_dB:+.1f}", cut(one.label or "no known cause", 60),
         ])  # fmt: skip
@@ -151,12 +159,13 @@ def _found_table(found: Sequence[DetectedLine]) -> str:
 
 
 def _sentences(found: Sequence[DetectedLine], kinematics: Kinematics) -> list[str]:
-    told = [f"No {family.replace('_', ' ')} lines: {reason}." for family, reason in kinematics.left_out.items()]
+    sentences = [f"No {family.replace('_', ' ')} lines: {reason}." for family, reason in kinematics.left_out.items()]
     undecided = [one for one in found if one.axis == "either"]
     if undecided:
-        told.insert(0, f"{len(undecided)} lines gather alike on both axes (within {DECIDED:g} dB): the speed changes "
-                       "too little to tell the shaft from a fixed frequency; record a ramp.")  # fmt: skip
-    return told
+        sentences.insert(0, f"{len(undecided)} lines are undecided (order and frequency within {DECIDED:g} dB): "
+                            f"the speed "
+                       "changes too little to separate orders from fixed frequencies. Record a ramp.")  # fmt: skip
+    return sentences
 
 
 def _hertz(text: str) -> float:
@@ -165,5 +174,5 @@ def _hertz(text: str) -> float:
     except UnitError as error:
         raise UnitError(f"--mains: {error}") from None
     if not value > 0:
-        raise InputError(f"--mains: a grid of {text} cannot be; write for example '50 Hz'")
+        raise InputError(f"--mains: {text} is not more than 0; write for example '50 Hz'")
     return value

@@ -1,4 +1,4 @@
-"""``torquerig orders``: where the lines of a motor and gearbox stand."""
+"""``torquerig orders``: order lines of a motor and gearbox, and their coincidences."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
-from torquerig.cli.inputs import catalog_option
+from torquerig.cli.common_options import catalog_option
 from torquerig.errors import InputError, UnitError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.order_report import orders_report
@@ -20,27 +20,35 @@ from torquerig.units import parse_quantity
 
 @click.command("orders")
 @click.option("--motor", default="bldc-12n14p", show_default=True, help="Motor of the catalog.")
-@click.option("--gearbox", default=None, help="Gearbox of the catalog; gives ratio and teeth.")
-@click.option("--ratio", type=float, default=None, help="Motor turns per output turn, instead of a gearbox.")
-@click.option("--sun", type=int, default=None, help="Teeth of a planetary stage's sun, with --ring.")
-@click.option("--ring", type=int, default=None, help="Teeth of its ring.")
-@click.option("--planets", type=int, default=None, help="Number of its planets: which mesh lines they cancel.")
-@click.option("--speed", default="1000 rpm", show_default=True, help="Speed of the motor, with its unit.")
-@click.option("--harmonics", type=click.IntRange(1, 20), default=4, show_default=True, help="Lines of each family.")
-@click.option("--mains", default="50 Hz", show_default=True, help="Frequency of the grid.")
+@click.option("--gearbox", default=None, help="Gearbox of the catalog, for its ratio and teeth.")
+@click.option(
+    "--ratio", type=float, default=None, help="Motor turns per output turn; replaces the ratio of the gearbox."
+)
+@click.option("--sun", type=int, default=None, help="Teeth of the sun gear of a planetary stage; needs --ring.")
+@click.option("--ring", type=int, default=None, help="Teeth of the ring gear.")
+@click.option("--planets", type=int, default=None, help="Number of planets; determines which mesh lines cancel.")
+@click.option("--speed", default="1000 rpm", show_default=True, help="Motor speed, with its unit.")
+@click.option(
+    "--harmonics",
+    type=click.IntRange(1, 20),
+    default=4,
+    show_default=True,
+    help="Number of harmonics of each family of lines.",
+)
+@click.option("--mains", default="50 Hz", show_default=True, help="Mains frequency.")
 @catalog_option
 def command(
     *, motor: str, gearbox: str | None, ratio: float | None, sun: int | None, ring: int | None,
     planets: int | None, speed: str, harmonics: int, mains: str, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Show each line's frequency, its order on motor and output shaft, its cause, and what it coincides with."""
+    """List frequency, order at motor and output shaft, cause and coincidences of each line."""
     catalog = catalog_for(None, catalogs)
     pole_pairs, slots, assumed = winding_of(catalog.motor(motor))
     teeth: tuple[Planetary, ...] = ()
     if (sun is None) != (ring is None):
-        raise InputError("--sun and --ring belong together; write both, for example --sun 21 --ring 84")
+        raise InputError("--sun and --ring need each other; write both, for example --sun 21 --ring 84")
     if planets is not None and sun is None:
-        raise InputError("--planets belongs to --sun and --ring; write all three, for example 21, 84 and 3")
+        raise InputError("--planets needs --sun and --ring; write all three, for example 21, 84 and 3")
     if sun is not None and ring is not None:
         teeth = (Planetary(sun, ring, planets),)
     box = catalog.gearbox(gearbox) if gearbox else None

@@ -1,4 +1,4 @@
-"""A progress bar on standard error, or a plain line now and then where that is no terminal."""
+"""A progress bar on standard error, or plain lines if standard error is no terminal."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
-    """Give a function ``progress(done, total, name)`` that shows how far a study is."""
+    """Yield a function ``progress(done, total, name)`` that shows the progress of a study."""
     from rich.console import Console
     from rich.progress import (
         BarColumn,
@@ -23,7 +23,9 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
     console = Console(file=sys.stderr)
     if not console.is_terminal:
         yield (
-            lambda done, total, name: console.print(f"{title}: {done}/{total} {name}") if _worth(done, total) else None
+            lambda done, total, name: (
+                console.print(f"{title}: {done}/{total} {name}") if _is_shown(done, total) else None
+            )
         )
         return
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
@@ -35,7 +37,7 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
 
 @contextmanager
 def stages(title: str) -> Iterator[Callable[[str], None]]:
-    """Give a function that names the stage a command is at, on a terminal only; elsewhere nothing is printed."""
+    """Yield a function that shows the present stage of a command on a terminal; elsewhere it prints nothing."""
     from rich.console import Console
 
     console = Console(file=sys.stderr)
@@ -46,5 +48,5 @@ def stages(title: str) -> Iterator[Callable[[str], None]]:
         yield lambda stage: status.update(f"{title}: {stage}")
 
 
-def _worth(done: int, total: int) -> bool:
+def _is_shown(done: int, total: int) -> bool:
     return done == total or done % 10 == 0

@@ -1,4 +1,4 @@
-"""``torquerig reference-decision``: a published decision made again, cell by cell beside the published tables."""
+"""``torquerig reference-decision``: a published motor decision computed again, cell by cell."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option
+from torquerig.cli.common_options import catalog_option
 from torquerig.document import read_document
 from torquerig.errors import InputError
 
@@ -22,20 +22,23 @@ ENDINGS = (".html", ".md")
 @click.command("reference-decision")
 @click.argument("plan", type=click.Path(path_type=Path), required=False)
 @click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
-              help="Write the page as .html or .md, by the ending; may be given several times.")  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite what --out names.")
+              help="Write the page as .html or .md; repeatable.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite the files of --out.")
 @click.option(
-    "--draws", type=click.IntRange(0), default=None, help="Further copies of each drive; default: the plan's."
+    "--draws",
+    type=click.IntRange(0),
+    default=None,
+    help="Further Monte Carlo samples of each drive. Default: as in PLAN.",
 )
-@click.option("--workers", type=click.IntRange(1), default=None, help="Runs at a time; default: one per core.")
+@click.option("--workers", type=click.IntRange(1), default=None, help="Number of parallel runs. Default: one per core.")
 @catalog_option
 def command(
     *, plan: Path | None, outs: Sequence[Path], force: bool, draws: int | None, workers: int | None,
     catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Compute the published tables of PLAN from catalog and simulation, and say which motor to buy or keep.
+    """Compute the published tables of PLAN from catalog and simulation, and the motor to buy or keep.
 
-    PLAN says how each published criterion is computed; default: the shipped scenarios/reference_decision.yaml.
+    PLAN states how each published criterion is computed. Default: the shipped scenarios/reference_decision.yaml.
     """
     from torquerig.catalog.shipped import shipped_scenarios
     from torquerig.cli.progress import drive_progress
@@ -48,7 +51,7 @@ def command(
     made = read_plan(read_document(path), catalog_for(path, catalogs), draws=draws)
     with drive_progress("study") as progress:
         decision = redone(made, progress=progress, workers=workers)
-    _tell(decision)
+    _print_decision(decision)
     for target in outs:
         from torquerig.reporting.reference_report.decision_page import write_decision
 
@@ -56,7 +59,7 @@ def command(
         click.echo(f"wrote {target}", err=True)
 
 
-def _tell(decision: RedoneDecision) -> None:
+def _print_decision(decision: RedoneDecision) -> None:
     from torquerig.plain_table import grid, wrapped
     from torquerig.study.reference_decision.reasons import Cause
 
@@ -68,7 +71,7 @@ def _tell(decision: RedoneDecision) -> None:
     for sentence in decision.answer.sentences():
         click.echo(wrapped(sentence))
     for fact in decision.answer.asked:
-        click.echo(wrapped(f"ask first for {fact}"))
+        click.echo(wrapped(f"most useful missing fact: {fact}"))
 
 
 def _check_target(path: Path, *, force: bool) -> None:

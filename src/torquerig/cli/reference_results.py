@@ -1,4 +1,4 @@
-"""``torquerig reference-results``: the reference report's tables and figures beside the simulated rig."""
+"""``torquerig reference-results``: the simulated rig compared with the results of the reference report."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
-from torquerig.cli.inputs import catalog_option, edited, set_option
+from torquerig.cli.common_options import catalog_option, edited, set_option
 from torquerig.cli.progress import drive_progress
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
@@ -19,17 +19,17 @@ from torquerig.whole_file import whole_file
 @click.argument("scenario", type=click.Path(path_type=Path), required=False)
 @click.option("--out", type=click.Path(path_type=Path), default=Path("reference_results.html"), show_default=True,
               help="Page to write.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes every random number.")
-@click.option("--force", is_flag=True, help="Overwrite an earlier page of that name.")
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of all random numbers.")
+@click.option("--force", is_flag=True, help="Overwrite the page.")
 @set_option
 @catalog_option
 def command(
     *, scenario: Path | None, out: Path, seed: int, force: bool, settings: tuple[str, ...], catalogs: tuple[Path, ...]
 ) -> None:
-    """Set SCENARIO (default: the shipped wear rig) beside the reference report's Tables VIII and IX and its figures.
+    """Compare SCENARIO (default: the shipped wear rig) with Tables VIII and IX and the figures of the reference report.
 
-    Three free parameters of the load are fitted to half of the published cells; the other half is printed whatever
-    comes out, and where the simulated figure differs, what would be needed for the published one.
+    Three parameters of the load are fitted to half of the published cells; the other half is held out. Where a
+    simulated value differs from the published one, the page states which change of the rig would give it.
     """
     if out.exists() and not force:
         raise InputError(f"{out}: is there already; choose another name, or overwrite it with --force")
@@ -44,7 +44,7 @@ def command(
         results: ReportResults = reference_results(
             edited(path, settings), catalog_for(path, catalogs), seed=seed, progress=progress
         )
-    head = ["table", "row", "published %", "", "simulated %", "copies %", "difference", "nothing fitted %"]
+    head = ["table", "row", "published %", "", "simulated %", "samples %", "difference", "nothing fitted %"]
     rows = [
         [one.cell.table, one.cell.shown, f"{one.cell.cut:g}", "fitted" if one.cell.fitted else "held out",
          f"{one.cut:.1f}", f"{one.lowest:.1f}..{one.highest:.1f}", f"{one.difference:+.1f}", f"{one.shipped_cut:.1f}"]

@@ -1,4 +1,4 @@
-"""``torquerig simulate``: one rig, one recording."""
+"""``torquerig simulate``: simulate one rig and write the recording of its sensor."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.errors import UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, write_recording
@@ -24,16 +24,21 @@ DURATION = 10.0  # [s]
 
 @click.command("simulate")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--motor", default=None, help="Another motor of the catalog (or alias), as the study would run it.")
-@click.option("--gearbox", default=None, help="Another gearbox of the catalog, as the study would run it.")
+@click.option(
+    "--motor", default=None, help="Another motor of the catalog (or alias), tuned and limited as in the study."
+)
+@click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
 @click.option("--duration", default=None,
-              help="Length of the recording, with its unit; default 10 s, or the length of a table.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes every random number.")
+              help="Length of the recording, with its unit. Default: 10 s, or the length of the profile "
+                   "table.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of all random numbers.")
 @click.option("--out", type=click.Path(path_type=Path), default=Path("simulated.parquet"), show_default=True,
               help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
-@click.option("--truth", is_flag=True, help="Write the true load, what lines add, and the other truth channels too.")
+@click.option(
+    "--truth", is_flag=True, help="Also write the truth channels: the true load, the torque of each line, and others."
+)
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording of that name.")
-@click.option("--prove-step", is_flag=True, help="Run again with half the step and say what that changes.")
+@click.option("--prove-step", is_flag=True, help="Run again with half the integration step and show the difference.")
 @profile_option
 @set_option
 @catalog_option
@@ -41,10 +46,10 @@ def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, seed: int, out: Path, truth: bool,
     force: bool, prove_step: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Simulate SCENARIO and write what its torque sensor records at 25 kHz.
+    """Simulate SCENARIO and write the recording of its torque sensor at 25 kHz.
 
-    The same scenario and seed give the same bytes. --motor and --gearbox take a candidate as `compare` does: with its
-    speed loop tuned by the study's rule and its drive limited for the sensor.
+    The same scenario and seed give the same bytes. With --motor or --gearbox the speed loop is tuned by the study's
+    rule, and the drive is limited to the range of the sensor, as in `torquerig compare`.
     """
     stated = _seconds(duration)
     check_target(out, overwrite=force)
@@ -69,12 +74,12 @@ def command(
     for flag in flags:
         click.echo(wrapped(f"flagged: {flag}"))
     if made.assumed:
-        click.echo("assumed, because no document states it:")
+        click.echo("assumed, because no document states these values:")
         click.echo(grid([["value", "taken"], *([key, text] for key, text in made.assumed.items())]))
 
 
 def _proof(made: Scenario, *, duration: float, seed: int) -> str:
-    """Return in one sentence what fixed the integration step and what halving it changes."""
+    """Return one sentence: what determined the integration step and the effect of half the step."""
     from torquerig.simulation.step_proof import prove_step
 
     wander = made.operating_point.slow_speed_wander
@@ -89,6 +94,6 @@ def _seconds(duration: str | None) -> float | None:
 
 
 def _length(made: Scenario) -> float:
-    """Return how long to record where nothing says so [s]: a table's own length, else the usual."""
+    """Return the default length of the recording [s]: that of the profile table, else ``DURATION``."""
     points = made.rig.run.set_points
     return DURATION if points is None or isinf(points.length) else points.length

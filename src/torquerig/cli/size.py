@@ -1,4 +1,4 @@
-"""``torquerig size``: whether motor, gearbox and sensor are large enough for the duty cycle."""
+"""``torquerig size``: check whether motor, gearbox and sensor are large enough for the duty cycle."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import click
 
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.inputs import catalog_option, edited, profile_option, profile_settings, set_option
+from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.document import Document
 from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
@@ -19,21 +19,27 @@ from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
 from torquerig.study.sized_candidates import with_cycle
 
-COPIES = 3  # of the drive, drawn from what the catalog leaves open, whose disturbance is simulated
+SAMPLES = 3  # Monte Carlo samples of the drive whose disturbance is simulated
 
 
 @click.command("size")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--motor", default=None, help="Another motor of the catalog (or alias), as the study would run it.")
-@click.option("--gearbox", default=None, help="Another gearbox of the catalog, as the study would run it.")
-@click.option("--all", "every", is_flag=True, help="Every motor x gearbox of the study, one row each.")
+@click.option(
+    "--motor", default=None, help="Another motor of the catalog (or alias), tuned and limited as in the study."
+)
+@click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
+@click.option("--all", "every", is_flag=True, help="Size every motor x gearbox of the study, one row each.")
 @click.option("--ambient", type=click.FloatRange(-60, 150), default=40.0, show_default=True,
               help="Temperature of the surroundings in degrees Celsius.")  # fmt: skip
 @click.option(
-    "--seed", type=click.IntRange(0), default=1, show_default=True, help="Fixes what the catalog leaves open."
+    "--seed",
+    type=click.IntRange(0),
+    default=1,
+    show_default=True,
+    help="Seed for values that the catalog gives as intervals.",
 )
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
-              help="Draw regions, cycle and ratios: .png or .svg.")  # fmt: skip
+              help="Draw operating regions, duty cycle and gear ratios: .png or .svg.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
 @profile_option
 @set_option
@@ -42,14 +48,14 @@ def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, every: bool, ambient: float, seed: int,
     picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Size the drive of SCENARIO over its duty cycle, or over its profile where it states no cycle.
+    """Size the drive of SCENARIO over its duty cycle, or over its profile where it states no duty cycle.
 
-    Torque, speed, heat, gearbox, current and braking energy as sizing programs have them; and what they leave out: the
-    sensor's overload, the disturbance before and after each filter, how much of the load the reading holds. What the
-    catalog leaves open stays an interval, and the datum that decides stands beside it.
+    The table has torque, speed, heat, gearbox, current and braking energy as in sizing programs. It also has the
+    overload of the sensor, the disturbance before and after each filter, and the share of the load in the reading.
+    Values that the catalog gives as intervals stay intervals; the catalog value that decides is listed with the result.
     """
     if every and (motor or gearbox or picture):
-        raise InputError("--all sizes every motor x gearbox of the study; leave --motor, --gearbox and --picture out")
+        raise InputError("--all sizes every motor x gearbox of the study; remove --motor, --gearbox and --picture")
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
 
@@ -58,27 +64,29 @@ def command(
     document = edited(scenario, (*settings, *profile_settings(profile)))
     document = document if profile else with_cycle(document)
     if every:
-        _tell_all(open_study(document, catalog), ambient=ambient)
+        _print_all(open_study(document, catalog), ambient=ambient)
         return
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     drive = sized_drive(made, catalog)
     flags = check_demand(made, catalog, duration=float(drive.demand().duration.sum()))
     study = open_study(document, catalog) if "study" in document.data else None
-    sweep = ratio_sweep(drive, study) if study is not None and not _pinned(document) else None
+    sweep = ratio_sweep(drive, study) if study is not None and not _states_ratio(document) else None
     title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.demand().duration.sum():g} s"
-    _tell(drive, sweep, title=title, ambient=ambient, flags=flags)
+    _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
     if study is not None:
-        _tell_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
+        _print_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
     if picture is not None:
         _draw(drive, sweep, picture, title=title, force=force)
 
 
-def _tell(drive: SizedDrive, sweep: RatioSweep | None, *, title: str, ambient: float, flags: tuple[str, ...]) -> None:
+def _print_sizing(
+    drive: SizedDrive, sweep: RatioSweep | None, *, title: str, ambient: float, flags: tuple[str, ...]
+) -> None:
     from torquerig.metrics.sizing.drive_sizing import sizing
     from torquerig.reporting.sizing.sizing_text import sizing_rows, verdict_text
 
     sized = sizing(drive, ambient=ambient)
-    click.echo(f"{title}, again and again, surroundings {ambient:g} C\n")
+    click.echo(f"{title}, repeated without end, ambient {ambient:g} °C\n")
     click.echo(grid(sizing_rows(sized)) + "\n")
     click.echo(wrapped(verdict_text(sized)))
     for text in (*flags, *(f"cannot follow {one}" for one in sized.late)):
@@ -87,18 +95,18 @@ def _tell(drive: SizedDrive, sweep: RatioSweep | None, *, title: str, ambient: f
         click.echo(wrapped(sweep.sentence(sized.figures["best_ratio"])))
 
 
-def _tell_disturbance(
+def _print_disturbance(
     study: Study, catalog: Catalog, document: Document, *, motor: str | None, gearbox: str | None, seed: int
 ) -> None:
-    """Say what of the disturbance each chain leaves, at the steady set-point of the same drive."""
+    """Print the disturbance before and after each filter chain, at the steady set-point of the same drive."""
     from torquerig.metrics.residual_disturbance import simulated_reading_pair
     from torquerig.reporting.sizing.sizing_text import disturbance_rows
     from torquerig.scenario.overrides import overridden
 
     steady = overridden(document, ("operating_point.profile=steady",))
     before: list[float] = []
-    left: dict[str, list[float]] = {}
-    for one in range(seed, seed + COPIES):
+    after: dict[str, list[float]] = {}
+    for one in range(seed, seed + SAMPLES):
         made = scenario_or_candidate(steady, catalog, motor=motor, gearbox=gearbox, seed=one)
         if made.rig.run.speed is None:
             return
@@ -106,12 +114,15 @@ def _tell_disturbance(
         both = simulated_reading_pair(made.rig, duration=6.0, seed=one, wander=wander, settling=0.8)
         before.append(both.before)
         for name, chain in study.chains(made).items():
-            left.setdefault(name, []).append(both.residual_rms(chain))
-    click.echo(f"\nDisturbance at the sensor, steady, simulated, rms; over {COPIES} copies that the catalog allows:")
-    click.echo(grid(disturbance_rows(before, left)))
+            after.setdefault(name, []).append(both.residual_rms(chain))
+    click.echo(
+        f"\nDisturbance at the sensor, rms, simulated at steady speed; {SAMPLES} Monte Carlo samples of the "
+        f"catalog's intervals:"
+    )
+    click.echo(grid(disturbance_rows(before, after)))
 
 
-def _tell_all(study: Study, *, ambient: float) -> None:
+def _print_all(study: Study, *, ambient: float) -> None:
     from torquerig.metrics.sizing.drive_sizing import Sizing, sizing
     from torquerig.reporting.sizing.sizing_text import IN_TABLE, told_all
     from torquerig.study.candidates import Candidate, candidates
@@ -136,7 +147,7 @@ def _draw(drive: SizedDrive, sweep: RatioSweep | None, path: Path, *, title: str
     click.echo(f"wrote {path}")
 
 
-def _pinned(document: Document) -> bool:
-    """Whether the scenario states a ratio of its own, which goes before every gearbox's."""
+def _states_ratio(document: Document) -> bool:
+    """Return whether the scenario states a gear ratio, which replaces that of every gearbox."""
     gears = [part for part in document.data["rig"].values() if isinstance(part, dict) and part.get("kind") == "gear"]
     return len(gears) != 1 or "ratio" in gears[0]

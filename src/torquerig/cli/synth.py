@@ -1,4 +1,4 @@
-"""``torquerig synth``: test signals whose every part is known."""
+"""``torquerig synth``: test signals from known components."""
 
 from __future__ import annotations
 
@@ -28,16 +28,14 @@ def _quantity(unit: str) -> Callable[[click.Context, click.Parameter, str | None
     return converted
 
 
-_seed = click.option(
-    "--seed", type=click.IntRange(0), default=None, help="Fixes every random number; 1 where not given."
-)
+_seed = click.option("--seed", type=click.IntRange(0), default=None, help="Seed of all random numbers; default 1.")
 _force = click.option("--force", is_flag=True, help="Overwrite earlier recordings of that name.")
 _out = click.option("--out", type=click.Path(path_type=Path), default=Path("synthetic.parquet"), show_default=True,
                     help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
 
 
 def _run_options(function: Callable[..., None]) -> Callable[..., None]:
-    """Add the options of a recording that no file describes."""
+    """Add the options of a recording that is described on the command line."""
     for option in (
         click.option("--ratio", type=float, default=None, help="Motor turns per output turn, for the sidecar."),
         click.option("--motor", default=None, help="Motor of the catalog, for the sidecar."),
@@ -48,7 +46,7 @@ def _run_options(function: Callable[..., None]) -> Callable[..., None]:
         click.option("--duration", callback=_quantity("s"), default="10 s", show_default=True, metavar="TIME",
                      help="Length of the recording."),
         click.option("--amplitude", callback=_quantity("N*m"), default="1 mN*m", show_default=True, metavar="TORQUE",
-                     help="Zero to peak of each sine."),
+                     help="Amplitude of each sine, zero to peak."),
     ):  # fmt: skip
         function = option(function)
     return function
@@ -56,7 +54,7 @@ def _run_options(function: Callable[..., None]) -> Callable[..., None]:
 
 @click.group("synth")
 def command() -> None:
-    """Make test signals whose every part is known, to see what a filter does to each.
+    """Make test signals from known components, to measure the effect of a filter on each component.
 
     The same description and seed give the same bytes.
     """
@@ -68,14 +66,14 @@ def command() -> None:
 @_out
 @_force
 def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
-    """Make the reference report's control signal: every frequency from 0 to half the sample rate at equal amplitude."""
+    """Make a control signal: every frequency from 0 to half the sample rate at equal amplitude."""
     _write_mixture({"control": {"type": "control"}}, "control", run, seed=seed, out=out, force=force)
 
 
 @command.command("sweep")
 @click.option("--from", "start", callback=_quantity("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
 @click.option("--to", "stop", callback=_quantity("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
-@click.option("--linear", "spacing", flag_value="linear", help="Each hertz takes equally long, not each octave.")
+@click.option("--linear", "spacing", flag_value="linear", help="Sweep linearly in frequency instead of logarithmically.")
 @_run_options
 @_seed
 @_out
@@ -83,7 +81,7 @@ def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
 def sweep(
     *, start: float, stop: float, spacing: str | None, seed: int | None, out: Path, force: bool, **run: Any
 ) -> None:
-    """Make a sine that runs through a span of frequencies."""
+    """Make a sine sweep."""
     written = {"type": "sweep", "start": f"{start!r} Hz", "stop": f"{stop!r} Hz", "spacing": spacing or "logarithmic"}
     _write_mixture({"sweep": written}, "sweep", run, seed=seed, out=out, force=force)
 
@@ -94,7 +92,7 @@ def sweep(
 @_out
 @_force
 def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> None:
-    """Make the mixture that DESCRIPTION (YAML) lists, with every component as a channel of its own."""
+    """Make the mixture of DESCRIPTION (YAML), with each component as a separate channel."""
     check_target(out, overwrite=force)
     _write(_mixed(description, seed), out, force=force)
 
@@ -105,7 +103,7 @@ def mixture(*, description: Path, seed: int | None, out: Path, force: bool) -> N
 @_out
 @_force
 def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None:
-    """Make the mixture of DESCRIPTION, and beside it its load alone and its noise alone (NAME_load, NAME_noise)."""
+    """Make the mixture of DESCRIPTION, and its load and noise as separate recordings (NAME_load, NAME_noise)."""
     from torquerig.synthetic.pairs import load_only, noise_only
 
     targets = [out, *(out.with_name(f"{out.stem}_{word}{out.suffix}") for word in ("load", "noise"))]
@@ -126,13 +124,13 @@ def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None
 def effects(
     *, scenario: Path, duration: float, settings: tuple[str, ...], seed: int | None, out: Path, force: bool
 ) -> None:
-    """Take the reading of SCENARIO's rig apart: what each mechanism and each stage of the sensor adds.
+    """Decompose the reading of SCENARIO's rig into the contribution of each mechanism and sensor stage.
 
-    Stages of the sensor add exactly; mechanisms on the shafts are differences of runs in which they are switched on one
-    after the other.
+    Contributions of sensor stages are exact. Those of mechanisms on the shafts are differences between runs in which
+    the mechanisms are switched on one after the other.
     """
     from torquerig.catalog.search import catalog_for
-    from torquerig.cli.inputs import edited
+    from torquerig.cli.common_options import edited
     from torquerig.plain_table import grid
     from torquerig.scenario.reading import read_scenario
     from torquerig.synthetic.mixture import components_of
@@ -167,9 +165,9 @@ def _write_mixture(
     check_target(out, overwrite=force)
     for option, value in (("--amplitude", run["amplitude"]), ("--duration", run["duration"]), ("--rate", run["rate"])):
         if not value > 0:
-            raise InputError(f"{option}: {value:g} cannot be; write more than 0")
+            raise InputError(f"{option}: {value:g} is not possible; write more than 0")
     if run["ratio"] is not None and not run["ratio"] > 0:
-        raise InputError(f"--ratio {run['ratio']:g} cannot be; write motor turns per output turn, more than 0")
+        raise InputError(f"--ratio {run['ratio']:g} is not possible; write motor turns per output turn, more than 0")
     written = {name: {**one, "amplitude": f"{run['amplitude']!r} N*m"} for name, one in components.items()}
     described = {
         "synthetic": title, "duration": f"{run['duration']!r} s", "sample_rate": f"{run['rate']!r} Hz",

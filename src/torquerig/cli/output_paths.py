@@ -1,4 +1,4 @@
-"""Where a command may write: never over what it reads, nor over what another kind of work has left there."""
+"""Check of output paths: never over an input, nor over a file that another program wrote."""
 
 from __future__ import annotations
 
@@ -8,24 +8,23 @@ from pathlib import Path
 
 from torquerig.errors import InputError
 
-_LOOKED_AT = 4096  # bytes of an earlier file in which its mark must stand
+_MARK_WITHIN = 4096  # [byte] the mark of an earlier file must be in these first bytes
 
 
-def check_targets(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[Path]) -> None:
+def check_output_paths(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[Path]) -> None:
     """Raise InputError where a file may not be written.
 
     Parameters
     ----------
     targets : iterable of (Path, str)
-        Each with a mark that stands near the beginning of what the same command wrote there before, which alone is
-        replaced; so are empty files.
+        Each with the mark near the beginning of files of the same command. Only such files and empty ones are replaced.
     inputs : iterable of Path
-        What the command reads.
+        Files that the command reads.
     """
     every, read = list(targets), {path.resolve() for path in inputs}
     for (one, _), (other, _) in combinations(every, 2):
         if one.resolve() == other.resolve():
-            raise InputError(f"{one}: two results would be written there; name two files")
+            raise InputError(f"{one}: two outputs have this path; name two files")
     for path, mark in every:
         if not path.parent.is_dir():
             raise InputError(f"{path}: there is no folder {path.parent}; make it first")
@@ -39,5 +38,5 @@ def check_targets(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[Path]
 
 def _replaceable(path: Path, mark: str) -> bool:
     with path.open("rb") as file:
-        start = file.read(_LOOKED_AT)
+        start = file.read(_MARK_WITHIN)
     return not start or mark.encode() in start

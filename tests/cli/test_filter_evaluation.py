@@ -1,4 +1,4 @@
-"""``torquerig filter --judge``: what it prints, the panels it draws, and what it refuses."""
+"""``torquerig filter --evaluate``: what it prints, the panels it draws, and what it refuses."""
 
 import pytest
 
@@ -31,45 +31,45 @@ def run(capsys, *arguments):
 
 
 def test_it_judges_by_truth_and_placebo_and_draws_four_panels(reading, capsys):
-    told = run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--judge")
-    assert "empty places" in told
+    told = run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--evaluate")
+    assert "positions without lines" in told
     assert "error to the true load" in told
     assert "100-200 Hz N*m" in told
     assert "energy %" in told
     assert "largest hits" in told
-    assert "A step put in" in told
-    assert "lines taken exactly" in told
+    assert "Step response: " in told
+    assert "perfect line removal" in told
     assert "times that of perfect line removal" in told
-    drawn = (reading / "known.report_filter_code.judged.svg").read_bytes()
+    drawn = (reading / "known.report_filter_code.evaluation.svg").read_bytes()
     assert drawn.startswith(b"<?xml")
-    run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--judge", "--force")
-    assert (reading / "known.report_filter_code.judged.svg").read_bytes() == drawn
+    run(capsys, "filter", "known.parquet", "--chain", "report_filter_code", "--evaluate", "--force")
+    assert (reading / "known.report_filter_code.evaluation.svg").read_bytes() == drawn
 
 
 def test_without_truth_it_says_so_and_still_sets_the_placebo_beside(reading, capsys):
-    chosen = ("--chain", "report_filter_code", "--judge", "--picture", "mine.png")
+    chosen = ("--chain", "report_filter_code", "--evaluate", "--picture", "mine.png")
     told = run(capsys, "filter", "measured.parquet", *chosen)
-    assert "true load is not known" in told
-    assert "empty places" in told
+    assert "true load is unknown" in told
+    assert "positions without lines" in told
     assert (reading / "mine.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_in_blocks_it_judges_a_stretch_from_the_middle(reading, capsys):
-    told = run(capsys, "filter", "known.parquet", "--chain", "none", "--block", "1 s", "--judge")
-    assert "none, judged on 1 s, a stretch from the middle:" in told
+    told = run(capsys, "filter", "known.parquet", "--chain", "none", "--block", "1 s", "--evaluate")
+    assert "none, evaluated on 1 s, a section from the middle:" in told
 
 
 def test_a_chain_without_lines_has_no_placebo(reading, capsys):
-    told = run(capsys, "filter", "known.parquet", "--chain", "low_pass_20Hz", "--judge")
-    assert "No placebo" in told
+    told = run(capsys, "filter", "known.parquet", "--chain", "low_pass_20Hz", "--evaluate")
+    assert "No placebo test" in told
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--judge", "--picture", "one.svg"), "--picture takes one chain"),
-        (("--chain", "report_filter_code", "--judge", "--picture", "one.pdf"), "written as .svg or .png"),
-        (("--chain", "report_filter_code", "--judge", "--picture", "there.svg"), "overwrite it with --force"),
+        (("--evaluate", "--picture", "one.svg"), "--picture needs exactly one --chain"),
+        (("--chain", "report_filter_code", "--evaluate", "--picture", "one.pdf"), "written as .svg or .png"),
+        (("--chain", "report_filter_code", "--evaluate", "--picture", "there.svg"), "overwrite it with --force"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_before_the_work(reading, capsys, arguments, said):

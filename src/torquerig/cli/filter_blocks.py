@@ -1,4 +1,4 @@
-"""``torquerig filter`` on a recording that is too long to be held: block by block."""
+"""``torquerig filter`` on a recording that does not fit into memory: block by block."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ _LONG = 16_000_000
 
 @dataclass(frozen=True, kw_only=True)
 class LongResult:
-    """What came of a long recording: each chain's effect and error to the true load, and a stretch for the picture."""
+    """Result of a long recording: effect and error to the true load of each chain, and a section for the figure."""
 
     effects: tuple[FilterEffect, ...]
     errors: tuple[float, ...] | None
-    stretch: FilteredBlock
+    section: FilteredBlock
     samples: int
 
 
 def blocks_for(stream: RecordingStream, chains: Sequence[Chain], *, block: float | None) -> Blocking | None:
-    """Return how to cut the recording, or None where it is to be filtered as a whole; says why a long one is.
+    """Return the blocks of the recording, or None to filter it as a whole; print why a long one is not cut.
 
-    ``block`` [s] asks for blocks of that length whatever the length of the recording.
+    ``block`` [s] sets the length of the blocks, whatever the length of the recording.
     """
     if block is not None:
         return blocking_for(chains, stream, block=block)
@@ -56,48 +56,48 @@ def blocks_for(stream: RecordingStream, chains: Sequence[Chain], *, block: float
 def filter_long(
     stream: RecordingStream, chains: Sequence[Chain], blocking: Blocking, *, ratio: float, out: Path | None, force: bool
 ) -> LongResult:
-    """Filter block by block, write the first chain's answer to ``out`` where given, and return what came of it."""
-    seen = _Seen()
-    blocks = seen.passing(filtered_blocks(chains, stream, blocking, ratio=ratio), stream)
+    """Filter block by block, write the output of the first chain to ``out`` if given, and return the result."""
+    collected = _BlockResults()
+    blocks = collected.collecting(filtered_blocks(chains, stream, blocking, ratio=ratio), stream)
     if out is not None:
         written = write_blocks((block.after[0] for block in blocks), out, overwrite=force)
         click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     for _ in blocks:
         pass
-    return seen.result()
+    return collected.result()
 
 
-class _Seen:
-    """Collects what the blocks did while they pass by."""
+class _BlockResults:
+    """Collects the effects of the blocks while they are read."""
 
     def __init__(self) -> None:
         self.samples: list[int] = []
         self.effects: list[tuple[FilterEffect, ...]] = []
         self.errors: list[list[float]] = []
-        self.stretch: FilteredBlock | None = None
+        self.section: FilteredBlock | None = None
 
-    def passing(self, blocks: Iterator[FilteredBlock], stream: RecordingStream) -> Iterator[FilteredBlock]:
+    def collecting(self, blocks: Iterator[FilteredBlock], stream: RecordingStream) -> Iterator[FilteredBlock]:
         for block in blocks:
             self.samples.append(block.before.samples)
             self.effects.append(block.effects)
             if TRUE_LOAD in block.before.channels:
                 self.errors.append([truth_error(after, block.before) for after in block.after])
-            # the stretch that is drawn is the middle one, or the first where the length is not known
-            if self.stretch is None or block.first <= (stream.samples or 0) // 2:
-                self.stretch = block
+            # the drawn section is the middle block, or the first where the length is unknown
+            if self.section is None or block.first <= (stream.samples or 0) // 2:
+                self.section = block
             yield block
 
     def result(self) -> LongResult:
-        if self.stretch is None:
+        if self.section is None:
             raise RecordingError("the recording has no samples; record it again")
         errors = None
         if self.errors:
             weights = np.array(self.samples) / sum(self.samples)
             errors = tuple(float(one) for one in np.sqrt(weights @ np.array(self.errors) ** 2))
         effects = tuple(joined_effect(each, self.samples) for each in zip(*self.effects, strict=True))
-        return LongResult(effects=effects, errors=errors, stretch=self.stretch, samples=sum(self.samples))
+        return LongResult(effects=effects, errors=errors, section=self.section, samples=sum(self.samples))
 
 
 def described(stream: RecordingStream) -> Recording:
-    """Return a recording without samples, for what only its sheet, its run and its name are asked for."""
+    """Return the recording without samples: its sidecar, run and name."""
     return stream.of(dict.fromkeys(stream.entries, np.empty(0)))

@@ -1,0 +1,170 @@
+"""``torquerig filter --evaluate``: placebo test, step response, error to the true load, and a figure per chain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from torquerig.errors import InputError
+from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.evaluation.inserted import HIT_DECAY, StepShown
+from torquerig.filters.evaluation.placebo import Placebo
+from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
+from torquerig.metrics.load_error import LoadError
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.plain_table import grid, wrapped
+from torquerig.recordings.recording import Recording
+
+KNOWN_HARMONICS = 30  # harmonics of each family that a placebo must not touch
+
+
+def evaluation_pictures(path: Path, names: Sequence[str], picture: Path | None, *, force: bool) -> dict[str, Path]:
+    """Return the path of each chain's figure, checked before the calculation.
+
+    Raises
+    ------
+    InputError
+        For several chains and one picture, or a picture that exists already.
+    """
+    from torquerig.reporting.figures.picture import check_picture
+
+    if picture is not None and len(names) != 1:
+        raise InputError("--picture needs exactly one --chain; without --picture each chain gets its own file name")
+    targets = {name: picture or Path(f"{path.stem}.{name}.evaluation.svg") for name in names}
+    for target in targets.values():
+        check_picture(target, overwrite=force)
+    return targets
+
+
+def print_evaluations(
+    recording: Recording,
+    chains: Sequence[Chain],
+    kinematics: Kinematics,
+    targets: dict[str, Path],
+    *,
+    where: str,
+    force: bool,
+) -> None:
+    """Print the evaluation of each chain on ``recording`` and draw its figure; ``where`` is its place in the file."""
+    from torquerig.reporting.figures.judged_figure import judged_figure
+    from torquerig.reporting.figures.picture import write_picture
+
+    known = kinematics.lines(KNOWN_HARMONICS)
+    for chain in chains:
+        made = evaluate_filter(chain, recording, ratio=kinematics.ratio, known=known)
+        click.echo(f"{chain.name}, evaluated on {recording.duration:.4g} s{where}:")
+        for part in (placebo_text(made), step_text(made.step), truth_text(made)):
+            click.echo(part + "\n")
+        write_picture(judged_figure(made), targets[chain.name], overwrite=force)
+        click.echo(f"wrote {targets[chain.name]}\n")
+
+
+def placebo_text(made: FilterEvaluation) -> str:
+    """Return the text of the placebo test: the reduction at orders without lines, and at the lines."""
+    placebo, effect = made.placebo, made.effect
+    if placebo is None:
+        return wrapped("No placebo test: the chain removes no lines that could be moved to other orders.")
+    low, high = min(placebo.std_cuts), max(placebo.std_cuts)
+    first = (
+        f"Placebo test: at {len(placebo.shifts)} positions without lines, {_span(placebo)} output orders away, the "
+        f"chain reduces the standard deviation by {100 * low:.1f} to {100 * high:.1f} % (median "
+        f"{100 * _median(placebo):.1f} %). At its lines it reduces it by {effect.std_reduction_percent:.1f} %. "
+    )
+    if placebo.cut <= max(placebo.cuts):
+        return wrapped(
+            first + f"{sum(one >= placebo.cut for one in placebo.cuts)} of {len(placebo.cuts)} moved chains reduce "
+            "it as much: the test does not show that the removed part is noise and not load."
+        )
+    return wrapped(
+        first + f"The chain removes {100 * placebo.cut:.1f} % of the variance; as many bands at other orders remove "
+        f"{100 * placebo.median:.1f} %. The difference of {100 * placebo.beyond:.1f} % is at its lines (rank test, "
+        f"p = {placebo.p_value:.2g})."
+    )
+
+
+def step_text(step: StepShown | None) -> str:
+    """Return the text of the chain's response to a step and to a hit that are added to the recording."""
+    if step is None:
+        return "No step or hit could be added: the torque is constant or the recording too short."
+    return wrapped(
+        f"Step response: rise time {_milli(step.rise)} (10 to 90 %), delay {_milli(step.late)}, overshoot "
+        f"{100 * step.overshoot:.1f} %, pre-ringing {100 * step.foreseen:.1f} %. A hit with {1e3 * HIT_DECAY:g} ms "
+        f"decay keeps {100 * step.hit_peak:.1f} % of its peak."
+    )
+
+
+def truth_text(made: FilterEvaluation) -> str:
+    """Return the table of errors to the true load before and after, or a sentence that it is unknown."""
+    before, after = made.error_before, made.error_after
+    if before is None or after is None:
+        late = f" The delay to the raw reading is {_milli(made.delay.seconds)}." if made.delay else ""
+        return wrapped("The true load is unknown, so no error is computed." + late)
+    perfect = made.error_perfect
+    errors = (before, after) if perfect is None else (before, after, perfect)
+    head = ["error to the true load", "before", "after", *(["perfect line removal"] if perfect else [])]
+    rows = [[*head, "true load"]]
+    rows.append(["rms N*m", *(f"{one.rms:.5f}" for one in errors), ""])
+    rows.append(["mean N*m", *(f"{one.mean:.5f}" for one in errors), ""])
+    for place, (low, high) in enumerate(before.bands):
+        figures = (one.in_band[place] for one in errors)
+        rows.append(
+            [f"{low:g}-{high:g} Hz N*m", *(f"{one:.5f}" for one in figures), f"{before.load_in_band[place]:.5f}"]
+        )
+    rows.append(["energy %", *(_percent(one.energy_percent) for one in errors), ""])
+    rows.append(["delay ms", *(_delay(one) for one in errors), ""])
+    rows += _hits(errors)
+    return grid(rows) + ("" if perfect is None else _ratio_to_perfect(before, after, perfect))
+
+
+def _ratio_to_perfect(before: LoadError, after: LoadError, perfect: LoadError) -> str:
+    """Return the error as a multiple of that of perfect line removal, which is the load's excitation of the shaft."""
+    if not perfect.rms:
+        return ""
+    return "\n" + wrapped(
+        f"The error is {after.rms / perfect.rms:.3f} times that of perfect line removal (raw: "
+        f"{before.rms / perfect.rms:.3f} times)."
+    )
+
+
+def _hits(errors: Sequence[LoadError]) -> list[list[str]]:
+    hits = [one.hits for one in errors if one.hits is not None]
+    if len(hits) < len(errors):
+        return []
+    return [
+        [f"peak of {hits[0].count} largest hits %", *(f"{100 * one.peak:.0f}" for one in hits), "100"],
+        [
+            "10 % and 90 % quantile of peak %",
+            *(f"{100 * one.peak_low:.0f}..{100 * one.peak_high:.0f}" for one in hits),
+            "",
+        ],
+        [
+            "rise time of these hits, 10 to 90 %, ms",
+            *(f"{1e3 * one.rise:.2f}" for one in hits),
+            f"{1e3 * hits[0].true_rise:.2f}",
+        ],
+    ]
+
+
+def _span(placebo: Placebo) -> str:
+    away = [abs(one) for one in placebo.shifts]
+    return f"{min(away):g} to {max(away):g}"
+
+
+def _median(placebo: Placebo) -> float:
+    ordered = sorted(placebo.std_cuts)
+    middle = len(ordered) // 2
+    return ordered[middle] if len(ordered) % 2 else 0.5 * (ordered[middle - 1] + ordered[middle])
+
+
+def _milli(seconds: float) -> str:
+    return f"{1e3 * seconds + 0.0:.3g} ms" if abs(seconds) >= 1e-5 else "0 ms"
+
+
+def _percent(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4f}"
+
+
+def _delay(error: LoadError) -> str:
+    return "-" if error.delay is None else f"{1e3 * error.delay.seconds:.3f} (r {error.delay.correlation:.3f})"
