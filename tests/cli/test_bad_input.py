@@ -54,8 +54,8 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "unknown entry": (("catalog", "HDS6A-0104B"), "or 'HDS6A-0104A' or"),
     "speed without unit": (("orders", "--speed", "1000"), "--speed: '1000' has no unit; write '1000 rad/s'"),
     "ratio 0": (("orders", "--ratio", "0"), "ratio"),
-    "planets without sun": (("orders", "--planets", "3"), "--planets belongs to --sun and --ring"),
-    "ring without sun": (("orders", "--ring", "84"), "--sun and --ring belong together"),
+    "planets without sun": (("orders", "--planets", "3"), "--planets needs --sun and --ring"),
+    "ring without sun": (("orders", "--ring", "84"), "--sun and --ring need each other"),
     "not a number": (("filter", "nan.csv", "--motor", "REF", "--ratio", "5"), "nan.csv: torque_V has 1 sample not a finite number, the first at sample 1"),
     "no samples": (("info", "none.csv"), "none.csv: "),
     "text among numbers": (("info", "text.csv"), "text.csv:3"),
@@ -71,7 +71,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "a picture in no folder": (("filter", "good.csv", "--chain", "none", "--out", "new.csv", "--picture", "no/x.svg"), "there is no folder no; make it first"),
     "a picture without a speed": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "new.csv", "--picture", "x.svg"), "the sidecar has no speed_rpm"),
     "block without unit": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--block", "60"), "--block: '60' has no unit"),
-    "matrix of a rig": (("matrix", WEAR_RIG), "wear_rig.yaml: is the scenario of a rig, not a matrix; torquerig compare"),
+    "matrix of a rig": (("matrix", WEAR_RIG), "wear_rig.yaml: is the scenario of a rig, not a matrix; use torquerig compare"),
     "missing matrix": (("matrix", "nope.yaml"), "nope.yaml: there is no such file"),
     "compare without study": (("compare", str(shipped_scenarios() / "filters.yaml")), "there is no study: section"),
     "report onto a file": (("compare", WEAR_RIG, "--out", "file"), "file is a file; name a folder for the report"),
@@ -79,7 +79,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "motor that is not listed": (("compare", WEAR_RIG, "--set", "study.motors=[GP-71M]"), "the present motor 'bldc-12n14p' is not"),
     "points beyond the scale": (("compare", WEAR_RIG, "--set", "disturbance.points={0: 7, 1: 1}"), "7 points are outside the scale 1..5"),
     "a unit the metric has not": (("compare", WEAR_RIG, "--set", "price.unit=USD"), "price is counted in 'EUR', not in 'USD'"),
-    "no demand": (("compare", WEAR_RIG, "--set", "demands={}"), "study.demands: nothing is listed"),
+    "no demand": (("compare", WEAR_RIG, "--set", "requirements={}"), "study.requirements: the list is empty"),
     "ratio that is none": (("compare", WEAR_RIG, "--set", "gearbox.ratio=abc"), "rig.gearbox.ratio: 'abc' is no ratio"),
     "band upside down": (("compare", WEAR_RIG, "--set", "speed use.band=[1.0, 0.3]"), "swap them"),
     "unknown filter": (("compare", WEAR_RIG, "--set", "filters.names=[report_filter_cod]"), "did you mean 'report_filter_code'"),
@@ -131,7 +131,7 @@ def test_ctrl_c_leaves_the_old_report_and_no_half_new_one(
     with pytest.raises(SystemExit) as stopped:
         main(["compare", WEAR_RIG])
     assert stopped.value.code == 130
-    assert "interrupted; nothing was left half-written" in capsys.readouterr().err
+    assert "interrupted; no file is incomplete" in capsys.readouterr().err
     assert [path.name for path in Path("reports").rglob("*")] == ["wear_rig", "index.html"]
     assert Path("reports/wear_rig/index.html").read_text() == "old"
 

@@ -76,7 +76,7 @@ def test_init_copies_what_a_study_needs(capsys: pytest.CaptureFixture[str]) -> N
     assert len(list(Path("mine/catalogs/motors").glob("*.yaml"))) >= 10
     Path("mine/scenarios/wear_rig.yaml").write_text("changed")
     assert run("init", "mine") == 2
-    assert "is there already and stays as it is; choose another folder" in capsys.readouterr().err
+    assert "is there already and was not changed; choose another folder" in capsys.readouterr().err
     assert Path("mine/scenarios/wear_rig.yaml").read_text() == "changed"
 
 
@@ -119,7 +119,7 @@ def test_simulate_takes_a_candidate_as_compare_would(capsys: pytest.CaptureFixtu
     assert run("simulate", WEAR_RIG, *SHORT, "--motor", "HDS5C-102A", "--gearbox", "spur-2.5-1") == 0
     out = capsys.readouterr().out
     assert "HDS5C-102A at 500 rpm, 2.5:1" in out
-    assert "assumed, because no document states it:" in out
+    assert "assumed, because no document states these values:" in out
 
 
 def test_info_and_filter_tell_what_is_in_a_recording(recording: str, capsys: pytest.CaptureFixture[str]) -> None:

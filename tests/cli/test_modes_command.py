@@ -74,7 +74,7 @@ def test_what_an_imposed_motion_moves_is_clamped(tmp_path: Path, capsys: pytest.
     assert "79.577" in out
     assert "motion imposes the motion" in out
     assert run(str(scenario), "--picture", str(tmp_path / "modes.svg")) == 2
-    assert "no spring is read" in capsys.readouterr().err
+    assert "no spring torque is measured" in capsys.readouterr().err
     assert not (tmp_path / "modes.svg").exists()
 
 

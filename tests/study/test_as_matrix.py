@@ -44,7 +44,7 @@ def case() -> MatrixCase:
 
 def test_each_drive_that_is_left_stands_in_it_with_its_best_filter_and_the_present_one_as_datum() -> None:
     made = case()
-    assert made.datum == DATUM
+    assert made.baseline == DATUM
     assert len(made.matrix.alternatives) == 3
     assert {BEST, DATUM} < set(made.matrix.alternatives)
     assert [one.name for one in made.matrix.criteria][-4:] == [
@@ -54,7 +54,7 @@ def test_each_drive_that_is_left_stands_in_it_with_its_best_filter_and_the_prese
 
 def test_it_says_what_the_study_says() -> None:
     worked, answer = analyse_matrix(case()), verdict(small())
-    assert worked.verdict.certainty is answer.word
+    assert worked.verdict.certainty is answer.certainty
     assert worked.verdict.winners == (answer.winner,)
     assert worked.missing[0].fact == answer.facts[0].fact == "whether bldc-12n14p is a servo motor"
 

@@ -13,12 +13,12 @@ from torquerig.filters.chains.filter_chain import report_filter_code_chain
 from torquerig.filters.effect import chain_effect
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.study.reference_report.bulk import half_power_frequency
 from torquerig.study.reference_report.conditions import ReportRig
+from torquerig.study.reference_report.filter_steps import report_filter_steps
 from torquerig.study.reference_report.fitting import fitted, place_of
+from torquerig.study.reference_report.half_power import half_power_frequency
 from torquerig.study.reference_report.published import CELLS, MECHANICAL_DROP, OCCUPANCIES, Cell
-from torquerig.study.reference_report.steps import report_filter_steps
-from torquerig.study.reference_report.superposed import Superposed, superposed
+from torquerig.study.reference_report.superposition import Superposed, superposed
 
 ROOT = Path(__file__).resolve().parents[2]
 REPORT = ROOT.parent / "shared" / "seed"

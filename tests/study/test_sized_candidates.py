@@ -48,7 +48,7 @@ def test_a_study_measures_what_its_criteria_ask_for(study):
         )
         for name in ("thermal_use", "residual_disturbance", "sensor_overload")
     }
-    asked = replace(study, settings=study.settings.model_copy(update={"criteria": rows, "demands": {}}))
+    asked = replace(study, settings=study.settings.model_copy(update={"criteria": rows, "requirements": {}}))
     assert [one.name for one in criteria_of(asked)] == list(rows)
     found = run_drive(PRESENT, asked)
     assert found.margins["sensor_overload"].low == pytest.approx(0.97 / 2)  # 2 N m x 5 x 0.97 over 10 N m x 200 %

@@ -20,10 +20,10 @@ from torquerig.rig.parts import Gear, Motor, SpeedController
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import gears_to_sensor
 from torquerig.scenario.overrides import overridden
-from torquerig.study.asked import in_words
 from torquerig.study.candidates import Candidate, candidates, scenario_of
 from torquerig.study.definition import Study, open_study
-from torquerig.study.points import points_of
+from torquerig.study.missing_data import missing_data_text
+from torquerig.study.operating_points import points_of
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import decide
@@ -100,7 +100,7 @@ def test_a_motor_that_cannot_reach_the_speed_is_said_and_not_simulated() -> None
     assert slow.margins["speed_reserve"].high is None or slow.margins["speed_reserve"].high < 1
     decided = decide(small())
     assert not any("GP-71M 20:1" in name for name in decided.alternatives)
-    assert "GP-71M 20:1" in decided.demands.alternatives
+    assert "GP-71M 20:1" in decided.requirements.alternatives
 
 
 def test_the_loop_of_every_drive_follows_the_one_rule() -> None:
@@ -197,8 +197,8 @@ def test_cells_carry_their_source_and_an_unknown_stays_unknown() -> None:
 
 def test_the_present_drive_is_the_datum_of_the_pugh_matrix() -> None:
     decided = decide(small())
-    assert decided.datum == "bldc-12n14p 5:1 | none"
-    assert decided.datum in decided.matrix.alternatives
+    assert decided.baseline == "bldc-12n14p 5:1 | none"
+    assert decided.baseline in decided.matrix.alternatives
 
 
 def test_the_best_is_ranked_first_and_named_by_the_verdict() -> None:
@@ -209,8 +209,8 @@ def test_the_best_is_ranked_first_and_named_by_the_verdict() -> None:
     answer = verdict(decided)
     assert answer.winner in ranked
     assert answer.winner.split(" | ")[0] in answer.sentence
-    assert answer.word in answer.sentence
-    assert 0 <= answer.p_best <= answer.chances["together"] <= 1 + 1e-12
+    assert answer.certainty in answer.sentence
+    assert 0 <= answer.p_best <= answer.best_shares["together"] <= 1 + 1e-12
     assert [fact.gain for fact in answer.facts] == sorted((fact.gain for fact in answer.facts), reverse=True)
 
 
@@ -229,11 +229,11 @@ def test_all_filters_of_a_drive_share_a_draw_and_one_fact() -> None:
 
 def test_what_is_missing_is_asked_for_in_a_buyer_s_words() -> None:
     one = Candidate(motor="M1", gearbox="G1", ratio=5.0)
-    told = in_words("motor.inertia, gearbox.stiffness, gearbox.input_inertia", one)
+    told = missing_data_text("motor.inertia, gearbox.stiffness, gearbox.input_inertia", one)
     assert told == "inertia of M1, stiffness, input inertia of G1"
-    assert in_words("motor.inertia, motor.ripple.cogging_native", one) == "measured cogging and ripple of M1"
-    assert in_words("price of M1, price of G1", one) == "price of M1, price of G1"
-    assert in_words("", one) == ""
+    assert missing_data_text("motor.inertia, motor.ripple.cogging_native", one) == "measured cogging and ripple of M1"
+    assert missing_data_text("price of M1, price of G1", one) == "price of M1, price of G1"
+    assert missing_data_text("", one) == ""
 
 
 def test_a_study_without_a_better_filter_says_to_leave_things_as_they_are() -> None:
@@ -248,14 +248,14 @@ def test_where_no_drive_meets_the_demands_nothing_survives() -> None:
     harder = overridden(small().study.document, [*SMALL, "continuous torque.min=1000"])
     runs = replace(small(), study=open_study(harder, small().study.catalog))
     answer = verdict(decide(runs))
-    assert (answer.word, answer.winner) == (Certainty.NOBODY, "")
+    assert (answer.certainty, answer.winner) == (Certainty.NOBODY, "")
 
 
 def test_two_names_of_one_motor_tie() -> None:
     """REF is an alias of the rig's motor: equal drives, equal totals; no draw can part them."""
     edits = ("study.motors=[bldc-12n14p, REF]", "study.gearboxes=[reference-5-1]", "study.draws=0")
     runs = run_study(study_with((*TINY, *edits)))
-    assert verdict(decide(answered(runs))).word is Certainty.TIE
+    assert verdict(decide(answered(runs))).certainty is Certainty.TIE
 
 
 def answered(runs: StudyRuns) -> StudyRuns:
@@ -269,13 +269,13 @@ def answered(runs: StudyRuns) -> StudyRuns:
 
 def test_an_open_demand_on_the_winner_is_undecidable_until_it_is_answered() -> None:
     before = verdict(decide(small()))
-    assert before.word is Certainty.OPEN
+    assert before.certainty is Certainty.OPEN
     asked = [fact for fact in before.facts if fact.fact == "whether bldc-12n14p is a servo motor"]
     assert asked[0].decisive
     assert any("ask the maker whether bldc-12n14p is a servo motor: " in told for told in before.open_facts)
     after = verdict(decide(answered(small())))
-    assert after.word is not Certainty.OPEN
-    assert after.chances == pytest.approx(before.chances)
+    assert after.certainty is not Certainty.OPEN
+    assert after.best_shares == pytest.approx(before.best_shares)
 
 
 def test_what_if_shows_each_drive_before_and_after() -> None:

@@ -15,7 +15,7 @@ from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study, open_study
 from torquerig.study.drive_run import settling_of
-from torquerig.study.rated_drives import left_over, rated_drives
+from torquerig.study.rated_drives import feasible_combinations, rated_drives
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.settings import SpeedLoopRule
@@ -46,7 +46,7 @@ def of(alternative: str, name: str) -> CellTrace:
 
 def test_every_cell_has_its_way_and_every_rating_comes_from_the_catalog_or_says_why_not() -> None:
     traced = traced_combinations(*small())
-    cells = [cell for one in traced for cell in (*one.criteria, *one.demands)]
+    cells = [cell for one in traced for cell in (*one.criteria, *one.requirements)]
     assert len(traced) == 4 * 2 + 2  # GP-71M is no servo motor, and out of reach at 20:1
     assert len(cells) == 8 * 6 + 10 * 4
     for cell in cells:
@@ -143,10 +143,10 @@ def test_an_eliminated_drive_has_no_points_to_trace() -> None:
 
 def test_one_engine_gives_the_verdict_of_a_study_and_of_some_of_its_drives() -> None:
     decided, answer = small()
-    rated = rated_drives(decided, left_over(decided))
-    assert (rated.verdict.certainty, rated.verdict.best_shares) == (answer.word, answer.chances)
+    rated = rated_drives(decided, feasible_combinations(decided))
+    assert (rated.verdict.certainty, rated.verdict.best_shares) == (answer.certainty, answer.best_shares)
     assert sum(answer.shares.values()) == pytest.approx(1)
-    new = [name for name in left_over(decided) if not name.startswith("bldc")]
+    new = [name for name in feasible_combinations(decided) if not name.startswith("bldc")]
     others = rated_drives(decided, new)
     assert set(others.matrix.alternatives) <= set(new)
     assert "servo motor" in [one.name for one in others.matrix.criteria]

@@ -68,7 +68,7 @@ class Comparison(Result):
         """Return the reading error of each drive with each filter."""
         from torquerig.reporting.figures.error_figure import error_figure
 
-        return error_figure(self.runs.drives, present=self.decided.datum.split(" | ", maxsplit=1)[0])
+        return error_figure(self.runs.drives, present=self.decided.baseline.split(" | ", maxsplit=1)[0])
 
     def report(self, folder: str | Path) -> Path:
         """Write page, CSV tables and workbook into ``folder``, and return the page's path."""

@@ -22,7 +22,7 @@ from torquerig.reporting.study.text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
 from torquerig.study.definition import Study, open_study
-from torquerig.study.points import Point, points_of
+from torquerig.study.operating_points import Point, points_of
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide
@@ -129,7 +129,7 @@ def _compare_points(study: Study, folder: Path, workers: int | None) -> None:
         made = decided.alternatives.get(answer.winner)
         error = made.drive.chains[made.chain].truth_error.value if made else None
         rows.append([f"{point.occupancy_percent:g}", f"{1e3 * point.particle_size:g}", answer.winner or "-",
-                     _number(error), answer.word])  # fmt: skip
+                     _number(error), answer.certainty])  # fmt: skip
     click.echo(grid(rows) + f"\n\none report per point in {folder}; each point has one Monte Carlo sample per "
                             f"drive, so its "
                "uncertainty covers the intervals of the catalog only")  # fmt: skip

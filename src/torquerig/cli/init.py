@@ -18,7 +18,7 @@ def command(folder: Path) -> None:
     sources = {"catalogs": shipped_folder(), "scenarios": shipped_scenarios()}
     there = [str(folder / name) for name in sources if (folder / name).exists()]
     if there:
-        raise InputError(f"{there[0]}: exists already and was not changed; choose another folder or move it")
+        raise InputError(f"{there[0]}: is there already and was not changed; choose another folder or move it")
     for name, source in sources.items():
         shutil.copytree(source, folder / name)
     study = folder / "scenarios" / "wear_rig.yaml"

@@ -14,7 +14,7 @@ from torquerig.document import read_document
 from torquerig.errors import InputError
 
 if TYPE_CHECKING:
-    from torquerig.study.reference_decision.decision import RedoneDecision
+    from torquerig.study.reference_decision.decision import ReferenceDecision
 
 ENDINGS = (".html", ".md")
 
@@ -42,7 +42,7 @@ def command(
     """
     from torquerig.catalog.shipped import shipped_scenarios
     from torquerig.cli.progress import drive_progress
-    from torquerig.study.reference_decision.decision import redone
+    from torquerig.study.reference_decision.decision import reference_decision
     from torquerig.study.reference_decision.plan import read_plan
 
     for path in outs:
@@ -50,7 +50,7 @@ def command(
     path = plan or shipped_scenarios() / "reference_decision.yaml"
     made = read_plan(read_document(path), catalog_for(path, catalogs), draws=draws)
     with drive_progress("study") as progress:
-        decision = redone(made, progress=progress, workers=workers)
+        decision = reference_decision(made, progress=progress, workers=workers)
     _print_decision(decision)
     for target in outs:
         from torquerig.reporting.reference_report.decision_page import write_decision
@@ -59,7 +59,7 @@ def command(
         click.echo(f"wrote {target}", err=True)
 
 
-def _print_decision(decision: RedoneDecision) -> None:
+def _print_decision(decision: ReferenceDecision) -> None:
     from torquerig.plain_table import grid, wrapped
     from torquerig.study.reference_decision.reasons import Cause
 
@@ -70,7 +70,7 @@ def _print_decision(decision: RedoneDecision) -> None:
     click.echo(grid(rows) + "\n")
     for sentence in decision.answer.sentences():
         click.echo(wrapped(sentence))
-    for fact in decision.answer.asked:
+    for fact in decision.answer.missing:
         click.echo(wrapped(f"most useful missing fact: {fact}"))
 
 

@@ -73,7 +73,9 @@ def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
 @command.command("sweep")
 @click.option("--from", "start", callback=_quantity("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
 @click.option("--to", "stop", callback=_quantity("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
-@click.option("--linear", "spacing", flag_value="linear", help="Sweep linearly in frequency instead of logarithmically.")
+@click.option(
+    "--linear", "spacing", flag_value="linear", help="Sweep linearly in frequency instead of logarithmically."
+)
 @_run_options
 @_seed
 @_out

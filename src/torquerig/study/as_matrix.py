@@ -1,22 +1,22 @@
-"""A study as a matrix of one's own: drives by their best filter, criteria and demands, every origin kept."""
+"""A study as a decision matrix: drives with their best filter, criteria and requirements, with all sources."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from torquerig.decide.case import MatrixCase
-from torquerig.study.rated_drives import left_over, with_demands
+from torquerig.study.rated_drives import feasible_combinations, with_requirements
 from torquerig.study.scoring import Decided
 
 
 def as_matrix(decided: Decided, *, name: str, seed: int) -> MatrixCase:
-    """Return the case that ``torquerig matrix`` works out, fills into Excel, and takes edits of.
+    """Return the case that ``torquerig matrix`` reads, writes to Excel and evaluates.
 
-    The present combination is the datum, even where a demand eliminates it. How often a drive is best can differ a
-    little from the study's own figure, which lets every filter of a drive count.
+    The present combination is the baseline, even where a requirement eliminates it. The share of Monte Carlo samples in
+    which a drive is best can differ a little from that of the study, which counts every filter of a drive.
     """
     best: dict[str, str] = {}
-    for one in left_over(decided):
+    for one in feasible_combinations(decided):
         best.setdefault(decided.alternatives[one].drive.candidate.name, one)
-    rows = tuple(dict.fromkeys((*best.values(), decided.datum)))
-    return MatrixCase(matrix=replace(with_demands(decided, rows), name=name), baseline=decided.datum, seed=seed)
+    rows = tuple(dict.fromkeys((*best.values(), decided.baseline)))
+    return MatrixCase(matrix=replace(with_requirements(decided, rows), name=name), baseline=decided.baseline, seed=seed)

@@ -1,4 +1,4 @@
-"""Each motor on each gearbox as a rig of its own: catalog values put in, loop tuned, drive limited."""
+"""Each motor on each gearbox as a rig: catalog values inserted, speed loop tuned, drive limited."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Candidate:
     Parameters
     ----------
     motor, gearbox : str
-        Names in the catalog (an alias keeps its own name).
+        Names in the catalog (an alias stays an alias).
     ratio : float
         Motor turns per output turn [1].
     """
@@ -43,7 +43,7 @@ class Candidate:
 
 
 def candidates(study: Study) -> tuple[Candidate, ...]:
-    """Return all motors on all gearboxes; a ratio stated in the rig's own gear pins the gearbox to that one."""
+    """Return all motors on all gearboxes; a ratio in the rig's gear fixes the gearbox."""
     settings, catalog = study.settings, study.catalog
     _, gear_part = drive_parts(study.document)
     motors = tuple(catalog.motors) if settings.motors == "all" else settings.motors
@@ -65,13 +65,13 @@ def candidates(study: Study) -> tuple[Candidate, ...]:
 def _refuse_unknown(study: Study, motors: tuple[str, ...]) -> None:
     present, catalog = study.settings.present, study.catalog
     boxes = study.settings.gearboxes
-    asked: tuple[tuple[tuple[str, ...], tuple[str, ...], Callable[[str], object]], ...] = (
+    named: tuple[tuple[tuple[str, ...], tuple[str, ...], Callable[[str], object]], ...] = (
         (("motors",), motors, catalog.motor),
         (("gearboxes",), boxes, catalog.gearbox),
         (("present", "motor"), (present.motor,), catalog.motor),
         (("present", "gearbox"), (present.gearbox,), catalog.gearbox),
     )
-    for key, names, look_up in asked:
+    for key, names, look_up in named:
         for name in names:
             try:
                 look_up(name)
@@ -96,14 +96,14 @@ def drive_parts(document: Document) -> tuple[str, str]:
 def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
     """Return the scenario with the candidate's motor and gearbox, its loop tuned by the rule, its drive limited.
 
-    ``seed`` fixes what is drawn from the catalog's intervals.
+    ``seed`` determines the values drawn from the catalog's intervals.
     """
     document, catalog = study.document, study.catalog
     motor_part, gear_part = drive_parts(document)
     data = copy.deepcopy(document.data)
-    own = data["rig"][motor_part]
-    if own.get("catalog") != candidate.motor:
-        ripple = {key: own[key] for key in ("ripple",) if key in own}  # how it is got is a matter of the study
+    written = data["rig"][motor_part]
+    if written.get("catalog") != candidate.motor:
+        ripple = {key: written[key] for key in ("ripple",) if key in written}  # the study chooses the ripple model
         data["rig"][motor_part] = {"kind": "motor", "catalog": candidate.motor, **ripple}
     if candidate.gearbox in catalog.gearboxes:
         data["rig"][gear_part]["catalog"] = candidate.gearbox
@@ -113,7 +113,7 @@ def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
 
 
 def drive_limited(rig: Rig, sensor_limit: float) -> Rig:
-    """Return the rig with the drive's torque limit lowered so that the sensor sees at most ``sensor_limit`` [N m]."""
+    """Return the rig with the drive's torque limit lowered to at most ``sensor_limit`` [N m] at the sensor."""
     motor = rig.parts_of(Motor)[0]
     return rig.changed(replace(motor, torque_limit=min(motor.torque_limit, sensor_limit / torque_gain(rig))))
 

@@ -1,4 +1,4 @@
-"""The demands and criteria of a study's file as the matrices want them, checked before anything is simulated."""
+"""Requirements and criteria of a study for the decision matrices, checked before the simulation."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from torquerig.decide.kesselring import TEACHING
 from torquerig.errors import InputError, TorquerigError
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
 from torquerig.study.definition import Study
-from torquerig.study.settings import CriterionRow, DemandRow
+from torquerig.study.settings import CriterionRow, RequirementRow
 
 UNITS: Mapping[str, str] = {
     "truth_error": "N*m",
@@ -25,14 +25,16 @@ UNITS: Mapping[str, str] = {
     "left_disturbance": "N*m",
     **SIZING_UNITS,
 }
-"""The unit in which each metric is counted; limits, bands and points of a study are in it."""
+"""Unit of each metric; limits, bands and points of a study are in it."""
 
 
-def demands_of(study: Study) -> tuple[Criterion, ...]:
-    """Return the study's demands; InputError with file, line and key for one that cannot be used."""
-    if not study.settings.demands:
-        raise InputError(f"{study.document.place(('study', 'demands'))}: nothing is listed; write at least one demand")
-    return tuple(_made(study, "demands", name, row) for name, row in study.settings.demands.items())
+def requirements_of(study: Study) -> tuple[Criterion, ...]:
+    """Return the study's requirements; InputError with file, line and key for one that cannot be used."""
+    if not study.settings.requirements:
+        raise InputError(
+            f"{study.document.place(('study', 'requirements'))}: the list is empty; write at least one requirement"
+        )
+    return tuple(_made(study, "requirements", name, row) for name, row in study.settings.requirements.items())
 
 
 def criteria_of(study: Study) -> tuple[Criterion, ...]:
@@ -40,25 +42,25 @@ def criteria_of(study: Study) -> tuple[Criterion, ...]:
     rows = study.settings.criteria.values()
     if not any(row.kind == "technical" and row.weight > 0 for row in rows):
         place = study.document.place(("study", "criteria"))
-        raise InputError(f"{place}: no technical criterion has a weight, so nothing can be ranked; give one a weight")
+        raise InputError(f"{place}: no technical criterion has a weight, so no ranking is possible; give one a weight")
     return tuple(_made(study, "criteria", name, row) for name, row in study.settings.criteria.items())
 
 
-def _made(study: Study, section: str, name: str, row: DemandRow | CriterionRow) -> Criterion:
+def _made(study: Study, section: str, name: str, row: RequirementRow | CriterionRow) -> Criterion:
     place = study.document.place
     if row.unit != UNITS[row.metric]:
         raise InputError(
-            f"{place(('study', section, name, 'unit'))}: {row.metric} is counted in {UNITS[row.metric]!r}, not in "
+            f"{place(('study', section, name, 'unit'))}: {row.metric} has the unit {UNITS[row.metric]!r}, not "
             f"{row.unit!r}; write the limits and points in {UNITS[row.metric]!r}"
         )
     try:
-        return _demand(name, row) if isinstance(row, DemandRow) else _criterion(name, row)
+        return _requirement(name, row) if isinstance(row, RequirementRow) else _criterion(name, row)
     except TorquerigError as error:
-        told = str(error).removeprefix(f"{name}: ")
-        raise InputError(f"{place(('study', section, name))}: {told}") from None
+        message = str(error).removeprefix(f"{name}: ")
+        raise InputError(f"{place(('study', section, name))}: {message}") from None
 
 
-def _demand(name: str, row: DemandRow) -> Criterion:
+def _requirement(name: str, row: RequirementRow) -> Criterion:
     return Criterion(name=name, unit=row.unit, requirement=Requirement(low=row.min, high=row.max), purpose=row.purpose)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from torquerig.catalog.reading import Catalog
-from torquerig.document import Document, read_document
+from torquerig.document import Document, read_document, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 from torquerig.filters.chains.chain_file import needs_response, read_chains
 from torquerig.filters.chains.filter_chain import Chain
@@ -19,7 +19,7 @@ from torquerig.study.settings import Settings, read_settings
 
 @dataclass(frozen=True)
 class Study:
-    """Everything that a comparison reads; nothing in it is changed by running."""
+    """Everything that a comparison reads; a run changes nothing in it."""
 
     document: Document
     settings: Settings
@@ -41,7 +41,7 @@ class Study:
             if name not in made:
                 key = ("filters", "names") if name in self.settings.filters.names else ("present", "filter")
                 raise InputError(
-                    f"{self.document.place(('study', *key))}: there is no chain {name!r} in "
+                    f"{self.document.place(('study', *key))}: unknown filter chain {name!r}: it is not in "
                     f"{self.filters.path.name}; {did_you_mean(name, made)}"
                 )
         return {name: made[name] for name in wanted}
@@ -49,6 +49,7 @@ class Study:
 
 def open_study(document: Document, catalog: Catalog) -> Study:
     """Return the study of a scenario's document; InputError with file, line and key for what cannot be used."""
+    document = with_new_keys(document, {("study", "demands"): "requirements"})
     settings = read_settings(document)
     filters = read_document(Path(document.path).parent / settings.filters.file)
     return Study(document, settings, catalog, filters)

@@ -1,4 +1,4 @@
-"""One drive through the study: simulate, filter, measure, and draw further copies of it."""
+"""One drive of a study: simulate, filter, measure, and repeat for Monte Carlo samples of the catalog."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
 from torquerig.study.sized_candidates import sizing_figures
 
-SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that tell the shares apart
-DRAW_DURATION = 6.0  # [s] of the runs of further drawn copies
-TIME_CONSTANTS = 7.5  # [1] of the slowest pole that a run settles for, which leaves 0.06 % of it
+SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that separate the shares
+DRAW_DURATION = 6.0  # [s] of each Monte Carlo run
+TIME_CONSTANTS = 7.5  # [1] settling time over that of the slowest pole; 0.06 % of it remains
 
 
 def run_drive(candidate: Candidate, study: Study) -> DriveResult:
-    """Return what one motor on one gearbox does: margins, shares of the reading, and every filter on it."""
+    """Return the results of one motor on one gearbox: margins, shares of the reading, and every filter."""
     scenario = scenario_of(candidate, study, seed=study.settings.seed)
     motor = scenario.rig.parts_of(Motor)[0]
     controller = scenario.rig.parts_of(SpeedController)[0]
     speed = scenario.rig.run.speed or 0.0
     reason = out_of_reach(candidate, scenario, study)
-    still = DriveResult(
+    unsimulated = DriveResult(
         candidate=candidate,
         margins=_margins(candidate, scenario, study, torque_limit=motor.torque_limit),
         out_of_reach=reason,
@@ -54,11 +54,11 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
         omitted=_omitted(candidate, scenario, study),
         taken=scenario.taken,
     )
-    return still if reason else _simulated(still, scenario, study)
+    return unsimulated if reason else _simulated(unsimulated, scenario, study)
 
 
 def settling_of(rule: SpeedLoopRule) -> float:
-    """Return how long a drive tuned by this rule needs to settle [s]: that of the slower of its two corners."""
+    """Return the settling time [s] of a drive tuned by this rule, from the slower of its two corners."""
     corners = [corner for corner in (rule.crossover, rule.integral_corner) if corner > 0]
     return round(TIME_CONSTANTS / (2 * pi * min(corners)), 1)
 
@@ -72,7 +72,7 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
     rig, present = scenario.rig, study.settings.present
     entry, gearbox = study.catalog.motor(candidate.motor), study.catalog.gearboxes.get(candidate.gearbox)
     if gearbox is None:
-        raise InputError(f"{study.document.path}: the gear has no catalog entry; state one, so that its price is known")
+        raise InputError(f"{study.document.path}: the gear has no catalog entry; state one to give it a price")
     gears = gears_to_sensor(rig)
     ratio = kinematics_of(rig).ratio
     duty = Duty(
@@ -92,8 +92,8 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
     return {**margins, **sizing_figures(candidate, study, metrics_of(study.settings))}
 
 
-def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveResult:
-    """Return the drive with what its simulation showed."""
+def _simulated(unsimulated: DriveResult, scenario: Scenario, study: Study) -> DriveResult:
+    """Return the drive with the results of its simulation."""
     rig, seed = scenario.rig, study.settings.seed
     wander, ratio = scenario.operating_point.slow_speed_wander, kinematics_of(rig).ratio
     settling = settling_of(study.settings.speed_loop)
@@ -102,23 +102,23 @@ def _simulated(still: DriveResult, scenario: Scenario, study: Study) -> DriveRes
         scenario=scenario.title,
     )  # fmt: skip
     shares = reading_shares(rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=settling)
-    errors, disturbances = _drawn_copies(still.candidate, study)
-    chains, left = {}, _left_disturbances(still.candidate, scenario, study)
+    errors, disturbances = _monte_carlo_runs(unsimulated.candidate, study)
+    chains, remaining = {}, _remaining_disturbances(unsimulated.candidate, scenario, study)
     for name, chain in study.chains(scenario).items():
         after = chain.apply(reading)
         chains[name] = ChainResult(
             chain=name,
             effect=chain_effect(reading, after, ratio=ratio, lines=chain.lines),
-            truth_error=_spread(truth_error(after, reading), errors.get(name, []), scenario.assumed),
+            truth_error=_figure(truth_error(after, reading), errors.get(name, []), scenario.assumed),
             left_out=chain.left_out,
-            **({"left_disturbance": left[name]} if name in left else {}),
+            **({"left_disturbance": remaining[name]} if name in remaining else {}),
         )
-    disturbance = _spread(shares.disturbance, disturbances, scenario.assumed)
-    return replace(still, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
+    disturbance = _figure(shares.disturbance, disturbances, scenario.assumed)
+    return replace(unsimulated, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
 
 
-def _drawn_copies(candidate: Candidate, study: Study) -> tuple[dict[str, list[float]], list[float]]:
-    """Return reading errors by chain, and disturbances, of further copies drawn from the catalog's intervals."""
+def _monte_carlo_runs(candidate: Candidate, study: Study) -> tuple[dict[str, list[float]], list[float]]:
+    """Return reading errors by chain, and disturbances, of Monte Carlo samples of the catalog's intervals."""
     errors: dict[str, list[float]] = {}
     disturbances, settling = [], settling_of(study.settings.speed_loop)
     for number in range(1, study.settings.draws + 1):
@@ -132,8 +132,8 @@ def _drawn_copies(candidate: Candidate, study: Study) -> tuple[dict[str, list[fl
     return errors, disturbances
 
 
-def _left_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -> dict[str, Figure]:
-    """Return what each chain leaves of the disturbance, over this and the drawn copies; empty unless it is asked."""
+def _remaining_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -> dict[str, Figure]:
+    """Return the disturbance behind each chain over all Monte Carlo samples; empty unless a criterion uses it."""
     if "left_disturbance" not in metrics_of(study.settings):
         return {}
     found: dict[str, list[float]] = {}
@@ -145,13 +145,13 @@ def _left_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -
         both = simulated_reading_pair(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
         for name, chain in study.chains(made).items():
             found.setdefault(name, []).append(both.residual_rms(chain))
-    return {name: _spread(values[0], values[1:], scenario.assumed) for name, values in found.items()}
+    return {name: _figure(values[0], values[1:], scenario.assumed) for name, values in found.items()}
 
 
-def _spread(value: float, others: list[float], assumed: Mapping[str, str]) -> Figure:
+def _figure(value: float, others: list[float], assumed: Mapping[str, str]) -> Figure:
     missing = ", ".join(assumed) if assumed else ""
     low, high = min([value, *others]), max([value, *others])
-    return Figure(value=value, low=low, high=high, unit="N*m", source=f"simulated, {1 + len(others)} copies",
+    return Figure(value=value, low=low, high=high, unit="N*m", source=f"simulated, {1 + len(others)} samples",
                   missing=missing)  # fmt: skip
 
 

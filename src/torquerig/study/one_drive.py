@@ -1,4 +1,4 @@
-"""The one drive that a command looks at: the scenario's own, or a candidate of its study."""
+"""The drive of a command: that of the scenario, or a candidate of its study."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ AnyEntry = TypeVar("AnyEntry", bound=Entry)
 def scenario_or_candidate(
     document: Document, catalog: Catalog, *, motor: str | None, gearbox: str | None, seed: int
 ) -> Scenario:
-    """Return the scenario as it stands, or with another motor or gearbox as its study would run it.
+    """Return the scenario unchanged, or with another motor or gearbox, tuned and limited as in its study.
 
     Raises
     ------
@@ -38,13 +38,13 @@ def scenario_or_candidate(
             )
         return made
     study = open_study(document, catalog)
-    box = _asked("--gearbox", gearbox or study.settings.present.gearbox, catalog.gearbox)
+    box = _looked_up("--gearbox", gearbox or study.settings.present.gearbox, catalog.gearbox)
     name = motor or study.settings.present.motor
-    _asked("--motor", name, catalog.motor)
+    _looked_up("--motor", name, catalog.motor)
     return scenario_of(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study, seed=seed)
 
 
-def _asked(option: str, name: str, look_up: Callable[[str], AnyEntry]) -> AnyEntry:
+def _looked_up(option: str, name: str, look_up: Callable[[str], AnyEntry]) -> AnyEntry:
     try:
         return look_up(name)
     except UnknownNameError as error:

@@ -1,4 +1,4 @@
-"""What must hold before a study spends its minute: every fault of the file is told before the first run."""
+"""Checks of a study before its first run."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from torquerig.scenario.demand_check import demand_faults
 from torquerig.scenario.drive_demand import drive_demand
 from torquerig.scenario.model import Scenario
 from torquerig.study.candidates import Candidate
-from torquerig.study.criteria import criteria_of, demands_of
+from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.definition import Study
 
 
 def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:
-    """Refuse a study that could not be decided after its runs.
+    """Raise InputError for a study that could not be ranked after its runs.
 
     Raises
     ------
     InputError
-        With file, line and key: no speed, a profile of segments, an unusable demand or criterion, or a present drive
-        that cannot be the datum.
+        With file, line and key: no speed, a profile of segments, an unusable requirement or criterion, or a present
+        drive that cannot be the baseline.
     """
     place = study.document.place
-    demands_of(study)
+    requirements_of(study)
     criteria_of(study)
     if not all(scenario.rig.run.speed for scenario in scenarios.values()):
         raise InputError(f"{place(('operating_point',))}: a study needs a speed; write output_speed, such as 200 rpm")
@@ -32,16 +32,16 @@ def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:
     present = study.settings.present
     there = {one: made for one, made in scenarios.items() if one.motor == present.motor}
     if all(out_of_reach(one, made, study) for one, made in there.items()):
-        short = "does not reach the speed, torque or voltage asked of it"
+        short = "does not reach the required speed, torque or voltage"
         fault = short if there else "is not among the motors of the study"
         raise InputError(
             f"{place(('study', 'present', 'motor'))}: the present motor {present.motor!r} {fault}, and the Pugh matrix "
-            "needs it as its datum; list it under motors, or name another present drive that reaches the speed"
+            "needs it as its baseline; list it under motors, or name another present drive that reaches the speed"
         )
 
 
 def out_of_reach(candidate: Candidate, scenario: Scenario, study: Study) -> str:
-    """Return why a drive cannot do what its run asks (speed, torque, voltage), or an empty text."""
+    """Return why a drive cannot reach the speed, torque or voltage of its run; empty where it can."""
     demand = drive_demand(scenario.rig, duration=study.settings.duration)
     faults = demand_faults(demand, scenario.rig, study.catalog.motor(candidate.motor))
     return next((fault.told for fault in faults if fault.impossible), "")
@@ -51,5 +51,5 @@ def _refuse_cycles(study: Study, scenario: Scenario) -> None:
     if scenario.rig.run.set_points is not None:
         raise InputError(
             f"{study.document.place(('operating_point', 'profile'))}: a study compares drives at one operating point, "
-            f"and {scenario.rig.run.profile} has many; write steady, and see one drive's cycle with torquerig duty"
+            f"and {scenario.rig.run.profile} has many; write steady, and use torquerig duty for the cycle of one drive"
         )

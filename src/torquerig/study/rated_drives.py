@@ -1,4 +1,4 @@
-"""The drives of a study, each by its best filter, judged against criteria and demands at once."""
+"""The drives of a study, each with its best filter, rated by criteria and requirements."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from torquerig.study.scoring import Decided
 
 @dataclass(frozen=True, kw_only=True)
 class RatedDrives:
-    """Some drives of a study and how sure it is which of them is best.
+    """Drives of a study and the confidence that one of them is best.
 
     Parameters
     ----------
     matrix : DecisionMatrix
-        The best combination of each drive against the criteria, with the demands on its drive beside.
+        The best combination of each drive against the criteria, together with the requirements on its drive.
     overall : KesselringResult
         Of ``matrix``.
     combinations : mapping of str to RankAcceptability
         Of every combination of these drives, by what is drawn.
     verdict : MatrixVerdict
-        Of the drives: how often a drive is best with any of its filters, and what a demand on it still asks.
+        Of the drives: share of samples in which a drive is best with any of its filters, and open requirements on it.
     """
 
     matrix: DecisionMatrix
@@ -39,20 +39,20 @@ class RatedDrives:
 
     @property
     def facts(self) -> tuple[MissingFact, ...]:
-        """Every open datum that somebody can be asked for, those first that improve the choice most."""
+        """Every missing value that a maker can state, those first that improve the choice most."""
         found = missing_facts(self.matrix, profile=self.overall.profile)
         return tuple(one for one in found if self.matrix.cell(*one.cells[0]).unknown_reason)
 
 
 def rated_drives(decided: Decided, names: Iterable[str]) -> RatedDrives:
-    """Return the judged drives of these combinations; at least one.
+    """Return the rated drives of these combinations; at least one.
 
-    The best filter of a drive stands for it; its chances are those of all its filters among ``names`` together, which
-    share their draws.
+    Each drive is represented by its best filter. Its share of samples is that of all its filters among ``names``, which
+    use the same samples.
     """
     drives = _by_drive(decided, tuple(names))
     listed = [name for names_of in drives.values() for name in names_of]
-    matrix = with_demands(decided, tuple(drives))
+    matrix = with_requirements(decided, tuple(drives))
     overall = kesselring(matrix, profile=TEACHING)
     found = robustness(decided.matrix.only(alternatives=listed))
     chances = {name: _of_drives(one, drives) for name, one in found.items()}
@@ -64,27 +64,30 @@ def rated_drives(decided: Decided, names: Iterable[str]) -> RatedDrives:
     )
 
 
-def left_over(decided: Decided) -> tuple[str, ...]:
-    """Return the combinations whose drive no demand eliminates, the best first."""
+def feasible_combinations(decided: Decided) -> tuple[str, ...]:
+    """Return the combinations whose drive no requirement eliminates, the best first."""
     out = set(decided.chart.with_decision(Decision.ELIMINATE))
     return tuple(name for name in decided.ranked() if decided.alternatives[name].drive.candidate.name not in out)
 
 
-def with_demands(decided: Decided, names: tuple[str, ...]) -> DecisionMatrix:
-    """Return the criteria's matrix of these combinations with the demands on their drives beside."""
+def with_requirements(decided: Decided, names: tuple[str, ...]) -> DecisionMatrix:
+    """Return the matrix of criteria of these combinations, together with the requirements on their drives."""
     known = {criterion.name for criterion in decided.matrix.criteria}
-    demands = {
-        one.name: f"{one.name} (demanded)" if one.name in known else one.name for one in decided.demands.criteria
+    requirements = {
+        one.name: f"{one.name} (required)" if one.name in known else one.name for one in decided.requirements.criteria
     }
     cells = {
-        (name, shown): decided.demands.cell(decided.alternatives[name].drive.candidate.name, demand)
+        (name, shown): decided.requirements.cell(decided.alternatives[name].drive.candidate.name, requirement)
         for name in names
-        for demand, shown in demands.items()
+        for requirement, shown in requirements.items()
     }
     kept = decided.matrix.only(alternatives=names)
     return replace(
         kept,
-        criteria=(*kept.criteria, *(replace(one, name=demands[one.name]) for one in decided.demands.criteria)),
+        criteria=(
+            *kept.criteria,
+            *(replace(one, name=requirements[one.name]) for one in decided.requirements.criteria),
+        ),
         cells={**kept.cells, **cells},
     )
 
@@ -98,7 +101,7 @@ def _by_drive(decided: Decided, names: tuple[str, ...]) -> dict[str, list[str]]:
 
 
 def _of_drives(found: RankAcceptability, drives: Mapping[str, list[str]]) -> RankAcceptability:
-    """Return how often each drive is best with any of its filters, under the name of its best combination."""
+    """Return the share of samples in which each drive is best with any filter, by its best combination."""
     best = [sum(found.best_share(name) for name in listed) for listed in drives.values()]
     rows = [found.alternatives.index(name) for name in drives]
     return replace(found, alternatives=tuple(drives), shares=np.array(best)[:, None], mean_share=found.mean_share[rows])

@@ -1,4 +1,4 @@
-"""One motor on every gearbox of the catalog, beside the ratio that the alpha-beta method would choose."""
+"""One motor on every gearbox of the catalog, and the best ratio of the alpha-beta method."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from torquerig.study.candidates import Candidate
 from torquerig.study.definition import Study
 from torquerig.study.sized_candidates import sized_candidate
 
-ASKED = ("rms_torque", "rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use",
+SHOWN = ("rms_torque", "rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use",
          "sensor_overload", "inertia_ratio", "load_fidelity")  # fmt: skip
-BARRED = ("rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use")
+LIMITS = ("rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use")
 
 
 @dataclass(frozen=True, kw_only=True)
 class SweptGearbox:
-    """The motor on one gearbox, and which limits it surely exceeds."""
+    """The motor on one gearbox, and the limits that it exceeds for all values of the intervals."""
 
     gearbox: str
     ratio: float
@@ -27,18 +27,18 @@ class SweptGearbox:
 
     @property
     def rms_torque(self) -> Figure:
-        """The rms torque of the motor [N m], with this gearbox's own inertia and efficiency."""
+        """The rms torque of the motor [N m], with the inertia and efficiency of this gearbox."""
         return self.sized.figures["rms_torque"]
 
     @property
     def exceeded(self) -> tuple[str, ...]:
-        """The limits that it surely exceeds, by name."""
-        return tuple(name for name in BARRED if name in self.sized.figures and self.sized.word(name) == EXCEEDS)
+        """The limits that are exceeded for all values of the intervals, by name."""
+        return tuple(name for name in LIMITS if name in self.sized.figures and self.sized.word(name) == EXCEEDS)
 
 
 @dataclass(frozen=True, kw_only=True)
 class RatioSweep:
-    """All gearboxes by rising ratio, and the closed form of the same task."""
+    """All gearboxes by rising ratio, and the closed form for the same duty cycle."""
 
     motor: str
     drive: SizedDrive
@@ -47,21 +47,21 @@ class RatioSweep:
 
     @property
     def best(self) -> SweptGearbox | None:
-        """The gearbox of the least rms torque that no limit bars; None where every one is barred."""
+        """The gearbox of the least rms torque that exceeds no limit; None where each exceeds one."""
         allowed = [one for one in self.swept if not one.exceeded]
         return min(allowed, key=lambda one: middle(one.rms_torque), default=None)
 
     def sentence(self, reached: Figure) -> str:
-        """Return both answers beside each other; ``reached`` is the ideal ratio no faster than the motor turns."""
+        """Return both results as text; ``reached`` is the ideal ratio within the speed limit of the motor."""
         if self.best is None:
             return f"No gearbox of the catalog fits {self.motor}: each exceeds a limit."
         least = middle(self.best.rms_torque)
         known = middle(reached)
         by_form = self.ideal.rms_torque(known)
-        why = "where speed bounds it" if known < self.ideal.best * 0.999 else "the least of all"
+        why = "limited by the motor speed" if known < self.ideal.best * 0.999 else "the unconstrained minimum"
         return (
             f"Alpha-beta: {reached.shown()}:1, {why}, {by_form:.3g} N*m rms without gearbox inertia and motor "
-            f"friction. Of the catalog: {self.best.gearbox} with {self.best.ratio:g}:1, {least:.3g} N*m rms with both, "
+            f"friction. Catalog: {self.best.gearbox} with {self.best.ratio:g}:1, {least:.3g} N*m rms with both, "
             f"{100 * (least / by_form - 1):+.0f} %."
         )
 
@@ -73,7 +73,7 @@ def ratio_sweep(drive: SizedDrive, study: Study) -> RatioSweep:
         SweptGearbox(
             gearbox=box.name,
             ratio=box.ratio,
-            sized=sizing(sized_candidate(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study), names=ASKED),
+            sized=sizing(sized_candidate(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study), names=SHOWN),
         )
         for box in sorted(study.catalog.gearboxes.values(), key=lambda box: (box.ratio, box.name))
     ]
@@ -81,7 +81,7 @@ def ratio_sweep(drive: SizedDrive, study: Study) -> RatioSweep:
 
 
 def middle(figure: Figure) -> float:
-    """Return the value, or the middle of the interval; infinite where nothing is known."""
+    """Return the value, or the middle of the interval; infinite where it is unknown."""
     if figure.value is not None:
         return figure.value
     return float("inf") if figure.low is None or figure.high is None else 0.5 * (figure.low + figure.high)

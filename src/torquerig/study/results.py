@@ -1,4 +1,4 @@
-"""What a study found, before anything is decided: per drive, and per filter on it."""
+"""Results of a study before the decision: per drive and filter."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from torquerig.version import __version__
 
 @dataclass(frozen=True, kw_only=True)
 class ChainResult:
-    """One filter on one drive; ``left_disturbance`` [N m] is unknown unless a criterion asks for it."""
+    """One filter on one drive; ``left_disturbance`` [N m] is unknown unless a criterion uses it."""
 
     chain: str
     effect: FilterEffect
     truth_error: Figure
     left_out: tuple[str, ...]
-    left_disturbance: Figure = field(default_factory=lambda: Figure(unit="N*m", missing="a criterion that asks for it"))
+    left_disturbance: Figure = field(default_factory=lambda: Figure(unit="N*m", missing="a criterion that uses it"))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +36,7 @@ class DriveResult:
     margins : mapping of str to Figure
         Speed, torque, sensor, parts and price; see metrics/drive_margins.
     out_of_reach : str
-        Why it was not simulated; empty when it was.
+        Why it was not simulated; empty if it was.
     motor_speed : float
         [rad/s]
     torque_limit, kp : float
@@ -45,12 +45,12 @@ class DriveResult:
         Values that no document states, with the interval that they were drawn from.
     shares : Shares or None
     disturbance : Figure
-        Rms of the lines in the unfiltered reading over this and the drawn copies [N m].
+        Rms of the lines in the unfiltered reading over the Monte Carlo samples [N m].
     chains : mapping of str to ChainResult
     omitted : Figure
         Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
     taken : mapping of str to FromCatalog
-        What the catalog gave the simulated rig, by ``part.field``.
+        Catalog values of the simulated rig, by ``part.field``.
     recording : Recording or None
         The reading, with its truth.
     """
@@ -72,7 +72,7 @@ class DriveResult:
 
 @dataclass(frozen=True, kw_only=True)
 class StudyRuns:
-    """All that was simulated and measured.
+    """All simulated drives and their figures.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ def run_study(study: Study, *, progress: Progress | None = None, workers: int | 
     """Simulate and measure every candidate of a study.
 
     ``progress(done, total, name)`` is called after each drive. The result does not depend on the number of workers:
-    every random number belongs to its seed and name. The compiled kernel and the transforms run outside the
+    every random number is determined by its seed and name. The compiled kernel and the transforms run outside the
     interpreter's lock, so threads are enough.
 
     Raises

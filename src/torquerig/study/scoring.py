@@ -1,4 +1,4 @@
-"""From measured figures to matrices: demands on each drive, criteria on each drive with each filter."""
+"""From measured figures to matrices: requirements on each drive, criteria on each drive with each filter."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from torquerig.decide.matrix import Cell, DecisionMatrix
 from torquerig.decide.pugh import PughResult, pugh
 from torquerig.errors import InputError
 from torquerig.metrics.figure import Figure
-from torquerig.study.asked import in_words
-from torquerig.study.criteria import criteria_of, demands_of
-from torquerig.study.origins import metric_in_words, origins_of
+from torquerig.study.criteria import criteria_of, requirements_of
+from torquerig.study.missing_data import missing_data_text
+from torquerig.study.origins import metric_text, origins_of
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.settings import Metric, Settings
 
@@ -38,21 +38,21 @@ class Decided:
 
     Parameters
     ----------
-    demands : DecisionMatrix
-        Every drive against the demands; ``chart`` is its elimination.
+    requirements : DecisionMatrix
+        Every drive against the requirements; ``chart`` is its elimination.
     matrix : DecisionMatrix
-        Every surviving drive with every filter against the criteria; the present drive stands in it as the datum even
-        where a demand eliminates it.
+        Every surviving drive with every filter against the criteria; the present drive is in it as the baseline even
+        where a requirement eliminates it.
     overall, technical, economic : KesselringResult
-        All criteria together (the ranking), and each kind apart (for the S-diagram: price belongs on its own axis).
+        All criteria together (the ranking), and each kind apart (the axes of the S-diagram).
     alternatives : mapping of str to Alternative
         The rows of ``matrix`` by name.
     """
 
-    demands: DecisionMatrix
+    requirements: DecisionMatrix
     chart: SelectionChart
     alternatives: Mapping[str, Alternative]
-    datum: str
+    baseline: str
     matrix: DecisionMatrix
     pugh: PughResult
     overall: KesselringResult
@@ -68,17 +68,17 @@ class Decided:
 def decide(runs: StudyRuns) -> Decided:
     """Return elimination, Pugh and Kesselring of a study's runs."""
     settings = runs.study.settings
-    demands = DecisionMatrix(
-        name="demands",
+    requirements = DecisionMatrix(
+        name="requirements",
         alternatives=tuple(drive.candidate.name for drive in runs.drives),
-        criteria=demands_of(runs.study),
+        criteria=requirements_of(runs.study),
         cells={
             (drive.candidate.name, name): _cell(drive, None, row.metric, settings)
             for drive in runs.drives
-            for name, row in settings.demands.items()
+            for name, row in settings.requirements.items()
         },
     )
-    chart = eliminate(demands)
+    chart = eliminate(requirements)
     kept = set(chart.with_decision(Decision.PURSUE, Decision.OPEN, Decision.REVISE))
     present = _present(runs)
     alternatives = {
@@ -97,16 +97,16 @@ def decide(runs: StudyRuns) -> Decided:
             for name, row in settings.criteria.items()
         },
     )
-    datum = f"{present.candidate.name} | {settings.present.filter}"
+    baseline = f"{present.candidate.name} | {settings.present.filter}"
     counts = any(row.kind is Kind.ECONOMIC and row.weight > 0 for row in matrix.criteria)
     economic = matrix.only(kind=Kind.ECONOMIC) if counts else None
     return Decided(
-        demands=demands,
+        requirements=requirements,
         chart=chart,
         alternatives=alternatives,
-        datum=datum,
+        baseline=baseline,
         matrix=matrix,
-        pugh=pugh(matrix, datum),
+        pugh=pugh(matrix, baseline),
         overall=kesselring(matrix, profile=TEACHING),
         technical=kesselring(matrix.only(kind=Kind.TECHNICAL), profile=TEACHING),
         economic=None if economic is None else kesselring(economic, profile=TEACHING),
@@ -114,25 +114,25 @@ def decide(runs: StudyRuns) -> Decided:
 
 
 def _present(runs: StudyRuns) -> DriveResult:
-    """Return the drive that stands on the rig today; where a what-if pinned the gearbox, its motor on that one."""
+    """Return the present drive of the rig; where the gearbox is fixed, the present motor on that gearbox."""
     present = runs.study.settings.present
     same = [drive for drive in runs.drives if drive.candidate.motor == present.motor and drive.chains]
     if not same:
         raise InputError(
             f"{runs.study.document.place(('study', 'present', 'motor'))}: the present motor {present.motor!r} is not "
-            "among the simulated drives, and the Pugh matrix needs it as its datum; list it under motors, or name "
+            "among the simulated drives, and the Pugh matrix needs it as its baseline; list it under motors, or name "
             "another present drive that reaches the speed"
         )
     return next((drive for drive in same if drive.candidate.gearbox == present.gearbox), same[0])
 
 
 def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Settings) -> Cell:
-    """Return a figure's cell that rests on what the figure misses: one draw for all filters of a drive."""
+    """Return the cell of a figure; the missing value is drawn once for all filters of a drive."""
     figure = figure_of(drive, chain, metric)
-    told = metric_in_words(metric, figure, chain=chain, settings=settings)
+    text = metric_text(metric, figure, chain=chain, settings=settings)
     cell = replace(
-        cell_of(replace(figure, missing=in_words(figure.missing, drive.candidate))),
-        origins=origins_of(drive, figure, metric), metric=told,
+        cell_of(replace(figure, missing=missing_data_text(figure.missing, drive.candidate))),
+        origins=origins_of(drive, figure, metric), metric=text,
     )  # fmt: skip
     if cell.known:
         return cell
@@ -140,7 +140,7 @@ def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Setti
 
 
 def figure_of(drive: DriveResult, chain: str | None, metric: str) -> Figure:
-    """Return a metric of a drive with a chain; what needs a chain is unknown without one."""
+    """Return a metric of a drive with a chain; metrics behind a filter are unknown without one."""
     if metric == "truth_error":
         return Figure(unit="N*m") if chain is None else drive.chains[chain].truth_error
     if metric == "left_disturbance":
@@ -151,7 +151,7 @@ def figure_of(drive: DriveResult, chain: str | None, metric: str) -> Figure:
 
 
 def cell_of(figure: Figure) -> Cell:
-    """Return the cell of a figure: its value, or the interval it lies in, or ``?`` with what is missing."""
+    """Return the cell of a figure: its value, its interval, or ``?`` with the missing value."""
     if figure.unknown:
         return Cell(unknown_reason=figure.missing, source=figure.source)
     interval = figure.low is not None and figure.high is not None and figure.low < figure.high

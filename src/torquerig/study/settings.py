@@ -1,4 +1,4 @@
-"""The study section of a scenario: candidates, filters, rules, demands and criteria."""
+"""The study section of a scenario: candidates, filters, rules, requirements and criteria."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class _Section(BaseModel):
 
 
 class Present(_Section):
-    """What stands on the rig today; the datum of the Pugh matrix."""
+    """The present drive of the rig; the baseline of the Pugh matrix."""
 
     motor: str
     gearbox: str
@@ -40,14 +40,14 @@ class Present(_Section):
 
 
 class Filters(_Section):
-    """Which chains of which file, relative to the scenario."""
+    """Filter chains and their file, relative to the scenario."""
 
     file: str
     names: tuple[ChainName, ...] = Field(min_length=1)
 
 
 class SpeedLoopRule(_Section):
-    """The one rule by which the speed loop of every drive is tuned."""
+    """Tuning rule of the speed loop, the same for every drive."""
 
     crossover: Annotated[float, Parameter("Hz", "crossover of the speed loop", above=0)]
     integral_corner: Annotated[float, Parameter("Hz", "corner of the integrator", low=0)]
@@ -60,8 +60,8 @@ class AllPoints(_Section):
     particle_size: tuple[Annotated[float, Parameter("m", "particle size", above=0)], ...]
 
 
-class DemandRow(_Section):
-    """A demand of the elimination."""
+class RequirementRow(_Section):
+    """A requirement of the elimination."""
 
     metric: Metric
     unit: str
@@ -70,14 +70,14 @@ class DemandRow(_Section):
     purpose: str
 
     @model_validator(mode="after")
-    def _has_a_limit(self) -> DemandRow:
+    def _has_a_limit(self) -> RequirementRow:
         if self.min is None and self.max is None:
-            raise ValueError("a demand needs a limit; write min or max")
+            raise ValueError("a requirement needs a limit; write min or max")
         return self
 
 
 class Band(_Section):
-    """How far apart two values count as the same in the Pugh matrix."""
+    """Largest difference of two values that count as the same in the Pugh matrix."""
 
     absolute: float = 0.0
     relative: float = 0.0
@@ -110,13 +110,13 @@ class Settings(_Section):
     speed_loop: SpeedLoopRule
     sensor_limit: Annotated[float, Parameter("N*m", "largest torque at the sensor", above=0)]
     all_points: AllPoints | None = None
-    demands: dict[str, DemandRow]
+    requirements: dict[str, RequirementRow]
     criteria: dict[str, CriterionRow] = Field(min_length=1)
 
 
 def metrics_of(settings: Settings) -> frozenset[Metric]:
-    """Return every metric that a demand or criterion of the study asks for."""
-    return frozenset(row.metric for rows in (settings.demands, settings.criteria) for row in rows.values())
+    """Return every metric that a requirement or criterion of the study uses."""
+    return frozenset(row.metric for rows in (settings.requirements, settings.criteria) for row in rows.values())
 
 
 def read_settings(document: Document) -> Settings:
@@ -128,8 +128,8 @@ def read_settings(document: Document) -> Settings:
         if names == "all":
             continue
         if not names:
-            raise InputError(f"{document.place(('study', what))}: nothing is listed; name at least one")
+            raise InputError(f"{document.place(('study', what))}: the list is empty; name at least one")
         twice = {name for name in names if names.count(name) > 1}
         if twice:
-            raise InputError(f"{document.place(('study', what))}: {sorted(twice)[0]!r} stands twice; keep one")
+            raise InputError(f"{document.place(('study', what))}: {sorted(twice)[0]!r} is listed twice; keep one")
     return settings

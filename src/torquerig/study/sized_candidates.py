@@ -15,7 +15,7 @@ from torquerig.study.definition import Study
 
 
 def with_cycle(document: Document) -> Document:
-    """Return the document with its duty cycle as the profile; as it is where it states none or another profile."""
+    """Return the document with its duty cycle as the profile; unchanged without a cycle or with another profile."""
     data = document.data
     point = data.get("operating_point") if isinstance(data, dict) else None
     if not isinstance(point, dict) or "duty_cycle" not in point or point.get("profile", "steady") != "steady":
@@ -26,13 +26,13 @@ def with_cycle(document: Document) -> Document:
 
 
 def sized_candidate(candidate: Candidate, study: Study) -> SizedDrive:
-    """Return a candidate as the study would run it, its drive limited for the sensor, over the duty cycle."""
+    """Return a candidate of the study over the duty cycle, its drive limited for the sensor."""
     cycled = replace(study, document=with_cycle(study.document))
     return sized_drive(scenario_of(candidate, cycled, seed=study.settings.seed), study.catalog)
 
 
 def sizing_figures(candidate: Candidate, study: Study, wanted: Collection[str]) -> Mapping[str, Figure]:
-    """Return the figures of a sizing among ``wanted``; empty where none is, so that nothing is worked out in vain."""
+    """Return the figures of a sizing among ``wanted``; empty without any calculation where none is."""
     names = [name for name in SIZING_UNITS if name in wanted]
     if not names:
         return {}

@@ -1,4 +1,4 @@
-"""The way of every cell of a study: catalog values, simulated metric, value function, points, verdict."""
+"""Calculation of every cell of a study: catalog values, simulated metric, value function, points, verdict."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ class TracedDrive:
     Parameters
     ----------
     drive, combination : str
-        ``combination`` is empty where the drive was not simulated or a demand eliminates it.
-    demands, criteria : tuple of CellTrace
+        ``combination`` is empty where the drive was not simulated or a requirement eliminates it.
+    requirements, criteria : tuple of CellTrace
     origins : tuple of (Origin, tuple of str)
-        Each catalog value once, with the criteria and demands that rest on it.
+        Each catalog value once, with the criteria and requirements that use it.
     end : tuple of (str, str)
         Sum, rank and decision, which all cells share.
     """
 
     drive: str
     combination: str
-    demands: tuple[CellTrace, ...]
+    requirements: tuple[CellTrace, ...]
     criteria: tuple[CellTrace, ...]
     origins: tuple[tuple[Origin, tuple[str, ...]], ...]
     end: tuple[tuple[str, str], ...]
@@ -53,14 +53,14 @@ def traced_drives(decided: Decided, verdict: Verdict) -> tuple[TracedDrive, ...]
     best: dict[str, str] = {}
     for name in decided.ranked():
         best.setdefault(decided.alternatives[name].drive.candidate.name, name)
-    rest = {drive: "" for drive in decided.demands.alternatives if drive not in best}
+    rest = {drive: "" for drive in decided.requirements.alternatives if drive not in best}
     return tuple(traced_drive(decided, verdict, drive, name) for drive, name in {**best, **rest}.items())
 
 
 def traced_combinations(decided: Decided, verdict: Verdict) -> tuple[TracedDrive, ...]:
     """Return every drive with every filter, in the order of the ranking; eliminated ones last."""
     made = {name: decided.alternatives[name].drive.candidate.name for name in decided.ranked()}
-    rest = [drive for drive in decided.demands.alternatives if drive not in made.values()]
+    rest = [drive for drive in decided.requirements.alternatives if drive not in made.values()]
     listed = [*((drive, name) for name, drive in made.items()), *((drive, "") for drive in rest)]
     return tuple(traced_drive(decided, verdict, drive, name) for drive, name in listed)
 
@@ -69,12 +69,14 @@ def traced_drive(decided: Decided, verdict: Verdict, drive: str, combination: st
     """Return the cells of a drive, and of it with a filter where ``combination`` names one."""
     row = _row(decided, drive)
     criteria = decided.matrix.criteria if combination else ()
-    standing = Outcome(decision=row.decision, best_share=verdict.shares.get(combination, 0.0), certainty=verdict.word)
+    standing = Outcome(
+        decision=row.decision, best_share=verdict.shares.get(combination, 0.0), certainty=verdict.certainty
+    )
     end = end_steps(decided.overall, combination, standing) if combination else [("decision", str(row.decision))]
     return TracedDrive(
         drive=drive,
         combination=combination,
-        demands=tuple(_demand(decided, drive, one.name) for one in decided.demands.criteria),
+        requirements=tuple(_requirement(decided, drive, one.name) for one in decided.requirements.criteria),
         criteria=tuple(_criterion(decided, verdict, combination, one.name) for one in criteria),
         origins=_origins(decided, drive, combination),
         end=tuple(end),
@@ -82,12 +84,12 @@ def traced_drive(decided: Decided, verdict: Verdict, drive: str, combination: st
 
 
 def traced_cell(decided: Decided, verdict: Verdict, alternative: str, name: str) -> CellTrace:
-    """Return the way of one cell: a criterion of a combination, or a demand on a drive.
+    """Return the calculation of one cell: a criterion of a combination, or a requirement on a drive.
 
     Parameters
     ----------
     alternative : str
-        ``HDS6A-0104A 5:1 | order_lines``; a drive alone (``HDS6A-0104A 5:1``) stands for its best combination.
+        ``HDS6A-0104A 5:1 | order_lines``; a drive alone (``HDS6A-0104A 5:1``) means its best combination.
 
     Raises
     ------
@@ -96,68 +98,72 @@ def traced_cell(decided: Decided, verdict: Verdict, alternative: str, name: str)
     """
     drive, _, chain = alternative.partition(" | ")
     criteria = [one.name for one in decided.matrix.criteria]
-    demands = [one.name for one in decided.demands.criteria]
+    requirements = [one.name for one in decided.requirements.criteria]
     made = [one for one in decided.ranked() if decided.alternatives[one].drive.candidate.name == drive]
     chains = [decided.alternatives[one].chain for one in made]
-    _check(alternative, name, drives=decided.demands.alternatives, chains=chains, asked=(*criteria, *demands))
-    if name in demands and (name not in criteria or not chain):
-        return _demand(decided, drive, name)
+    _check(alternative, name, drives=decided.requirements.alternatives, chains=chains, rows=(*criteria, *requirements))
+    if name in requirements and (name not in criteria or not chain):
+        return _requirement(decided, drive, name)
     if not made:
-        raise UnknownNameError(f"{drive} is eliminated and has no {name!r}; the demands on it are {', '.join(demands)}")
+        raise UnknownNameError(
+            f"{drive} is eliminated and has no {name!r}; the requirements on it are {', '.join(requirements)}"
+        )
     return _criterion(decided, verdict, alternative if chain else made[0], name)
 
 
 def check_traced(study: Study, pairs: Iterable[tuple[str, str]]) -> None:
-    """Raise UnknownNameError for a cell that the study will not have, before anything is simulated."""
-    asked = tuple(study.settings.criteria) + tuple(study.settings.demands)
+    """Raise UnknownNameError for a cell that the study does not have, before the simulation."""
+    rows = tuple(study.settings.criteria) + tuple(study.settings.requirements)
     chains = tuple(dict.fromkeys((*study.settings.filters.names, study.settings.present.filter)))
     for alternative, name in pairs:
         drives = tuple(one.name for one in candidates(study))
-        _check(alternative, name, drives=drives, chains=chains, asked=asked)
+        _check(alternative, name, drives=drives, chains=chains, rows=rows)
 
 
 def _check(
-    alternative: str, name: str, *, drives: Sequence[str], chains: Sequence[str], asked: Sequence[str]
+    alternative: str, name: str, *, drives: Sequence[str], chains: Sequence[str], rows: Sequence[str]
 ) -> None:  # fmt: skip
     drive, _, chain = alternative.partition(" | ")
     if drive not in drives:
         raise UnknownNameError(f"there is no drive {drive!r} in the study; {did_you_mean(drive, drives)}")
-    if name not in asked:
-        raise UnknownNameError(f"the study asks for no {name!r}; {did_you_mean(name, asked)}")
+    if name not in rows:
+        raise UnknownNameError(f"the study has no criterion or requirement {name!r}; {did_you_mean(name, rows)}")
     if chain and chains and chain not in chains:
         raise UnknownNameError(f"the study has no filter {chain!r}; {did_you_mean(chain, chains)}")
 
 
-def _demand(decided: Decided, drive: str, name: str) -> CellTrace:
-    asked = next(one for one in decided.demands.criteria if one.name == name)
+def _requirement(decided: Decided, drive: str, name: str) -> CellTrace:
+    criterion = next(one for one in decided.requirements.criteria if one.name == name)
     steps = (
-        *_value(decided.demands.cell(drive, name), asked, drive),
-        *requirement_steps(decided.chart, asked, drive),
+        *_value(decided.requirements.cell(drive, name), criterion, drive),
+        *requirement_steps(decided.chart, criterion, drive),
         ("decision", str(_row(decided, drive).decision)),
     )
     return CellTrace(alternative=drive, criterion=name, steps=steps)
 
 
 def _criterion(decided: Decided, verdict: Verdict, combination: str, name: str) -> CellTrace:
-    asked = next(one for one in decided.matrix.criteria if one.name == name)
+    criterion = next(one for one in decided.matrix.criteria if one.name == name)
     drive = decided.alternatives[combination].drive.candidate.name
     standing = Outcome(
-        decision=_row(decided, drive).decision, best_share=verdict.shares.get(combination, 0.0), certainty=verdict.word
+        decision=_row(decided, drive).decision,
+        best_share=verdict.shares.get(combination, 0.0),
+        certainty=verdict.certainty,
     )
     steps = (
-        *_value(decided.matrix.cell(combination, name), asked, combination),
-        *sign_steps(decided.pugh, asked, combination),
-        *point_steps(decided.overall, asked, combination, standing),
+        *_value(decided.matrix.cell(combination, name), criterion, combination),
+        *sign_steps(decided.pugh, criterion, combination),
+        *point_steps(decided.overall, criterion, combination, standing),
     )
     return CellTrace(alternative=combination, criterion=name, steps=steps)
 
 
-def _value(cell: Cell, asked: Criterion, alternative: str) -> Steps:
-    """Return the steps to the value; what only differs between simulated copies lacks no datum.
+def _value(cell: Cell, criterion: Criterion, alternative: str) -> Steps:
+    """Return the steps to the value; a spread between Monte Carlo samples alone is no missing value.
 
-    Where catalog values are told, so are their sources.
+    Where catalog values are listed, so are their sources.
     """
-    steps = value_steps(replace(cell, source="") if cell.origins else cell, asked, alternative)
+    steps = value_steps(replace(cell, source="") if cell.origins else cell, criterion, alternative)
     return steps if cell.unknown or cell.unknown_reason else [one for one in steps if one[0] != "missing"]
 
 
@@ -167,7 +173,7 @@ def _row(decided: Decided, drive: str) -> ChartRow:
 
 def _origins(decided: Decided, drive: str, combination: str) -> tuple[tuple[Origin, tuple[str, ...]], ...]:
     used: dict[str, tuple[Origin, list[str]]] = {}
-    cells = [(one.name, decided.demands.cell(drive, one.name)) for one in decided.demands.criteria]
+    cells = [(one.name, decided.requirements.cell(drive, one.name)) for one in decided.requirements.criteria]
     if combination:
         cells = [*((one.name, decided.matrix.cell(combination, one.name)) for one in decided.matrix.criteria), *cells]
     for name, cell in cells:

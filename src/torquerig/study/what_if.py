@@ -1,4 +1,4 @@
-"""What an edit changes against the unedited study."""
+"""Differences between an edited study and the original one."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class Change:
     disturbance_after: float | None
 
 
-def changes(unedited: StudyRuns, edited: StudyRuns) -> tuple[Change, ...]:
-    """Return every drive of the edited study beside the same motor and gearbox of the unedited one."""
-    known = {(drive.candidate.motor, drive.candidate.gearbox): drive for drive in unedited.drives}
+def changes(original: StudyRuns, edited: StudyRuns) -> tuple[Change, ...]:
+    """Return every drive of the edited study with the same motor and gearbox of the original one."""
+    known = {(drive.candidate.motor, drive.candidate.gearbox): drive for drive in original.drives}
     found = []
     for drive in edited.drives:
         before = known.get((drive.candidate.motor, drive.candidate.gearbox))

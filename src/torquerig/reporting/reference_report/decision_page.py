@@ -7,20 +7,20 @@ from pathlib import Path
 from torquerig.reporting.html import html
 from torquerig.reporting.matrix.markdown import escaped, table_text
 from torquerig.reporting.reference_report.decision_chapters import chapters
-from torquerig.study.reference_decision.decision import RedoneDecision
+from torquerig.study.reference_decision.decision import ReferenceDecision
 from torquerig.whole_file import whole_file
 
 TITLE = "The published decision, made again"
 
 
-def write_decision(decision: RedoneDecision, path: Path) -> None:
+def write_decision(decision: ReferenceDecision, path: Path) -> None:
     """Write ``path`` as .html or .md; what stood there is replaced when the new one is complete."""
     text = redone_page(decision) if path.suffix.lower() == ".html" else redone_markdown(decision)
     with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8", newline="\n")
 
 
-def redone_page(decision: RedoneDecision) -> str:
+def redone_page(decision: ReferenceDecision) -> str:
     """Return the HTML: no script, no request to anywhere; the same plan gives the same bytes."""
     settings = decision.plan.study.settings
     content = {
@@ -30,7 +30,7 @@ def redone_page(decision: RedoneDecision) -> str:
     return html("redone.html", content)
 
 
-def redone_markdown(decision: RedoneDecision) -> str:
+def redone_markdown(decision: ReferenceDecision) -> str:
     """Return the same chapters as Markdown."""
     parts = [f"# {TITLE}", f"{escaped(decision.plan.book.source)}; made with `{command_of(decision)}`"]
     for chapter in chapters(decision):
@@ -40,7 +40,7 @@ def redone_markdown(decision: RedoneDecision) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def command_of(decision: RedoneDecision) -> str:
+def command_of(decision: ReferenceDecision) -> str:
     """Return the command that makes the page again, without any folder of this machine."""
     path = Path(decision.plan.document.path)
     return f"torquerig reference-decision {path.name if path.is_absolute() else path.as_posix()}"

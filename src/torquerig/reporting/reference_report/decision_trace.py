@@ -6,20 +6,20 @@ from torquerig.decide.cell import Origin
 from torquerig.metrics.figure import Figure
 from torquerig.reporting.layout import Cell, Table, words
 from torquerig.reporting.matrix.chapters import Chapter
-from torquerig.study.origins import FACTS_IN_WORDS, metric_in_words, origin_of
-from torquerig.study.reference_decision.beside import CellBeside, TableBeside
-from torquerig.study.reference_decision.decision import RedoneDecision
+from torquerig.study.origins import FACT_TEXTS, metric_text, origin_of
+from torquerig.study.reference_decision.cell_comparison import ComparedCell, ComparedTable
+from torquerig.study.reference_decision.decision import ReferenceDecision
 from torquerig.study.settings import SIMULATED
 
 
-def trace_chapter(decision: RedoneDecision) -> Chapter:
+def trace_chapter(decision: ReferenceDecision) -> Chapter:
     """Return a table per published table with the way of its cells, and the catalog values of the simulated drives."""
     tables = tuple(_cells(decision, one) for one in decision.tables)
     return Chapter(anchor="way", title="Every cell from the catalog to the computed mark",
                    tables=(*tables, _simulated(decision)))  # fmt: skip
 
 
-def _cells(decision: RedoneDecision, one: TableBeside) -> Table:
+def _cells(decision: ReferenceDecision, one: ComparedTable) -> Table:
     rows = tuple(
         (*words(cell.row, cell.alternative), Cell(text=_catalog(decision, one, cell), word="remark narrow"),
          Cell(text=_worked(decision, one, cell), word="remark narrow"), *words(_value(cell.figure)),
@@ -32,7 +32,7 @@ def _cells(decision: RedoneDecision, one: TableBeside) -> Table:
     )  # fmt: skip
 
 
-def _catalog(decision: RedoneDecision, one: TableBeside, cell: CellBeside) -> str:
+def _catalog(decision: ReferenceDecision, one: ComparedTable, cell: ComparedCell) -> str:
     origins = [origin_of(*known) for known in cell.figure.rests_on]
     if one.table.planned.rows[cell.row].metric in SIMULATED:
         box = one.table.planned.gearbox_of(cell.alternative)
@@ -42,10 +42,10 @@ def _catalog(decision: RedoneDecision, one: TableBeside, cell: CellBeside) -> st
     return "; ".join(_told(origin) for origin in origins) or "none"
 
 
-def _worked(decision: RedoneDecision, one: TableBeside, cell: CellBeside) -> str:
+def _worked(decision: ReferenceDecision, one: ComparedTable, cell: ComparedCell) -> str:
     metric, settings = one.table.planned.rows[cell.row].metric, decision.plan.study.settings
-    told = FACTS_IN_WORDS.get(metric)
-    return told or metric_in_words(metric, cell.figure, chain=settings.present.filter, settings=settings)
+    told = FACT_TEXTS.get(metric)
+    return told or metric_text(metric, cell.figure, chain=settings.present.filter, settings=settings)
 
 
 def _value(figure: Figure) -> str:
@@ -55,7 +55,7 @@ def _value(figure: Figure) -> str:
     return f"{figure.shown()}{unit}{missing}"
 
 
-def _simulated(decision: RedoneDecision) -> Table:
+def _simulated(decision: ReferenceDecision) -> Table:
     rows = tuple(
         words(drive.candidate.name, origin.name, origin.shown, origin.evidence, origin.source)
         for drive in decision.runs.drives
@@ -70,6 +70,6 @@ def _told(origin: Origin) -> str:
     return f"{origin.name}: {origin.shown}{evidence}{f', from {origin.source}' if origin.source else ''}"
 
 
-def _is(decision: RedoneDecision, motor: str, published: str) -> bool:
+def _is(decision: ReferenceDecision, motor: str, published: str) -> bool:
     entry = decision.plan.study.catalog.motor(published)
     return motor == (entry.stands_for or entry.name)

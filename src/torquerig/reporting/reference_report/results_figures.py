@@ -18,10 +18,10 @@ from torquerig.reporting.figures.judged_figure import four_panels
 from torquerig.reporting.figures.picture import Picture, new_figure, picture
 from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER, spectrum_figure
-from torquerig.study.reference_report.bulk import half_power_frequency
+from torquerig.study.reference_report.filter_steps import report_filter_steps
+from torquerig.study.reference_report.half_power import half_power_frequency
 from torquerig.study.reference_report.mechanical import HIGH, LOW
 from torquerig.study.reference_report.results import ReportResults
-from torquerig.study.reference_report.steps import report_filter_steps
 from torquerig.synthetic.control_signal import control_signal
 
 _TOP = 620.0  # [Hz]

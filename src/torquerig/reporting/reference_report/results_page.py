@@ -74,9 +74,18 @@ def _drop(results: ReportResults) -> Table:
     drop = results.drop
     row = (*words("output shaft, first line"), number(f"{MECHANICAL_DROP:g}"), *words("held out"),
            number(f"{drop.percent:.1f}"), number(f"{drop.by_model:.1f}"), number(f"{drop.low:.4f}"),
-           number(f"{drop.high:.4f}"), number(f"{drop.chance:.4f}"))  # fmt: skip
+           number(f"{drop.high:.4f}"), number(f"{drop.floor:.4f}"))  # fmt: skip
     return Table(
         caption="Drop of mechanical noise with load",
-        head=("", "published %", "", "in the reading %", "the model's line %", "low N m", "high N m", "chance N m"),
+        head=(
+            "",
+            "published %",
+            "",
+            "in the reading %",
+            "line of the model %",
+            "low N m",
+            "high N m",
+            "noise floor N m",
+        ),
         rows=(row,),
     )

@@ -49,7 +49,7 @@ def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
         ("copies", f"{settings.draws} further copies of each drive, drawn from the catalog's intervals"),
         ("speed loop", _loop_rule(settings.speed_loop)),
         ("drive limit", _limit_rule(settings.sensor_limit)),
-        ("demands", "; ".join(f"{rule_text(one)} ({one.purpose})" for one in decided.demands.criteria)),
+        ("requirements", "; ".join(f"{rule_text(one)} ({one.purpose})" for one in decided.requirements.criteria)),
         ("seed, version", f"seed {settings.seed}, torquerig {runs.version}"),
     )  # fmt: skip
 

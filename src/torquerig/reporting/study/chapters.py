@@ -22,7 +22,7 @@ def rule_text(criterion: Criterion) -> str:
     )
 
 
-def elimination_table(chart: SelectionChart, demands: DecisionMatrix) -> Table:
+def elimination_table(chart: SelectionChart, requirements: DecisionMatrix) -> Table:
     """Return the chart, each sign with its remark behind it and the first one in words."""
     rows = []
     for row in chart.rows:
@@ -30,12 +30,12 @@ def elimination_table(chart: SelectionChart, demands: DecisionMatrix) -> Table:
         cells = []
         for name in chart.criteria:
             mark = str(row.marks.get(name, ""))
-            shown = demands.cell(row.alternative, name).shown() if mark else "not asked"
+            shown = requirements.cell(row.alternative, name).shown() if mark else "not asked"
             way = f"#{trace_anchor(row.alternative)}"
             cells.append(Cell(text=mark, style=mark_style(mark), word="mark", title=remarks.get(name, shown), link=way))
         said = "; ".join(remarks.values())
         rows.append((*words(row.alternative), *cells, Cell(text=str(row.decision)), Cell(text=said, word="remark")))
-    head = tuple(rule_text(criterion) for criterion in demands.criteria if criterion.name in chart.criteria)
+    head = tuple(rule_text(criterion) for criterion in requirements.criteria if criterion.name in chart.criteria)
     return Table(
         caption="Elimination: + meets the demand, - fails it, ? the fact is missing, ! the demand must be checked; "
         "nothing is asked after the first -",
@@ -44,7 +44,7 @@ def elimination_table(chart: SelectionChart, demands: DecisionMatrix) -> Table:
 
 
 def pugh_table(decided: Decided, names: Sequence[str]) -> Table:
-    """Return the signs of the named combinations against the datum, their counts, and the net as an option."""
+    """Return the signs of the named combinations against the baseline, their counts, and the net as an option."""
     result = decided.pugh
     best, worst = (ends.tolist() for ends in result.rank_range)
     rows = []

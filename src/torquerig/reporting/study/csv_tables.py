@@ -49,7 +49,7 @@ def _combination(drive: DriveResult, chain: str, decided: Decided) -> Fields:
     result = drive.chains.get(chain)
     fields = _score(_name(drive, chain), decided)
     fields += _identity(drive)
-    fields += [("filter", chain), ("demands", decision_words(decided)[drive.candidate.name]),
+    fields += [("filter", chain), ("requirements", decision_words(decided)[drive.candidate.name]),
                ("out of reach", drive.out_of_reach)]  # fmt: skip
     missing = Figure(unit="N*m", missing=drive.out_of_reach)
     fields += _figure("reading error", result.truth_error if result else missing)

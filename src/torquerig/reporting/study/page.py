@@ -37,7 +37,7 @@ def study_page(
 
 def present_drive(decided: Decided) -> DriveResult:
     """Return the drive that the others are compared with."""
-    return decided.alternatives[decided.datum].drive
+    return decided.alternatives[decided.baseline].drive
 
 
 def _answers(runs: StudyRuns, decided: Decided, verdict: Verdict, edits: Sequence[str]) -> Mapping[str, Any]:
@@ -72,7 +72,7 @@ def _found(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, 
 def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
     present = present_drive(decided)
     winner = decided.alternatives.get(verdict.winner)
-    listed = [(present, (winner or decided.alternatives[decided.datum]).chain, "the present drive")]
+    listed = [(present, (winner or decided.alternatives[decided.baseline]).chain, "the present drive")]
     if winner is not None and winner.drive is not present:
         listed.append((winner.drive, winner.chain, "the chosen drive"))
     elif newest := tables.best_new_motor(decided):
@@ -91,7 +91,7 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
 def _matrices(decided: Decided, verdict: Verdict) -> Mapping[str, Any]:
     names = tables.best_per_drive(decided)
     return {
-        "elimination": chapters.elimination_table(decided.chart, decided.demands),
+        "elimination": chapters.elimination_table(decided.chart, decided.requirements),
         "pugh": chapters.pugh_table(decided, names),
         "kesselring": chapters.kesselring_table(decided, names),
         "rating_picture": pictures.rating_picture(decided, winner=verdict.winner),

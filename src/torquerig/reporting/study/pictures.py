@@ -83,7 +83,7 @@ def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
     if decided.economic is None:
         return None
     front = best_per_drive(decided)[:FRONT]
-    named = tuple(dict.fromkeys(name for name in (winner, *front, decided.datum) if name))
+    named = tuple(dict.fromkeys(name for name in (winner, *front, decided.baseline) if name))
     return picture(
         rating_figure(decided.technical, decided.economic, named=named),
         caption="Technical against economic rating; numbered are the best drives with their best filter, and the "

@@ -31,7 +31,7 @@ def write_study_report(
     folder : Path
         Made where it does not exist; files in it that are no part of the report are kept.
     changes : sequence of Change, optional
-        What an edit changed against the unedited study; gives the page a section.
+        What an edit changed against the original study; gives the page a section.
     edits : sequence of str
         The edits as given to ``--set``, for the command that makes the page again.
 

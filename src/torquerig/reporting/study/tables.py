@@ -32,17 +32,17 @@ def decision_words(decided: Decided) -> dict[str, str]:
 
 
 def best_per_drive(decided: Decided) -> tuple[str, ...]:
-    """Return each drive's best combination in the order of the ranking, and the datum where it is not among them."""
+    """Return each drive's best combination in the order of the ranking, and the baseline where it is not among them."""
     first: dict[str, str] = {}
     for name in decided.ranked():
         first.setdefault(decided.alternatives[name].drive.candidate.name, name)
     kept = tuple(first.values())
-    return kept if decided.datum in kept else (*kept, decided.datum)
+    return kept if decided.baseline in kept else (*kept, decided.baseline)
 
 
 def best_new_motor(decided: Decided) -> Alternative | None:
     """Return the best combination whose motor is not the present one; None where the study has no other motor left."""
-    present = decided.alternatives[decided.datum].drive.candidate.motor
+    present = decided.alternatives[decided.baseline].drive.candidate.motor
     ranked = (decided.alternatives[name] for name in decided.ranked())
     return next((made for made in ranked if made.drive.candidate.motor != present), None)
 
@@ -50,7 +50,7 @@ def best_new_motor(decided: Decided) -> Alternative | None:
 def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
     """Return the best ``most`` combinations, and the present one where it is not among them."""
     names = decided.ranked()
-    shown = names[:most] if decided.datum in names[:most] else (*names[:most], decided.datum)
+    shown = names[:most] if decided.baseline in names[:most] else (*names[:most], decided.baseline)
     ranks, said, overall = rank_texts(decided), decision_words(decided), decided.overall
     rows = []
     for name in shown:
@@ -65,12 +65,12 @@ def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
             number(span(*ends, digits=2)), figure_cell(made.drive.margins["price"]),
             Cell(text=said[made.drive.candidate.name]),
         ))  # fmt: skip
-    stand_out = frozenset(place for place, name in enumerate(shown) if name in (winner, decided.datum))
+    stand_out = frozenset(place for place, name in enumerate(shown) if name in (winner, decided.baseline))
     return Table(
         caption=f"The best {min(most, len(names))} of {len(names)} combinations, by T/T_max over all criteria; bold: "
         "the chosen and the present one",
         head=("rank (range)", "drive", "filter", "reading error [N m]", "disturbance [N m]", "T/T_max", "range",
-              "price [EUR]", "demands"),
+              "price [EUR]", "requirements"),
         rows=tuple(rows), emphasised=stand_out,
         note="The range in brackets is what the drawn copies and the catalog's intervals leave open.",
     )  # fmt: skip
@@ -157,7 +157,7 @@ def effects_table(drive: DriveResult) -> Table:
 
 
 def changes_table(changes: Sequence[Change]) -> Table:
-    """Return what an edit changed against the unedited study."""
+    """Return what an edit changed against the original study."""
     rows = tuple(
         (*words(f"{one.before} -> {one.after}" if one.before != one.after else one.after, one.chain_before),
          number(plain(one.error_before)), *words(one.chain_after), number(plain(one.error_after)),
@@ -165,7 +165,7 @@ def changes_table(changes: Sequence[Change]) -> Table:
         for one in changes
     )  # fmt: skip
     return Table(
-        caption="The edited study against the unedited one: smallest reading error and disturbance of each drive [N m]",
+        caption="The edited study against the original one: smallest reading error and disturbance of each drive [N m]",
         head=("drive", "best filter before", "error before", "best filter now", "error now", "disturbance before",
               "disturbance now"),
         rows=rows,

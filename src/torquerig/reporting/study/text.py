@@ -17,20 +17,20 @@ WIDTH = 110
 def ranked_text(decided: Decided, *, most: int = 10) -> str:
     """Return the ``most`` best combinations as a table, and the present one where it is not among them."""
     names = decided.ranked()
-    shown = names[:most] if decided.datum in names[:most] else (*names[:most], decided.datum)
+    shown = names[:most] if decided.baseline in names[:most] else (*names[:most], decided.baseline)
     said, overall = decision_words(decided), decided.overall
     rows = []
     for name in shown:
         made, place = decided.alternatives[name], overall.alternatives.index(name)
-        mark = "*" if name == decided.datum else ""
+        mark = "*" if name == decided.baseline else ""
         rows.append([
             f"{overall.ranks[place]}{mark}", made.drive.candidate.name, made.chain,
             figure_text(made.drive.chains[made.chain].truth_error), plain(made.drive.disturbance.value),
             f"{overall.share[place]:.3f}", figure_text(made.drive.margins["price"]), said[made.drive.candidate.name],
         ])  # fmt: skip
-    head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "demands"]
-    here = decided.alternatives[decided.datum].drive.margins["new_parts"].value == 0
-    note = "stands on the rig today" if here else "the present motor on this gearbox, without a filter: the datum"
+    head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "requirements"]
+    here = decided.alternatives[decided.baseline].drive.margins["new_parts"].value == 0
+    note = "stands on the rig today" if here else "the present motor on this gearbox, without a filter: the baseline"
     return f"{_fitted([head, *rows], left=(1, 2, 7))}\n* {note}"
 
 

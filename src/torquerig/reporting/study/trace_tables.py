@@ -69,7 +69,7 @@ def cells_table(one: TracedDrive) -> Table:
          Cell(text="; ".join(trace.texts("metric")), word="remark narrow"),
          *words(_value(trace)), Cell(text=_judged(trace), word="remark narrow"),
          *words(_before(trace, "points", ", on the scale"), _after(trace, "weight", ": adds ").removesuffix(" to T")))
-        for trace in (*one.criteria, *one.demands)
+        for trace in (*one.criteria, *one.requirements)
     )  # fmt: skip
     return Table(
         caption=f"{one.combination or one.drive}: from the catalog to the points",

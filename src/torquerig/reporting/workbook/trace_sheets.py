@@ -17,13 +17,13 @@ STEPS = (
 
 
 def write_trace(sheet: Any, looks: Looks, traced: Sequence[TracedDrive]) -> None:
-    """Write a row per cell: demands of each drive once, criteria of each combination."""
+    """Write a row per cell: requirements of each drive once, criteria of each combination."""
     wide = {0: 46, 1: 22, 2: 12, 3: 60, 4: 28, 5: 40, 6: 44, 8: 44, 9: 30, 10: 44, 11: 40, 12: 60}
     write_head(sheet, looks, ["drive | filter", "criterion or demand", "catalog values", *STEPS], wide=wide)
     seen: set[str] = set()
     row = 0
     for one in traced:
-        cells = (*one.criteria, *(() if one.drive in seen else one.demands))
+        cells = (*one.criteria, *(() if one.drive in seen else one.requirements))
         seen.add(one.drive)
         for trace in cells:
             row += 1

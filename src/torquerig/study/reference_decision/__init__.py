@@ -1,10 +1,10 @@
-"""A published decision made again: the same tables from catalog and simulation, beside the published ones.
+"""A published decision computed again from catalog and simulation, compared cell by cell.
 
-plan       the file that says how each published criterion is computed
-figures    what catalog and simulation say of each motor on each gearbox
-computed   the published tables as matrices, and what the engines make of them
-beside     computed and published cell by cell
-reasons    why a cell differs: value, reading, datum, polarity or a missing datum
-answer     which motor to buy or keep, and how sure that is
-decision   all of it
+plan             the file that states how each published criterion is computed
+known_figures    figures of each motor on each gearbox from catalog and simulation
+computed         the published tables as matrices of computed cells
+cell_comparison  computed and published tables, cell by cell
+reasons          why a cell differs: value, interpretation, baseline, direction or a missing value
+answer           the motor to buy or keep, and the confidence
+decision         all of it together
 """

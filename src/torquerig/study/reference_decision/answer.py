@@ -1,4 +1,4 @@
-"""Which motor to buy or keep, and how sure that is; beside what the report bought."""
+"""The motor to buy or keep, its confidence, and the motor that the report buys."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.matrix_io.matrix_table import Method
 from torquerig.decide.robustness import robustness
 from torquerig.decide.verdict import MatrixVerdict, verdict_of
-from torquerig.study.rated_drives import left_over, rated_drives
-from torquerig.study.reference_decision.beside import TableBeside
+from torquerig.study.rated_drives import feasible_combinations, rated_drives
+from torquerig.study.reference_decision.cell_comparison import ComparedTable
 from torquerig.study.reference_decision.plan import Plan, real_name
 from torquerig.study.scoring import Decided
 
 DRAWS = 10_000
-MOST_ASKED = 5
+MOST_FACTS = 5
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,65 +27,65 @@ class Answer:
     Parameters
     ----------
     published, published_text : str
-        Whom the report buys (the catalog's name), and from which printed sum.
+        The motor that the report buys (the catalog's name), and the printed sum behind it.
     chosen : str
-        The combination in front of all, by the study's criteria.
+        The best combination by the study's criteria.
     keeps : bool
-        Whether that is the motor that stands there.
-    keeps_chance : float
-        How often, over joint draws, the best drive of all has the motor that stands there, on any gearbox [1].
+        Whether that is the present motor.
+    keeps_share : float
+        Share of Monte Carlo samples in which the best drive has the present motor, on any gearbox [1].
     overall : MatrixVerdict
         Over every drive with its best filter.
     bought : MatrixVerdict
-        The same where the present motor may not stay.
+        The same without the present motor.
     table : mapping of str to MatrixVerdict
-        The report's own rated table, computed: with its printed weights, and with the lost weight on the goal.
+        The report's own rated table, computed: with its printed weights, and with the missing weight on the goal.
     conditions : tuple of str
         Demands on the chosen one that are still open.
-    asked : tuple of str
-        Which missing datum to ask for first.
+    missing : tuple of str
+        The most useful missing values.
     """
 
     published: str
     published_text: str
     chosen: str
     keeps: bool
-    keeps_chance: float
+    keeps_share: float
     overall: MatrixVerdict
     bought: MatrixVerdict
     table: Mapping[str, MatrixVerdict]
     conditions: tuple[str, ...]
-    asked: tuple[str, ...]
+    missing: tuple[str, ...]
 
     def sentences(self) -> tuple[str, ...]:
-        """Return the answer: what the report did, what comes out, what if something must be bought."""
-        action = f"keep the motor that stands there, as {self.chosen}" if self.keeps else f"buy {self.chosen}"
+        """Return the answer as sentences: the report's choice, the computed one, and the best new motor."""
+        action = f"keep the present motor, as {self.chosen}" if self.keeps else f"buy {self.chosen}"
         if self.conditions:
-            action = f"if what a demand still asks is answered well ({'; '.join(self.conditions)}), {action}"
+            action = f"if the open requirements are met ({'; '.join(self.conditions)}), {action}"
         return (
             f"The report buys {self.published} ({self.published_text}).",
-            (f"Computed: {action}. The verdict is {self.overall.certainty}: best in {_chance(self.overall)}. In "
-            f"{self.keeps_chance:.0%} the best drive has the present motor, on this or another gearbox."),
+            (f"Computed: {action}. The verdict is {self.overall.certainty}. It is best in {_share(self.overall)}. In "
+            f"{self.keeps_share:.0%} of the samples the best drive has the present motor, on this or another gearbox."),
             self._bought_sentence(),
-            *(f"{name}: {_told(one)}" for name, one in self.table.items()),
+            *(f"{name}: {_verdict_text(one)}" for name, one in self.table.items()),
         )  # fmt: skip
 
     def _bought_sentence(self) -> str:
-        """Return which motor to buy where the present one may not stay."""
+        """Return the best motor where the present one is excluded."""
         if not self.bought.winners:
-            return "No new motor meets the demands."
+            return "No new motor meets the requirements."
         named = " (the one that the report names)" if self.published in self.bought.winners[0] else ""
         winners = " and ".join(self.bought.winners).replace(" | ", " with the filter ")
-        rival = f", before {self.bought.runner_up.replace(' | ', ' with ')}" if self.bought.runner_up else ""
+        runner_up = f"; the next is {self.bought.runner_up.replace(' | ', ' with ')}" if self.bought.runner_up else ""
         return (
-            f"Where a new motor is bought all the same, in front is {winners}{named}. The verdict is "
-            f"{self.bought.certainty}: best of the new ones in {_chance(self.bought)}{rival}."
+            f"If a new motor must be bought, the best is {winners}{named}. The verdict is "
+            f"{self.bought.certainty}: It is the best new one in {_share(self.bought)}{runner_up}."
         )
 
 
-def answer(plan: Plan, tables: tuple[TableBeside, ...], decided: Decided) -> Answer:
+def answer(plan: Plan, tables: tuple[ComparedTable, ...], decided: Decided) -> Answer:
     """Return the answer from the study's decision and the report's rated table."""
-    names = left_over(decided)
+    names = feasible_combinations(decided)
     present = real_name(plan.study.catalog, plan.study.settings.present.motor)
     motors = {name: decided.alternatives[name].drive.candidate.motor for name in names}
     new = [name for name in names if motors[name] != present]
@@ -100,16 +100,16 @@ def answer(plan: Plan, tables: tuple[TableBeside, ...], decided: Decided) -> Ans
         published_text=text,
         chosen=chosen.replace(" | ", " with the filter "),
         keeps=motors.get(chosen) == present,
-        keeps_chance=sum(every.combinations["together"].best_share(name) for name in names if name not in new)
+        keeps_share=sum(every.combinations["together"].best_share(name) for name in names if name not in new)
         if every
         else 0.0,
         overall=overall,
         bought=bought.verdict if bought else nobody,
         table={name: found for one in rated for name, found in _rated(plan, one).items()},
-        conditions=tuple(dict.fromkeys(told.partition(": ")[2] for told in overall.conditions)),
-        asked=tuple(
-            f"{one.fact} ({one.p_change:.0%} of its range put another new motor in front)"
-            for one in (bought.facts if bought else ())[:MOST_ASKED]
+        conditions=tuple(dict.fromkeys(one.partition(": ")[2] for one in overall.conditions)),
+        missing=tuple(
+            f"{one.fact} ({one.p_change:.0%} of its range make another new motor the best)"
+            for one in (bought.facts if bought else ())[:MOST_FACTS]
             if one.decisive
         ),
     )
@@ -120,10 +120,10 @@ def _verdict(matrix: DecisionMatrix, profile: Profile) -> MatrixVerdict:
     return verdict_of(eliminate(matrix), result, robustness(matrix, profile=profile, draws=DRAWS))
 
 
-def _rated(plan: Plan, one: TableBeside) -> dict[str, MatrixVerdict]:
-    """Return the verdict of a rated table as weighed in print, with what the weights lack on the goal, and of the new.
+def _rated(plan: Plan, one: ComparedTable) -> dict[str, MatrixVerdict]:
+    """Return the verdicts of a rated table: with the printed weights, with the missing weight, and of new motors.
 
-    The new ones are those that are not the motor that stands there today.
+    New motors are all but the present one.
     """
     sheet, matrix = one.table.sheet, one.table.matrix
     added = list(one.table.planned.missing)
@@ -134,7 +134,7 @@ def _rated(plan: Plan, one: TableBeside) -> dict[str, MatrixVerdict]:
     whole = f"{sheet.name} computed"
     if added:
         weight = next(criterion.weight for criterion in matrix.criteria if criterion.name in added)
-        whole = f"{sheet.name} computed with the lost {weight:g} on {added[0]}"
+        whole = f"{sheet.name} computed with the missing weight {weight:g} on {added[0]}"
         found[whole] = _verdict(matrix, sheet.profile)
     present = real_name(plan.study.catalog, plan.study.settings.present.motor)
     new = [name for name in matrix.alternatives if real_name(plan.study.catalog, name) != present]
@@ -143,22 +143,22 @@ def _rated(plan: Plan, one: TableBeside) -> dict[str, MatrixVerdict]:
     return found
 
 
-def _published(plan: Plan, rated: list[TableBeside]) -> tuple[str, str]:
-    """Return whom the printed sums of the rated table put in front."""
+def _published(plan: Plan, rated: list[ComparedTable]) -> tuple[str, str]:
+    """Return the motor with the highest printed sum of the rated table, and that sum as text."""
     if not rated:
         return "", "no rated table"
     sheet = rated[0].table.sheet
     best = max((value, name) for value, name in zip(sheet.sums, sheet.alternatives, strict=True) if value is not None)
     ideal = f" of {sheet.ideal_sum:g}" if sheet.ideal_sum else ""
-    return real_name(plan.study.catalog, best[1]), f"{sheet.name}, {best[0]:g}{ideal} in print"
+    return real_name(plan.study.catalog, best[1]), f"{sheet.name}, {best[0]:g}{ideal} printed"
 
 
-def _told(verdict: MatrixVerdict) -> str:
-    return f"{' and '.join(verdict.winners)} in front, {verdict.certainty}, best in {_chance(verdict)}."
+def _verdict_text(verdict: MatrixVerdict) -> str:
+    return f"{' and '.join(verdict.winners)} first, {verdict.certainty}, best in {_share(verdict)}."
 
 
-def _chance(verdict: MatrixVerdict) -> str:
+def _share(verdict: MatrixVerdict) -> str:
     if not verdict.best_shares:
-        return "no draw"
+        return "no sample"
     alone = ", ".join(f"{one:.0%} over {name}" for name, one in verdict.best_shares.items() if name != "together")
-    return f"{verdict.best_shares['together']:.0%} of joint draws ({alone})"
+    return f"{verdict.best_shares['together']:.0%} of the Monte Carlo samples ({alone})"

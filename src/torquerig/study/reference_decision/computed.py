@@ -9,7 +9,7 @@ from torquerig.decide.criterion import Better, Criterion, Indifference, Kind, Re
 from torquerig.decide.matrix import DecisionMatrix
 from torquerig.decide.matrix_io.matrix_table import MatrixTable, Method, Row
 from torquerig.metrics.figure import Figure
-from torquerig.study.reference_decision.figures import Known
+from torquerig.study.reference_decision.known_figures import Known
 from torquerig.study.reference_decision.plan import Plan, PlannedTable, Reading
 from torquerig.study.scoring import cell_of
 
@@ -26,14 +26,14 @@ class ComputedTable:
         As published.
     planned : PlannedTable
     matrix : DecisionMatrix
-        Under the published names: the datum first (Pugh), added motors last.
+        Under the published names: the baseline first (Pugh), added motors last.
     figures : mapping of (alternative, row) to Figure
     otherwise : DecisionMatrix
-        The rows that may have been meant otherwise, read so.
+        The rows with another possible interpretation, computed so.
     other_figures : mapping
         Of ``otherwise``.
     same_gearbox : DecisionMatrix or None
-        With the datum on the table's own gearbox (Pugh).
+        With the baseline on the gearbox of the table (Pugh).
     """
 
     sheet: MatrixTable
@@ -88,7 +88,7 @@ def computed_table(plan: Plan, name: str, known: Known) -> ComputedTable:
 
 
 def criterion_of(name: str, reading: Reading, printed: Row | None) -> Criterion:
-    """Return the criterion of a reading, with the weight and the kind that the table prints."""
+    """Return the criterion of a reading, with the printed weight and kind."""
     limited = reading.min is not None or reading.max is not None
     return Criterion(
         name=name,

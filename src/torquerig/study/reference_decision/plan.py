@@ -1,4 +1,4 @@
-"""The file that says how each criterion of published tables is computed."""
+"""The file that states how each criterion of published tables is computed."""
 
 from __future__ import annotations
 
@@ -48,23 +48,23 @@ class Reading(_Section):
         if self.unit != KNOWN_UNITS[self.metric]:
             counted = KNOWN_UNITS[self.metric]
             raise ValueError(
-                f"{self.metric} is counted in {counted!r}, not in {self.unit!r}; write the limits in {counted!r}"
+                f"{self.metric} has the unit {counted!r}, not {self.unit!r}; write the limits in {counted!r}"
             )
         if (self.better == "band") != (self.band is not None):
-            raise ValueError("band: and better: band belong together; write both or neither")
+            raise ValueError("band: and better: band need each other; write both or neither")
         return self
 
 
 class PlannedRow(Reading):
-    """A published criterion, and how else it may have been meant."""
+    """A published criterion, and another possible interpretation."""
 
     otherwise: Reading | None = None
 
 
 class PlannedTable(_Section):
-    """A published table: which gearbox stands under which motor, and each row's computation.
+    """A published table: the gearbox of each motor, and the computation of each row.
 
-    ``also`` adds motors that the table leaves out; ``missing`` is the criterion that gets what the weights lack to 1.
+    ``also`` adds motors that the table leaves out; ``missing`` is the criterion of the missing weight.
     """
 
     gearbox: str
@@ -74,7 +74,7 @@ class PlannedTable(_Section):
     missing: dict[str, PlannedRow] = Field(default_factory=dict, max_length=1)
 
     def gearbox_of(self, motor: str) -> str:
-        """Return the gearbox under a motor's published name."""
+        """Return the gearbox of a motor by its published name."""
         return self.gearboxes.get(motor, self.gearbox)
 
 
@@ -89,7 +89,7 @@ class _Text(_Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """The plan with its published tables and the study that simulates what they need.
+    """The plan with its published tables and the study that simulates their drives.
 
     Parameters
     ----------
@@ -112,7 +112,8 @@ def read_plan(document: Document, catalog: Catalog, *, draws: int | None = None)
     Raises
     ------
     InputError
-        With file, line and key: a table, row, motor or gearbox that is not there, a row without what its method needs.
+        With file, line and key: an unknown table, row, motor or gearbox, or a row without a limit or points that its
+        method needs.
     """
     text = validated(document, TypeAdapter(_Text))
     folder = Path(document.path).parent
@@ -133,7 +134,7 @@ def read_plan(document: Document, catalog: Catalog, *, draws: int | None = None)
 
 
 def real_name(catalog: Catalog, published: str) -> str:
-    """Return the catalog's own name of a motor that a table names otherwise."""
+    """Return the catalog name of a motor by its published name."""
     entry = catalog.motor(published)
     return entry.stands_for or entry.name
 
@@ -147,9 +148,7 @@ def _check_tables(document: Document, book: TableSet, tables: Mapping[str, Plann
     for name, table in tables.items():
         here = ("tables", name)
         if name not in known:
-            raise InputError(
-                f"{document.place(here)}: there is no published table {name!r}; {did_you_mean(name, known)}"
-            )
+            raise InputError(f"{document.place(here)}: unknown published table {name!r}; {did_you_mean(name, known)}")
         sheet = book.table(name)
         _look_up(document, (*here, "gearbox"), _boxes(table), catalog.gearbox)
         _look_up(document, (*here, "also"), (*sheet.alternatives, *table.also, *table.gearboxes), catalog.motor)
@@ -162,7 +161,7 @@ def _check_tables(document: Document, book: TableSet, tables: Mapping[str, Plann
         lost = [row for row in printed if row not in table.rows]
         if lost:
             raise InputError(
-                f"{document.place((*here, 'rows'))}: {lost[0]!r} of {name} is missing; say how to compute it"
+                f"{document.place((*here, 'rows'))}: {lost[0]!r} of {name} is missing; state how to compute it"
             )
 
 

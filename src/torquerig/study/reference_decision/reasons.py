@@ -1,4 +1,4 @@
-"""Why a computed cell differs from the published one: one sentence, from what differs."""
+"""Reasons why a computed cell differs from the published one, as sentences."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ FLIPPED = {Sign.BETTER: Sign.WORSE, Sign.WORSE: Sign.BETTER}
 
 
 class Cause(StrEnum):
-    """What a difference rests on."""
+    """Kind of a difference."""
 
     AGREES = "agrees"
     VALUE = "value"
-    READING = "reading"
-    DATUM = "datum"
-    POLARITY = "polarity"
-    MISSING = "missing datum"
+    READING = "interpretation"
+    BASELINE = "baseline"
+    POLARITY = "direction"
+    MISSING = "missing value"
 
 
 @dataclass(frozen=True)
@@ -39,31 +39,31 @@ NOTHING = Figure()
 
 @dataclass(frozen=True, kw_only=True)
 class Compared:
-    """One cell with all that its reason is told from.
+    """One cell with the data that its reason follows from.
 
     Parameters
     ----------
     published : str or float
     computed : str
         The mark as computed.
-    figure, datum : Figure
-        Of the alternative, and of the datum (Pugh).
+    figure, baseline : Figure
+        Of the alternative, and of the baseline (Pugh).
     criterion : Criterion
     otherwise : str
-        The mark of the other reading; empty where there is none.
+        The mark of the other interpretation; empty where there is none.
     other_purpose : str
     other_figure : Figure
     same_gearbox : str
-        The sign against the datum on the table's own gearbox.
+        The sign against the baseline on the gearbox of the table.
     polarity : bool
-        Whether more cells of the row agree when its direction is turned round.
+        Whether more cells of the row agree with the opposite direction.
     """
 
     published: Entry
     computed: str
     figure: Figure
     criterion: Criterion
-    datum: Figure = NOTHING
+    baseline: Figure = NOTHING
     otherwise: str = ""
     other_purpose: str = ""
     other_figure: Figure = NOTHING
@@ -86,17 +86,17 @@ def reason_of_demand(cell: Compared) -> Reason:
         else ""
     )
     if cell.computed == "?":
-        told = "Not known" if cell.figure.unknown else f"It is {cell.shown}, and asked is {rule}"
-        return Reason(Cause.MISSING, f"{told}: nobody can say without {_missing(cell.figure)}.")
+        value = "unknown" if cell.figure.unknown else cell.shown
+        return Reason(Cause.MISSING, f"Required is {rule}; the value is {value}. {_missing(cell.figure)} is missing.")
     if cell.otherwise == cell.published:
-        told = with_unit(cell.other_figure, cell.criterion.unit)
+        other = with_unit(cell.other_figure, cell.criterion.unit)
         return Reason(
             Cause.READING,
-            f"Asked is {rule}, and it is {cell.shown} ({cell.criterion.purpose}); {cell.published} holds only where "
-            f"{cell.other_purpose}, which is {told}.",
+            f"Required is {rule}; the value is {cell.shown} ({cell.criterion.purpose}). {cell.published} is "
+            f"right only if "
+            f"{cell.other_purpose}: {other}.",
         )
-    known = "The catalog knows it" if cell.published == "?" else "The value says otherwise"
-    return Reason(Cause.VALUE, f"{known}: it is {cell.shown}, and asked is {rule}.")
+    return Reason(Cause.VALUE, f"The value is {cell.shown}, and required is {rule}.")
 
 
 def reason_of_sign(cell: Compared) -> Reason:
@@ -104,53 +104,54 @@ def reason_of_sign(cell: Compared) -> Reason:
     published, unit = canonical(cell.published), cell.criterion.unit
     if published == cell.computed:
         return AGREED
-    told = f"{cell.shown} against {with_unit(cell.datum, unit)} of the datum{_band(cell.criterion)}"
+    compared = f"{cell.shown} against {with_unit(cell.baseline, unit)} of the baseline{_band(cell.criterion)}"
     if cell.computed == Sign.UNKNOWN:
-        wider = cell.figure if _width(cell.figure) >= _width(cell.datum) else cell.datum
-        return Reason(Cause.MISSING, f"{told} cannot be told apart without {_missing(wider)}.")
+        wider = cell.figure if _width(cell.figure) >= _width(cell.baseline) else cell.baseline
+        return Reason(Cause.MISSING, f"{compared}: the intervals overlap. {_missing(wider)} is missing.")
     if published == "?":
-        return Reason(Cause.VALUE, f"Known by now: {told}.")
-    return _reason_of_known(cell, published, told)
+        return Reason(Cause.VALUE, f"The value is known: {compared}.")
+    return _reason_of_known(cell, published, compared)
 
 
-def _reason_of_known(cell: Compared, published: Entry, told: str) -> Reason:
-    """Return why two known signs differ: another datum or another reading gives the printed one, or nothing does."""
+def _reason_of_known(cell: Compared, published: Entry, compared: str) -> Reason:
+    """Return why two known signs differ: another baseline or interpretation gives the printed one, or neither does."""
     if cell.same_gearbox == published:
         return Reason(
-            Cause.DATUM,
-            f"{told}; with the datum on this table's own gearbox it would be {cell.published}, but it stands on "
-            "another one.",
+            Cause.BASELINE,
+            f"{compared}; with the baseline on the gearbox of this table it would be {cell.published}, but the "
+            f"baseline "
+            "has another one.",
         )
     if cell.otherwise == published:
         other = with_unit(cell.other_figure, cell.criterion.unit)
         return Reason(
             Cause.READING,
-            f"{told} ({cell.criterion.purpose}); {cell.published} holds for {cell.other_purpose}: {other}.",
+            f"{compared} ({cell.criterion.purpose}); {cell.published} is right for {cell.other_purpose}: {other}.",
         )
     if cell.computed == Sign.SAME and published == Sign.BETTER:
-        return Reason(Cause.DATUM, f"The datum has it too, so that S is the best possible: {told}.")
+        return Reason(Cause.BASELINE, f"The baseline has it too, so S is the best possible sign: {compared}.")
     if cell.polarity:
         turned = _turned(cell.criterion)
-        return Reason(Cause.POLARITY, f"{told}; the row agrees better where {turned} counts as better.")
-    return Reason(Cause.VALUE, f"The value says otherwise: {told}.")
+        return Reason(Cause.POLARITY, f"{compared}; the row agrees better if {turned} counts as better.")
+    return Reason(Cause.VALUE, f"{compared}.")
 
 
 def reason_of_points(cell: Compared, *, low: float, high: float, within: float) -> Reason:
     """Return why points differ; they agree where the published ones lie within ``within`` of what the data allow."""
     if isinstance(cell.published, str):
-        return Reason(Cause.VALUE, f"Lost in the source; computed from {cell.shown}.")
+        return Reason(Cause.VALUE, f"Illegible in the source; computed from {cell.shown}.")
     if low - within <= cell.published <= high + within:
         return AGREED
     given = f"{low:.2g}" if high - low < 0.05 else f"{low:.2g}..{high:.2g}"
-    worth = f"is worth {given} on the stated scale, and {cell.published:g} is printed"
-    told = f"{cell.shown} ({cell.criterion.purpose}) {worth}"
+    points = f"gives {given} points on the stated scale; {cell.published:g} is printed"
+    sentence = f"{cell.shown} ({cell.criterion.purpose}) {points}"
     if cell.polarity:
-        return Reason(Cause.POLARITY, f"{told}; the row agrees better where a high mark is bad.")
-    return Reason(Cause.VALUE, f"{told}.")
+        return Reason(Cause.POLARITY, f"{sentence}; the row agrees better if a high mark is bad.")
+    return Reason(Cause.VALUE, f"{sentence}.")
 
 
 def turned_round(published: list[Entry], computed: list[str], criterion: Criterion) -> bool:
-    """Return whether more signs of a row agree when its direction is turned; a band has none to turn."""
+    """Return whether more signs of a row agree with the opposite direction; a band has no direction."""
     if criterion.better is Better.BAND:
         return False
     pairs = [(canonical(said), found) for said, found in zip(published, computed, strict=True)]
@@ -160,7 +161,7 @@ def turned_round(published: list[Entry], computed: list[str], criterion: Criteri
 
 
 def points_turned(published: list[Entry], result: KesselringResult, column: int, rows: list[int]) -> bool:
-    """Return whether the points of a row come nearer to the published ones when the scale is turned round."""
+    """Return whether the points of a row agree better with the opposite scale."""
     profile = result.profile
     kept = turned = 0.0
     for said, row in zip(published, rows, strict=True):
@@ -182,11 +183,11 @@ def with_unit(figure: Figure, unit: str) -> str:
 
 
 def _missing(figure: Figure) -> str:
-    return figure.missing.split(", ")[0] if figure.missing else "a sharper value"
+    return figure.missing.split(", ")[0] if figure.missing else "a narrower interval"
 
 
 def _width(figure: Figure) -> float:
-    """Return how wide a figure is in proportion; infinite where nothing is known."""
+    """Return the relative width of a figure; infinite where it is unknown."""
     if figure.unknown:
         return float("inf")
     if figure.low is None or figure.high is None:
@@ -195,7 +196,7 @@ def _width(figure: Figure) -> float:
 
 
 def _band(criterion: Criterion) -> str:
-    return "" if criterion.band is None else f", wanted is {criterion.band[0]:g} to {criterion.band[1]:g}"
+    return "" if criterion.band is None else f", required is {criterion.band[0]:g} to {criterion.band[1]:g}"
 
 
 def _turned(criterion: Criterion) -> str:

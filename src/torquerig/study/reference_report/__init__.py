@@ -1,11 +1,13 @@
-"""The reference report's results beside the simulated wear rig.
+"""The results of the reference report compared with the simulated wear rig.
 
-published   what the report prints: Tables VIII and IX, the drop of mechanical noise; which cells a fit may see
-conditions  the rig at one occupancy and particle size, its load scaled
-superposed  a reading as lines plus a load that can be scaled: the cut of its standard deviation in closed form
-fitting     three free parameters, fitted to half of the published cells
-cells       every cell simulated at the fitted values, with its spread over seeds and what would be needed
-mechanical  the drop of mechanical noise with load
-reasons     where the simulated figure differs from the published one, and why: computed, in words
-results     all of it together
+published      printed values: Tables VIII and IX, the drop of mechanical noise; and which cells a fit uses
+conditions     the rig at one occupancy and particle size, with a scaled load
+superposition  a reading as lines plus a scalable load: reduction of its standard deviation in closed form
+fitting        three free parameters, fitted to half of the published cells
+cells          every cell simulated with the fitted values, over several seeds
+mechanical     the drop of mechanical noise with load
+half_power     frequency below which half of the power of a signal lies
+filter_steps   the report's filter in the steps of its figures
+reasons        differences between simulated and published values, as sentences
+results        all of it together
 """

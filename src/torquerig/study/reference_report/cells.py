@@ -1,4 +1,4 @@
-"""Every published cell simulated at the fitted load, with its spread over seeds and what would be needed."""
+"""Every published cell simulated at the fitted load over several seeds, and the load that would give its value."""
 
 from __future__ import annotations
 
@@ -12,35 +12,35 @@ from torquerig.study.reference_report.conditions import ReportRig
 from torquerig.study.reference_report.fitting import Fit, Places, place_of
 from torquerig.study.reference_report.published import Cell
 
-COPIES = 3
+RUNS = 3  # seeds per cell
 KNOWN_HARMONICS = 30
 
 
 @dataclass(frozen=True, kw_only=True)
 class CellResult:
-    """A published cell and what the simulated rig makes of it.
+    """A published cell and its simulation.
 
     Parameters
     ----------
     cell : Cell
     occupancy, size : float
-        Where it was simulated [%], [m].
+        Simulated conditions [%], [m].
     cut, lowest, highest : float
-        Reduction of the standard deviation over copies of the run: mean and range [%].
+        Reduction of the standard deviation over the runs: mean and range [%].
     shipped_cut : float
-        The same with the scenario's own load, nothing fitted [%].
+        The same with the load of the scenario, without a fit [%].
     mean : float
         Of the reading [N m].
     mean_change, energy_change : float
-        [%]; the report prints 0 and nothing.
+        [%]; the report prints 0 for the mean and no number for the energy.
     lines, load : float
         Rms of lines and noise, and of the load's fluctuation, in the reading [N m].
     taken : float
-        Share of the load's variance that the notches take [1].
+        Share of the load's variance that the notches remove [1].
     needed : float or None
-        Rms of the load's fluctuation at which the published cut would come out [N m].
+        Rms of the load's fluctuation that would give the published reduction [N m].
     placebo : Placebo or None
-        The same notches at empty orders.
+        The same notches at orders without lines.
     """
 
     cell: Cell
@@ -61,7 +61,7 @@ class CellResult:
 
     @property
     def difference(self) -> float:
-        """Simulated less published [percentage points]."""
+        """Simulated minus published [percentage points]."""
         return self.cut - self.cell.cut
 
 
@@ -69,7 +69,7 @@ def cell_results(
     rig: ReportRig, chain: Chain, fit: Fit, *, cells: Sequence[Cell], places: Places,
     progress: Callable[[int, int, str], None],
 ) -> tuple[CellResult, ...]:  # fmt: skip
-    """Return every cell, simulated as a whole at the fitted load (not superposed), ``COPIES`` times."""
+    """Return every cell, simulated at the fitted load (not superposed), ``RUNS`` times."""
     made = []
     for number, cell in enumerate(cells, start=1):
         made.append(_cell(rig, chain, fit, cell, places))
@@ -80,7 +80,7 @@ def cell_results(
 def _cell(rig: ReportRig, chain: Chain, fit: Fit, cell: Cell, places: Places) -> CellResult:
     occupancy, size = place = place_of(cell, occupancy=fit.occupancy, size=rig.size)
     scale, parts, ratio = fit.scale_at(size), places[place], rig.kinematics.ratio
-    readings = [rig.reading(occupancy, size, scale=scale, copy=copy) for copy in range(COPIES)]
+    readings = [rig.reading(occupancy, size, scale=scale, run=run) for run in range(RUNS)]
     effects = [chain_effect(one, chain.apply(one), ratio=ratio) for one in readings]
     cuts = [effect.std_reduction_percent for effect in effects]
     needed = parts.needed(cell.cut)

@@ -1,4 +1,4 @@
-"""The wear rig at one occupancy and particle size, its load's fluctuation scaled."""
+"""The wear rig at one occupancy and particle size, with a scaled fluctuation of the load."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ DURATION, SETTLING = 10.0, 0.8  # [s]
 
 @dataclass(frozen=True)
 class ReportRig:
-    """The scenario that is set beside the report.
+    """The scenario that is compared with the report.
 
     Parameters
     ----------
     document : Document
         With one particle_load and a steady operating point.
     seed : int
-        Fixes what a catalog leaves open, and, with the number of a copy added, every random number.
+        Determines values drawn from the catalog; plus the number of a run, every random number.
     """
 
     document: Document
@@ -39,7 +39,7 @@ class ReportRig:
 
     @cached_property
     def scenario(self) -> Scenario:
-        """The scenario as it stands."""
+        """The scenario, unchanged."""
         return read_scenario(self.document, self.catalog, seed=self.seed)
 
     @cached_property
@@ -54,7 +54,7 @@ class ReportRig:
 
     @property
     def kinematics(self) -> Kinematics:
-        """Poles, slots and ratio that the reference report's notches follow from."""
+        """Poles, slots and ratio, which determine the report's notches."""
         return kinematics_of(self.scenario.rig)
 
     def at(self, occupancy: float, size: float, *, scale: float = 1.0) -> Rig:
@@ -63,17 +63,17 @@ class ReportRig:
         rig = read_scenario(overridden(self.document, settings), self.catalog, seed=self.seed).rig
         return replace(rig, parts=tuple(_scaled(part, scale) for part in rig.parts))
 
-    def reading(self, occupancy: float, size: float, *, scale: float = 1.0, copy: int = 0) -> Recording:
-        """Return what the sensor records there; ``copy`` numbers repetitions of the run with other random numbers."""
+    def reading(self, occupancy: float, size: float, *, scale: float = 1.0, run: int = 0) -> Recording:
+        """Return the reading of the sensor there; ``run`` numbers repetitions with other random numbers."""
         wander = self.scenario.operating_point.slow_speed_wander
         return simulate(
-            self.at(occupancy, size, scale=scale), duration=DURATION, seed=self.seed + copy, wander=wander,
+            self.at(occupancy, size, scale=scale), duration=DURATION, seed=self.seed + run, wander=wander,
             settling=SETTLING, scenario=self.scenario.title,
         )  # fmt: skip
 
     @property
     def size(self) -> float:
-        """The scenario's particle size [m], taken for Table VIII."""
+        """The scenario's particle size [m], used for Table VIII."""
         return self.scenario.rig.run.particle_size or 0.5e-3
 
 

@@ -1,4 +1,4 @@
-"""By how much mechanical noise falls when the load rises: the report's 59 %."""
+"""Drop of mechanical noise with rising load; the report prints 59 %."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.study.reference_report.conditions import ReportRig
 
 LOW, HIGH = 5.0, 21.0
-"""[%] taken for the report's low and high load, which it does not state."""
+"""[%] used for the report's low and high load, which it does not state."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,24 +24,24 @@ class MechanicalDrop:
     Parameters
     ----------
     low, high : float
-        In the reading, load and all [N m].
-    chance : float
-        What the load alone shows at that order at high load: the median amplitude at empty orders beside [N m].
+        In the reading, including the load [N m].
+    floor : float
+        Noise floor at high load: the median amplitude at neighbouring orders without lines [N m].
     by_model : float
-        By how much the model's line itself falls [%].
+        Drop of the line in the model [%].
     needed_high : float or None
         Occupancy to which the load must rise from ``LOW`` for the published drop [%]; None where the model has none.
     """
 
     low: float
     high: float
-    chance: float
+    floor: float
     by_model: float
     needed_high: float | None
 
     @property
     def percent(self) -> float:
-        """By how much the line in the reading falls [%]."""
+        """Drop of the line in the reading [%]."""
         return 100 * (1 - self.high / self.low)
 
 
@@ -51,11 +51,11 @@ def mechanical_drop(rig: ReportRig, low: Recording, high: Recording, *, publishe
     first, last = 1 + relief * LOW, 1 + relief * HIGH
     wanted = (first / (1 - published / 100) - 1) / relief if relief else None
     amplitudes = [_amplitude(rig, one, 1.0) for one in (low, high)]
-    beside = [_amplitude(rig, high, order) for order in (0.6, 0.7, 1.3, 1.4, 1.5, 1.6)]
+    neighbours = [_amplitude(rig, high, order) for order in (0.6, 0.7, 1.3, 1.4, 1.5, 1.6)]
     return MechanicalDrop(
         low=amplitudes[0],
         high=amplitudes[1],
-        chance=float(np.median(beside)),
+        floor=float(np.median(neighbours)),
         by_model=100 * (1 - first / last),
         needed_high=wanted,
     )

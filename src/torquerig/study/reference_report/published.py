@@ -1,4 +1,4 @@
-"""What the reference report prints of its filter, and which of these cells a fit may see."""
+"""Printed results of the report's filter, and which of these cells a fit uses."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Table = Literal["VIII", "IX"]
 
 @dataclass(frozen=True)
 class Cell:
-    """A published reduction of the standard deviation by the reference report's filter.
+    """A published reduction of the standard deviation by the report's filter.
 
     Parameters
     ----------
@@ -18,11 +18,11 @@ class Cell:
     occupancy : float or None
         [%]; None where the report does not state it (Table IX).
     size : float
-        Particle size [m]; that of Table VIII is not stated either and taken as the scenario's.
+        Particle size [m]; that of Table VIII is not stated; the scenario's is used.
     cut : float
         [%].
     fitted : bool
-        Whether the fit may see it; the others are held out and printed whatever comes out.
+        Whether the fit uses it; the others are held out.
     """
 
     table: Table
@@ -33,7 +33,7 @@ class Cell:
 
     @property
     def shown(self) -> str:
-        """The row as the report heads it."""
+        """The name of the row in the report."""
         return f"{self.occupancy:g} %" if self.table == "VIII" else f"{1e3 * (self.size or 0):g} mm"
 
 
@@ -50,7 +50,7 @@ CELLS: tuple[Cell, ...] = (
     Cell("IX", None, 0.98e-3, 24.0, True),
 )
 OCCUPANCIES = (5.0, 11.0, 15.0, 21.0)
-"""Those of Table VIII [%]; Table IX was taken at one that the report does not name."""
+"""Occupancies of Table VIII [%]; that of Table IX is not stated."""
 
 MECHANICAL_DROP = 59.0
-"""By how much the amplitude of mechanical noise fell with the load [%] (section 4.1, Figures 4.2 and 4.3); held out."""
+"""Drop of the amplitude of mechanical noise with the load [%] (section 4.1, Figures 4.2 and 4.3); held out."""

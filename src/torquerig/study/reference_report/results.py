@@ -15,20 +15,20 @@ from torquerig.study.reference_report.conditions import ReportRig
 from torquerig.study.reference_report.fitting import Fit, fitted
 from torquerig.study.reference_report.mechanical import HIGH, LOW, MechanicalDrop, mechanical_drop
 from torquerig.study.reference_report.published import CELLS, MECHANICAL_DROP, OCCUPANCIES
-from torquerig.study.reference_report.superposed import everywhere
+from torquerig.study.reference_report.superposition import everywhere
 
 Progress = Callable[[int, int, str], None]
 
 
 @dataclass(frozen=True, kw_only=True)
 class ReportResults:
-    """What the page shows.
+    """Results that the page shows.
 
     Parameters
     ----------
     rig : ReportRig
     chain : Chain
-        The reference report's filter as its code runs.
+        The report's filter as its code runs.
     fit : Fit
     cells : tuple of CellResult
         In the order of the report.
@@ -51,7 +51,7 @@ class ReportResults:
 
 
 def reference_results(document: Document, catalog: Catalog, *, seed: int, progress: Progress) -> ReportResults:
-    """Return the reference report's results beside the rig of a scenario; the same seed gives the same figures.
+    """Return the results of the report and those of the rig of a scenario; the same seed gives the same figures.
 
     Raises
     ------

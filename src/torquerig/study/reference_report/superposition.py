@@ -1,4 +1,4 @@
-"""A reading as lines plus a load that can be scaled: what the reference report's filter cuts of it, in closed form."""
+"""A reading as lines plus a scalable load: the reduction by a linear filter in closed form."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_LARGEST = 20.0  # times the scenario's own fluctuation up to which a needed one is looked for
+_LARGEST = 20.0  # [1] largest searched fluctuation over that of the scenario
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Superposed:
     after: tuple[float, float, float]
 
     def cut(self, scale: float | Floats) -> float | Floats:
-        """Return the reduction of the standard deviation [%] where the load fluctuates ``scale`` times as much."""
+        """Return the reduction of the standard deviation [%] with the load's fluctuation times ``scale``."""
         first, last = (_variance(parts, scale) for parts in (self.before, self.after))
         return 100 * (1 - np.sqrt(np.maximum(last, 0.0) / first))
 
@@ -49,11 +49,11 @@ class Superposed:
         return scale * float(np.sqrt(self.before[2]))
 
     def taken(self) -> float:
-        """Share of the load's variance that the chain takes with its notches [1]."""
+        """Share of the load's variance that the notches remove [1]."""
         return 1 - self.after[2] / self.before[2]
 
     def needed(self, cut: float) -> float | None:
-        """Return the scale at which ``cut`` [%] would come out, or None where no load gives it."""
+        """Return the scale that gives a reduction ``cut`` [%]; None where no load gives it."""
         low, high = 0.0, _LARGEST
         if not self._cut(high) <= cut <= self._cut(low):
             return None
@@ -69,8 +69,8 @@ class Superposed:
 def superposed(rig: ReportRig, chain: Chain, occupancy: float, *, size: float) -> Superposed:
     """Return the covariances at an occupancy [%] and a size [m], from one run with and one without fluctuation.
 
-    Both runs have the same random numbers, so that their difference is the load's share of the reading. This adds up
-    because the rig is linear there (no gap, one direction); it does not where the load would fall below 0.
+    Both runs have the same random numbers, so their difference is the load's share of the reading. This is exact
+    because the rig is linear there (no backlash, one direction), but not where the load would be negative.
     """
     whole, still = (rig.reading(occupancy, size, scale=scale) for scale in (1.0, 0.0))
     name = whole.torque_name()

@@ -1,4 +1,4 @@
-"""Where the bulk of a signal's fluctuation lies: what the report looked for between small and large particles."""
+"""Half-power frequency of a torque signal, which the report compares between small and large particles."""
 
 from __future__ import annotations
 

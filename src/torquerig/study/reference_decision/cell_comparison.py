@@ -1,4 +1,4 @@
-"""A computed table beside the published one: cell by cell, then sums, ranks and decisions."""
+"""Comparison of a computed table with the published one: cells, then sums, ranks and decisions."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ from torquerig.study.reference_decision.reasons import (
 
 
 @dataclass(frozen=True, kw_only=True)
-class CellBeside:
-    """One cell: what is printed, what is computed and from which figure, and why they differ."""
+class ComparedCell:
+    """One cell: printed and computed mark, the figure behind it, and the reason of a difference."""
 
     row: str
     alternative: str
@@ -43,47 +43,47 @@ class CellBeside:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TableBeside:
-    """One table beside its computed one.
+class ComparedTable:
+    """A published table and its computed one.
 
     Parameters
     ----------
     table : ComputedTable
-    cells : tuple of CellBeside
+    cells : tuple of ComparedCell
         Row by row of the published table.
-    under : mapping of str to tuple of str
-        What stands under or behind the table, a text per published alternative: sums, ranks, decisions.
+    totals : mapping of str to tuple of str
+        Sums, ranks and decisions, a text per published alternative.
     rated : KesselringResult or None
-        With the lost weight on the goal and the added motors (Kesselring).
+        With the missing weight on the goal and the added motors (Kesselring).
     findings : tuple of Finding
         The published table's errors.
     """
 
     table: ComputedTable
-    cells: tuple[CellBeside, ...]
-    under: Mapping[str, tuple[str, ...]]
+    cells: tuple[ComparedCell, ...]
+    totals: Mapping[str, tuple[str, ...]]
     rated: KesselringResult | None
     findings: tuple[Finding, ...]
 
     @property
-    def differing(self) -> tuple[CellBeside, ...]:
-        """The cells whose computed mark is another one."""
+    def differing(self) -> tuple[ComparedCell, ...]:
+        """The cells whose computed mark differs from the printed one."""
         return tuple(cell for cell in self.cells if cell.reason.sentence)
 
 
-def table_beside(table: ComputedTable, book: TableSet, *, agree_within: float) -> TableBeside:
-    """Return a computed table beside the published one."""
+def compared_table(table: ComputedTable, book: TableSet, *, agree_within: float) -> ComparedTable:
+    """Return the comparison of a computed table with the published one."""
     findings = tuple(one for one in audit(book) if one.table == table.sheet.name)
     unclear = {row.criterion for row in table.sheet.rows if _is_unclear(table, row.criterion, book)}
     if table.sheet.method is not Method.KESSELRING:
         made = _elimination if table.sheet.method is Method.ELIMINATION else _pugh
-        cells, under = made(table, unclear)
-        return TableBeside(table=table, cells=cells, under=under, rated=None, findings=findings)
-    cells, under, rated = _kesselring(table, unclear, agree_within)
-    return TableBeside(table=table, cells=cells, under=under, rated=rated, findings=findings)
+        cells, totals = made(table, unclear)
+        return ComparedTable(table=table, cells=cells, totals=totals, rated=None, findings=findings)
+    cells, totals, rated = _kesselring(table, unclear, agree_within)
+    return ComparedTable(table=table, cells=cells, totals=totals, rated=rated, findings=findings)
 
 
-Found = tuple[tuple[CellBeside, ...], dict[str, tuple[str, ...]]]
+Found = tuple[tuple[ComparedCell, ...], dict[str, tuple[str, ...]]]
 
 
 def _elimination(table: ComputedTable, unclear: set[str]) -> Found:
@@ -96,14 +96,14 @@ def _elimination(table: ComputedTable, unclear: set[str]) -> Found:
             compared = _compared(table, key, said, marks[key], others.get(key, ""))
             cells.append(_cell(table, key, said, marks[key], reason_of_demand(compared)))
     printed = {True: "Yes", False: "No", None: ""}
-    wishes = {row.criterion for row in undeciding_rows(sheet)} if None not in sheet.passed else set()
-    under = {
+    undeciding = {row.criterion for row in undeciding_rows(sheet)} if None not in sheet.passed else set()
+    totals = {
         "printed decision": tuple(printed[passed] for passed in sheet.passed),
         "computed, every - eliminates": _decisions(table, set()),
     }
-    if 0 < len(wishes) < len(sheet.rows):
-        under["computed, without the columns that never decide"] = _decisions(table, wishes)
-    return tuple(cells), under
+    if 0 < len(undeciding) < len(sheet.rows):
+        totals["computed, without the columns that never eliminate"] = _decisions(table, undeciding)
+    return tuple(cells), totals
 
 
 def _decisions(table: ComputedTable, without: set[str]) -> tuple[str, ...]:
@@ -129,7 +129,7 @@ def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
             other = signs_of(others, name).get(row.criterion, "") if others else ""
             compared = replace(
                 _compared(table, key, said, signs[name][row.criterion], other),
-                datum=table.figures[sheet.baseline, row.criterion], polarity=turned,
+                baseline=table.figures[sheet.baseline, row.criterion], polarity=turned,
                 same_gearbox=signs_of(same, name)[row.criterion],
             )  # fmt: skip
             cells.append(_cell(table, key, said, signs[name][row.criterion], reason_of_sign(compared)))
@@ -138,7 +138,7 @@ def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
     nets = [(int(result.net_low[place]), int(result.net_high[place])) for place in places]
     return tuple(cells), {
         "printed sum": _printed(sheet.sums),
-        "computed net, ? either way": tuple(f"{low}" if low == high else f"{low}..{high}" for low, high in nets),
+        "computed net, ? as + or -": tuple(f"{low}" if low == high else f"{low}..{high}" for low, high in nets),
         "printed rank": _printed(sheet.ranks),
         f"computed rank, {sheet.baseline} among them": tuple(
             shown_rank(int(best[place]), int(worst[place])) for place in places
@@ -148,7 +148,7 @@ def _pugh(table: ComputedTable, unclear: set[str]) -> Found:
 
 def _kesselring(
     table: ComputedTable, unclear: set[str], within: float
-) -> tuple[tuple[CellBeside, ...], dict[str, tuple[str, ...]], KesselringResult]:
+) -> tuple[tuple[ComparedCell, ...], dict[str, tuple[str, ...]], KesselringResult]:
     sheet, cells = table.sheet, []
     printed = {row.criterion for row in sheet.rows}
     result = kesselring(
@@ -174,16 +174,16 @@ def _kesselring(
     printed_shares = tuple(
         "" if one is None else f"{one / (sheet.ideal_sum or result.ideal):.2f}" for one in sheet.sums
     )
-    under = {
+    totals = {
         "printed sum": _printed(sheet.sums),
         "printed T/T_max": printed_shares,
         "computed T/T_max": tuple(ranges[place] for place in places),
     }
-    return tuple(cells), under, kesselring(table.matrix, profile=sheet.profile)
+    return tuple(cells), totals, kesselring(table.matrix, profile=sheet.profile)
 
 
 def _every_mark(matrix: DecisionMatrix) -> dict[tuple[str, str], str]:
-    """Return the mark of every cell, those behind a first ``-`` too."""
+    """Return the mark of every cell, including those after a first ``-``."""
     found = {}
     for criterion in matrix.criteria:
         kept = {key: cell for key, cell in matrix.cells.items() if key[1] == criterion.name}
@@ -201,15 +201,15 @@ def _compared(table: ComputedTable, key: tuple[str, str], said: Entry, computed:
     )  # fmt: skip
 
 
-def _cell(table: ComputedTable, key: tuple[str, str], said: Entry, computed: str, reason: Reason) -> CellBeside:
+def _cell(table: ComputedTable, key: tuple[str, str], said: Entry, computed: str, reason: Reason) -> ComparedCell:
     shown = said if isinstance(said, str) else f"{said:g}"
-    return CellBeside(
+    return ComparedCell(
         row=key[1], alternative=key[0], published=shown, computed=computed, figure=table.figures[key], reason=reason
     )
 
 
 def _is_unclear(table: ComputedTable, row: str, book: TableSet) -> bool:
-    """Whether a lint says that the row's name leaves open which way is better."""
+    """Return whether the row's name does not state which direction is better."""
     return any(repr(row) in finding.what for finding in polarity_unclear(table.sheet, book))
 
 

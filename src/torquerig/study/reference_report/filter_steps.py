@@ -11,7 +11,7 @@ STEPS: tuple[tuple[str, tuple[Family, ...]], ...] = (
     ("mechanical noise and torque ripple", ("cogging_per_pole", "electrical")),
     ("mechanical noise, torque ripple and the unknown line", ("slots_times_pole_pairs",)),
 )
-"""What is cut in addition in each figure; the last one is the whole filter."""
+"""Lines that each figure removes in addition; the last figure has the whole filter."""
 
 
 def report_filter_steps(kinematics: Kinematics) -> tuple[Chain, ...]:

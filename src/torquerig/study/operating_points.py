@@ -1,4 +1,4 @@
-"""The operating points of a study beside its default one."""
+"""The further operating points of a study."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Point:
 
     @property
     def name(self) -> str:
-        """A folder's name: ``occupancy-21-particle-0.5mm``."""
+        """Name of the folder: ``occupancy-21-particle-0.5mm``."""
         return f"occupancy-{self.occupancy_percent:g}-particle-{1e3 * self.particle_size:g}mm"
 
     def applied(self, study: Study) -> Study:

@@ -19,10 +19,10 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.motor_facts import FACT_UNITS, motor_facts
 from torquerig.reporting.reference_report.decision_page import redone_markdown, redone_page
 from torquerig.reporting.reference_report.decision_trace import trace_chapter
-from torquerig.study.reference_decision.beside import table_beside
+from torquerig.study.reference_decision.cell_comparison import compared_table
 from torquerig.study.reference_decision.computed import computed_table
-from torquerig.study.reference_decision.decision import redone
-from torquerig.study.reference_decision.figures import Known
+from torquerig.study.reference_decision.decision import reference_decision
+from torquerig.study.reference_decision.known_figures import Known
 from torquerig.study.reference_decision.plan import read_plan
 from torquerig.study.reference_decision.reasons import (
     Cause,
@@ -41,7 +41,7 @@ tables:
   - name: Signs
     method: pugh
     columns: [REF, HDS6A-104A]
-    datum: REF
+    baseline: REF
     rows:
       Speed: {cells: [REF, "+"]}
       Price: {cells: [REF, "-"], kind: economic}
@@ -87,7 +87,7 @@ def small(tmp_path_factory):
     folder = tmp_path_factory.mktemp("plan")
     (folder / "tables.yaml").write_text(TABLES)
     text = PLAN.format(scenario=shipped_scenarios() / "wear_rig.yaml")
-    return redone(read_plan(parse_document(text, folder / "plan.yaml"), CATALOG), workers=1)
+    return reference_decision(read_plan(parse_document(text, folder / "plan.yaml"), CATALOG), workers=1)
 
 
 def elimination(plan, book=None):
@@ -95,7 +95,7 @@ def elimination(plan, book=None):
     runs = StudyRuns(study=plan.study, drives=(), mean_load=1.0, occupancy_percent=5.0, particle_size=5e-4,
                      output_speed=20.9)  # fmt: skip
     plan = plan if book is None else replace(plan, book=book)
-    return table_beside(computed_table(plan, "Table II", Known(runs)), plan.book, agree_within=0.5)
+    return compared_table(computed_table(plan, "Table II", Known(runs)), plan.book, agree_within=0.5)
 
 
 def test_the_shipped_plan_runs_what_its_tables_name(shipped):
@@ -139,16 +139,16 @@ MORE = Criterion(name="x", unit="N*m", better=Better.MORE, purpose="as read", re
         ({"published": "0", "computed": "S"}, Cause.AGREES),
         ({"published": "+", "computed": "?"}, Cause.MISSING),
         ({"published": "?", "computed": "-"}, Cause.VALUE),
-        ({"published": "+", "computed": "-", "same_gearbox": "+"}, Cause.DATUM),
+        ({"published": "+", "computed": "-", "same_gearbox": "+"}, Cause.BASELINE),
         ({"published": "+", "computed": "-", "otherwise": "+", "other_purpose": "as else"}, Cause.READING),
-        ({"published": "+", "computed": "S"}, Cause.DATUM),
+        ({"published": "+", "computed": "S"}, Cause.BASELINE),
         ({"published": "+", "computed": "-", "polarity": True}, Cause.POLARITY),
         ({"published": "0", "computed": "-"}, Cause.VALUE),
     ],
 )
 def test_why_a_sign_differs(changed, cause):
     cell = Compared(
-        figure=Figure(low=1.0, high=2.0, missing="inertia of A"), datum=Figure(value=1.5), criterion=MORE, **changed
+        figure=Figure(low=1.0, high=2.0, missing="inertia of A"), baseline=Figure(value=1.5), criterion=MORE, **changed
     )
     found = reason_of_sign(cell)
     assert found.cause is cause
@@ -178,7 +178,7 @@ def test_facts_have_their_units():
 def test_a_small_decision_and_its_answer(small):
     signs, points = small.tables
     assert {cell.row: cell.computed for cell in signs.cells} == {"Speed": "S", "Price": "-"}
-    assert signs.under["computed net, ? either way"] == ("-1",)
+    assert signs.totals["computed net, ? as + or -"] == ("-1",)
     assert points.cells[0].published == "2"
     assert points.cells[0].reason.cause is Cause.VALUE
     assert points.rated is not None
@@ -188,7 +188,7 @@ def test_a_small_decision_and_its_answer(small):
     assert answer.published_text == "Points, 1.6 of 4 in print"
     assert answer.keeps
     assert str(answer.overall.certainty) in answer.sentences()[1]
-    assert 0 <= answer.keeps_chance <= 1
+    assert 0 <= answer.keeps_share <= 1
     assert set(answer.table) == {
         "Points computed with its printed weights", "Points computed with the lost 0.2 on ripple",
         "Points computed with the lost 0.2 on ripple, new motors only"}  # fmt: skip
@@ -197,8 +197,8 @@ def test_a_small_decision_and_its_answer(small):
 def test_the_answer_uses_the_words_of_the_study_and_keeps_its_demands_open(small):
     """``compare`` on the same drives: one engine, so one word, one chance and one open demand."""
     answer, of_study = small.answer, verdict(small.decided)
-    assert answer.overall.certainty is of_study.word is Certainty.OPEN
-    assert answer.overall.best_shares == of_study.chances
+    assert answer.overall.certainty is of_study.certainty is Certainty.OPEN
+    assert answer.overall.best_shares == of_study.best_shares
     assert answer.conditions == ("whether bldc-12n14p is a servo motor",)
     assert of_study.facts[0].sentence().startswith("ask the maker whether bldc-12n14p is a servo motor: if not, ")
 
@@ -215,7 +215,7 @@ def test_every_computed_cell_leads_back_to_the_catalog(small):
 
 
 def test_the_page_is_the_same_each_time_and_asks_nobody(small):
-    again = redone(small.plan, workers=2)
+    again = reference_decision(small.plan, workers=2)
     assert redone_page(again) == redone_page(small)
     page, text = redone_page(small), redone_markdown(small)
     assert "<script" not in page

@@ -1,4 +1,4 @@
-"""What catalog and simulation say of each motor on each gearbox, by metric."""
+"""Figures of each motor on each gearbox from catalog and simulation, by metric."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.motor_facts import FACT_UNITS, motor_facts
-from torquerig.study.asked import in_words
+from torquerig.study.missing_data import missing_data_text
 from torquerig.study.reference_decision.plan import KNOWN_UNITS, real_name
 from torquerig.study.results import DriveResult, StudyRuns
 from torquerig.study.scoring import figure_of
@@ -15,12 +15,12 @@ from torquerig.study.settings import SIMULATED
 
 @dataclass(frozen=True)
 class Known:
-    """The runs of a study, asked by a motor's name (or alias), a gearbox and a metric."""
+    """Look-up in the runs of a study by motor (or alias), gearbox and metric."""
 
     runs: StudyRuns
 
     def figure(self, motor: str, gearbox: str, metric: str) -> Figure:
-        """Return one figure; unknown, with what is missing, where the drive was not simulated."""
+        """Return one figure; unknown where the drive was not simulated."""
         catalog, study = self.runs.study.catalog, self.runs.study
         if metric in FACT_UNITS:
             present = catalog.motor(study.settings.present.motor)
@@ -32,7 +32,7 @@ class Known:
         rests_on = found.rests_on
         if metric in SIMULATED:
             rests_on = tuple((one.name, one.known) for one in drive.taken.values())
-        return replace(found, missing=in_words(found.missing, drive.candidate), rests_on=rests_on)
+        return replace(found, missing=missing_data_text(found.missing, drive.candidate), rests_on=rests_on)
 
     def drive(self, motor: str, gearbox: str) -> DriveResult | None:
         """Return the drive of a motor on a gearbox; None where the study has none."""
