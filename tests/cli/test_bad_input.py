@@ -78,12 +78,12 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "compare at a stand": (("compare", WEAR_RIG, "--set", "output_speed=0 rpm"), "a study needs a speed"),
     "motor that is not listed": (("compare", WEAR_RIG, "--set", "study.motors=[GP-71M]"), "the present motor 'bldc-12n14p' is not"),
     "points beyond the scale": (("compare", WEAR_RIG, "--set", "disturbance.points={0: 7, 1: 1}"), "7 points are outside the scale 1..5"),
-    "a unit the metric has not": (("compare", WEAR_RIG, "--set", "price.unit=USD"), "price is counted in 'EUR', not in 'USD'"),
+    "a unit the metric has not": (("compare", WEAR_RIG, "--set", "price.unit=USD"), "price has the unit 'EUR', not 'USD'"),
     "no demand": (("compare", WEAR_RIG, "--set", "requirements={}"), "study.requirements: the list is empty"),
     "ratio that is none": (("compare", WEAR_RIG, "--set", "gearbox.ratio=abc"), "rig.gearbox.ratio: 'abc' is no ratio"),
     "band upside down": (("compare", WEAR_RIG, "--set", "speed use.band=[1.0, 0.3]"), "swap them"),
     "unknown filter": (("compare", WEAR_RIG, "--set", "filters.names=[report_filter_cod]"), "did you mean 'report_filter_code'"),
-    "unknown present filter": (("compare", WEAR_RIG, "--set", "present.filter=nil"), "study.present.filter: there is no chain"),
+    "unknown present filter": (("compare", WEAR_RIG, "--set", "present.filter=nil"), "study.present.filter: unknown filter chain"),
 }  # fmt: skip
 
 

@@ -79,12 +79,13 @@ def test_the_page_holds_everything_itself(written):
 
 def test_the_page_answers_in_order(written, answer):
     page = written[0].read_text(encoding="utf-8")
-    parts = [answer.certainty, "What was asked", "Ranked combinations", "How well each drive",
-             "What the reading is made of",
-             "What is out of reach", "Who meets the requirements", "Better or worse", "Weighted points",
-             "Every cell from the catalog",
-             "What the sensor reads", "What the filters do", "Assumed values", "What to ask", "Where this stops",
-             "Sources", "How to make this page again", "torquerig compare wear_rig.yaml"]  # fmt: skip
+    parts = [answer.certainty, "Question and conditions", "Ranked combinations", "Reading error of each drive",
+             "Shares of the reading",
+             "Drives out of reach", "Elimination: requirements", "Pugh: comparison", "Kesselring: weighted points",
+             "Calculation of every cell",
+             "Readings before and after", "Effect of the filters", "Assumed values", "Missing values to ask",
+             "Limits of validity",
+             "Sources", "Command to repeat this page", "torquerig compare wear_rig.yaml"]  # fmt: skip
     places = [page.find(part) for part in parts]
     assert -1 not in places
     assert places == sorted(places)
@@ -120,8 +121,8 @@ def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
 
 def test_a_study_that_nothing_survives_has_a_page_too(runs, decided, answer):
     page = study_page(runs, decided, replace(answer, winner="", word=Certainty.NOBODY, facts=()))
-    assert "<dd>nobody meets the requirements</dd>" in page
-    assert "Nothing is open." in page
+    assert "<dd>no alternative meets the requirements</dd>" in page
+    assert "No value is missing." in page
 
 
 def test_markup_in_names_is_escaped(runs, decided, answer):

@@ -23,7 +23,7 @@ def test_the_trace_leads_from_each_catalog_value_to_the_points_of_each_cell(path
     book = openpyxl.load_workbook(path)
     rows = list(book["Trace"].iter_rows(values_only=True))
     head, told = rows[0], {row[:2]: dict(zip(rows[0], row, strict=True)) for row in rows[1:]}
-    assert head[:3] == ("drive | filter", "criterion or demand", "catalog values")
+    assert head[:3] == ("drive | filter", "criterion or requirement", "catalog values")
     assert len(told) == len(rows) - 1
     result = decided.overall
     for row, name in enumerate(result.alternatives):

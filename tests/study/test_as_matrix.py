@@ -77,8 +77,11 @@ def test_what_is_written_is_the_same_case_with_the_same_way_of_each_cell(tmp_pat
     [
         (("--matrix", "drives.pdf"), "drives.pdf: a matrix is written as .html, .md, .xlsx, .yaml"),
         (("--matrix", "there.yaml"), "there.yaml: is there already"),
-        (("--matrix", "drives.yaml", "--all-points"), "leave --all-points out"),
-        (("--trace", "bldc-12n14p 5:1", "prize"), "the study asks for no 'prize'; did you mean 'price'"),
+        (("--matrix", "drives.yaml", "--all-points"), "remove --all-points"),
+        (
+            ("--trace", "bldc-12n14p 5:1", "prize"),
+            "the study has no criterion or requirement 'prize'; did you mean 'price'",
+        ),
     ],
 )
 def test_a_bad_call_is_one_sentence_before_anything_is_simulated(

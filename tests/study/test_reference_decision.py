@@ -17,7 +17,7 @@ from torquerig.document import parse_document, read_document
 from torquerig.errors import TorquerigError
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.motor_facts import FACT_UNITS, motor_facts
-from torquerig.reporting.reference_report.decision_page import redone_markdown, redone_page
+from torquerig.reporting.reference_report.decision_page import reference_decision_markdown, reference_decision_page
 from torquerig.reporting.reference_report.decision_trace import trace_chapter
 from torquerig.study.reference_decision.cell_comparison import compared_table
 from torquerig.study.reference_decision.computed import computed_table
@@ -27,8 +27,8 @@ from torquerig.study.reference_decision.plan import read_plan
 from torquerig.study.reference_decision.reasons import (
     Cause,
     Compared,
-    reason_of_demand,
     reason_of_points,
+    reason_of_requirement,
     reason_of_sign,
 )
 from torquerig.study.results import StudyRuns
@@ -117,14 +117,14 @@ def test_table_two_from_the_catalog(shipped):
     assert shaft.cause is Cause.MISSING
     assert "shaft diameter of bldc-12n14p" in shaft.sentence
     assert all(cell.reason.sentence for cell in table.differing)
-    assert {finding.lint for finding in table.findings} >= {"? passed as yes", "a wish used as a demand"}
+    assert {finding.lint for finding in table.findings} >= {"? passed as yes", "a wish used as a requirement"}
 
 
 def test_published_marks_are_read_and_not_known(shipped):
     sheet = shipped.book.table("Table II")
     turned = tuple(replace(row, entries=tuple("-" for _ in row.entries)) for row in sheet.rows)
     others = (replace(one, rows=turned) if one is sheet else one for one in shipped.book.tables)
-    table = elimination(shipped, replace(shipped.book, sheets=tuple(others)))
+    table = elimination(shipped, replace(shipped.book, tables=tuple(others)))
     assert {cell.published for cell in table.cells} == {"-"}
     assert {cell.computed for cell in table.cells} == {cell.computed for cell in elimination(shipped).cells}
     assert not [cell for cell in table.differing if cell.computed == "-"]
@@ -154,15 +154,15 @@ def test_why_a_sign_differs(changed, cause):
     assert found.cause is cause
     assert bool(found.sentence) is (cause is not Cause.AGREES)
     if cause is Cause.MISSING:
-        assert "without inertia of A" in found.sentence
+        assert "inertia of A is missing" in found.sentence
 
 
 def test_why_a_demand_and_points_differ():
     cell = Compared(published="+", computed="-", figure=Figure(value=3.0), criterion=MORE)
-    assert reason_of_demand(cell).sentence == "The value says otherwise: it is 3 N*m, and asked is >= 6 N*m."
+    assert reason_of_requirement(cell).sentence == "The value is 3 N*m, and required is >= 6 N*m."
     points = replace(cell, published=3.5)
     assert reason_of_points(points, low=2.0, high=3.1, within=0.5).cause is Cause.AGREES
-    assert "is worth 2..2.9" in reason_of_points(points, low=2.0, high=2.9, within=0.5).sentence
+    assert "gives 2..2.9 points" in reason_of_points(points, low=2.0, high=2.9, within=0.5).sentence
 
 
 def test_facts_have_their_units():
@@ -185,13 +185,13 @@ def test_a_small_decision_and_its_answer(small):
     assert points.rated.weights.tolist() == pytest.approx([0.8, 0.2])  # what print lacks to 1
     answer = small.answer
     assert answer.published == "HDS6A-0104A"
-    assert answer.published_text == "Points, 1.6 of 4 in print"
+    assert answer.published_text == "Points, 1.6 of 4 printed"
     assert answer.keeps
     assert str(answer.overall.certainty) in answer.sentences()[1]
     assert 0 <= answer.keeps_share <= 1
     assert set(answer.table) == {
-        "Points computed with its printed weights", "Points computed with the lost 0.2 on ripple",
-        "Points computed with the lost 0.2 on ripple, new motors only"}  # fmt: skip
+        "Points computed with its printed weights", "Points computed with the missing 0.2 on ripple",
+        "Points computed with the missing 0.2 on ripple, new motors only"}  # fmt: skip
 
 
 def test_the_answer_uses_the_words_of_the_study_and_keeps_its_demands_open(small):
@@ -205,7 +205,7 @@ def test_the_answer_uses_the_words_of_the_study_and_keeps_its_demands_open(small
 
 def test_every_computed_cell_leads_back_to_the_catalog(small):
     tables = {table.caption: table for table in trace_chapter(small).tables}
-    rows = {(row[0].text, row[1].text): row for row in tables["Points: from the catalog to the computed mark"].rows}
+    rows = {(row[0].text, row[1].text): row for row in tables["Points: calculation of the computed marks"].rows}
     known = CATALOG.motor("HDS6A-0104A").rated_speed
     assert rows["Speed", "HDS6A-0104A"][2].text == (
         f"rated speed of HDS6A-0104A: {known.shown()} [{known.evidence}], from {known.source}"
@@ -216,8 +216,8 @@ def test_every_computed_cell_leads_back_to_the_catalog(small):
 
 def test_the_page_is_the_same_each_time_and_asks_nobody(small):
     again = reference_decision(small.plan, workers=2)
-    assert redone_page(again) == redone_page(small)
-    page, text = redone_page(small), redone_markdown(small)
+    assert reference_decision_page(again) == reference_decision_page(small)
+    page, text = reference_decision_page(small), reference_decision_markdown(small)
     assert "<script" not in page
     assert "http" not in page
     for cell in (cell for one in small.tables for cell in one.differing):
@@ -228,9 +228,9 @@ def test_the_page_is_the_same_each_time_and_asks_nobody(small):
 @pytest.mark.parametrize(
     ("before", "after", "told"),
     [
-        ("  Signs:\n", "  Sings:\n", "there is no published table 'Sings'"),
+        ("  Signs:\n", "  Sings:\n", "unknown published table 'Sings'"),
         ("      Price: {metric", "      Prize: {metric", "has no row 'Prize'"),
-        ("metric: price, unit: EUR", "metric: price, unit: SEK", "price is counted in 'EUR'"),
+        ("metric: price, unit: EUR", "metric: price, unit: SEK", "price has the unit 'EUR'"),
         ("metric: price,", "metric: prize,", "'prize' is no metric"),
         ("gearbox: reference-5-1", "gearbox: reference-6-1", "reference-6-1"),
         ("also: [REF]", "also: [REV]", "REV"),

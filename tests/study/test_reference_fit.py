@@ -77,7 +77,7 @@ def test_the_fit_gives_back_scale_power_and_occupancy_that_made_the_cells():
     assert fit.occupancy == 15.0
     assert fit.scale == pytest.approx(0.6, rel=1e-3)
     assert fit.exponent == pytest.approx(0.8, abs=2e-3)
-    assert fit.misfit < 0.01
+    assert fit.residual < 0.01
     assert fit.scale_at(1e-3) == pytest.approx(0.6 * 2**0.8, rel=3e-3)
 
 

@@ -238,8 +238,8 @@ def test_what_is_missing_is_asked_for_in_a_buyer_s_words() -> None:
 
 def test_a_study_without_a_better_filter_says_to_leave_things_as_they_are() -> None:
     runs = tiny("study.gearboxes=[reference-5-1]", "study.filters.names=[none]", "study.duration=0.5 s")
-    asked = "If what a demand still asks is answered well (whether bldc-12n14p is a servo motor), "
-    told = "eep bldc-12n14p 5:1 as it is, with the filter none: "
+    asked = "If the open requirements are met (whether bldc-12n14p is a servo motor), "
+    told = "eep bldc-12n14p 5:1 as it is, with the filter none. "
     assert verdict(decide(runs)).sentence.startswith(f"{asked}k{told}")
     assert verdict(decide(answered(runs))).sentence.startswith(f"K{told}")
 
@@ -309,7 +309,7 @@ def test_points_are_occupancies_at_the_default_size_then_sizes_at_the_default_oc
     [
         ("study.motors=[HDS6A-0104A]", "the present motor 'bldc-12n14p' is not among the motors of the study"),
         ("output_speed=400 rpm", None),
-        ("output_speed=1500 rpm", "the present motor 'bldc-12n14p' does not reach the speed"),
+        ("output_speed=1500 rpm", "the present motor 'bldc-12n14p' does not reach the required speed"),
         ("study.motors=[foo]", "there is no motor 'foo' in the catalog"),
         ("present.gearbox=foo", r"study\.present\.gearbox: there is no gearbox 'foo'"),
         ("reading error.weight=-1", "-1 is out of range; it must be at least 0"),

@@ -63,7 +63,7 @@ def test_a_simulated_figure_rests_on_every_catalog_value_of_the_rig_with_interva
     scenario = scenario_of(next(one for one in candidates(study()) if one.name == NEW), study(), seed=1)
     assert len(told) == len(scenario.taken)
     inertia = next(text for text in told if text.startswith("rotor inertia of HDS6A-0104A"))
-    assert f"{entry.rotor_inertia.shown()}, in the first copy" in inertia
+    assert f"{entry.rotor_inertia.shown()}, in the first sample" in inertia
     assert f"[{entry.rotor_inertia.evidence}], from {entry.rotor_inertia.source}" in inertia
     assert any(text.startswith("ripple: cogging native of HDS6A-0104A") for text in told)
     assert any(text.startswith("stiffness of reference-5-1") for text in told)

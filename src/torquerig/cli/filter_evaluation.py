@@ -48,7 +48,7 @@ def print_evaluations(
     force: bool,
 ) -> None:
     """Print the evaluation of each chain on ``recording`` and draw its figure; ``where`` is its place in the file."""
-    from torquerig.reporting.figures.judged_figure import judged_figure
+    from torquerig.reporting.figures.evaluation_figure import evaluation_figure
     from torquerig.reporting.figures.picture import write_picture
 
     known = kinematics.lines(KNOWN_HARMONICS)
@@ -57,7 +57,7 @@ def print_evaluations(
         click.echo(f"{chain.name}, evaluated on {recording.duration:.4g} s{where}:")
         for part in (placebo_text(made), step_text(made.step), truth_text(made)):
             click.echo(part + "\n")
-        write_picture(judged_figure(made), targets[chain.name], overwrite=force)
+        write_picture(evaluation_figure(made), targets[chain.name], overwrite=force)
         click.echo(f"wrote {targets[chain.name]}\n")
 
 

@@ -124,7 +124,7 @@ def _print_disturbance(
 
 def _print_all(study: Study, *, ambient: float) -> None:
     from torquerig.metrics.sizing.drive_sizing import Sizing, sizing
-    from torquerig.reporting.sizing.sizing_text import IN_TABLE, told_all
+    from torquerig.reporting.sizing.sizing_text import IN_TABLE, all_text
     from torquerig.study.candidates import Candidate, candidates
     from torquerig.study.sized_candidates import sized_candidate
 
@@ -136,7 +136,7 @@ def _print_all(study: Study, *, ambient: float) -> None:
                           f"{drive.motor.max_speed.bounds[1] * 9.5493:.0f} rpm")  # fmt: skip
             continue
         found[one] = sizing(drive, ambient=ambient, names=IN_TABLE)
-    click.echo(told_all(found))
+    click.echo(all_text(found))
 
 
 def _draw(drive: SizedDrive, sweep: RatioSweep | None, path: Path, *, title: str, force: bool) -> None:

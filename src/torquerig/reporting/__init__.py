@@ -8,7 +8,7 @@
 ``workbook/``          Excel workbooks of a study and of a matrix
 ``reference_report/``  results and decision of the reference report next to the simulated rig
 ``figures/``           pictures of signals, spectra, orders, modes, rankings
-``layout``             what a table is made of; ``html``: a page from its template
-``replaced_folder``    a folder that is replaced whole or not at all
+``layout``             tables of a page; ``html``: a page from its template
+``replaced_folder``    replacement of a folder in one step
 ====================== ============================================================================
 """

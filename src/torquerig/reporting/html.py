@@ -1,4 +1,4 @@
-"""A page from its template: one HTML file that needs nothing beside it."""
+"""A self-contained HTML page from its template."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.version import __version__
 def html(template: str, content: Mapping[str, Any], *, folder: Path | None = None) -> str:
     """Return a template of ``folder`` or of ``reporting/templates`` filled with ``content`` and the version.
 
-    What is text is escaped, and a name that the template asks for and the content lacks is an error.
+    Text is escaped. A name of the template that the content lacks is an error.
     """
     from jinja2 import ChoiceLoader, Environment, FileSystemLoader, PackageLoader, StrictUndefined
 

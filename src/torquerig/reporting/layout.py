@@ -1,4 +1,4 @@
-"""What a table is made of: a caption, a head, and cells with a text and maybe a colour."""
+"""Tables of a page: caption, head, and cells with text, colour and link."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ class Cell:
     word : str
         CSS classes: ``number``, ``mark``, ``unknown``.
     title : str
-        What the reader sees when pointing at the cell, such as a source.
+        Tooltip of the cell, such as a source.
     link : str
-        Where the cell leads to, such as ``#cell-1-2``.
+        Target of the cell's link, such as ``#cell-1-2``.
     """
 
     text: str
@@ -36,7 +36,7 @@ class Cell:
 class Table:
     """A table of a page; the first cell of each row is its heading.
 
-    ``emphasised`` are the numbers of rows that stand out, such as the present drive and the winner.
+    ``emphasised`` are the numbers of bold rows, such as the present drive and the winner.
     """
 
     caption: str
@@ -52,12 +52,12 @@ def words(*texts: str) -> tuple[Cell, ...]:
 
 
 def number(text: str, *, style: str = "", title: str = "") -> Cell:
-    """Return a cell whose text stands at the right, as numbers do; ``?`` is marked as unknown."""
+    """Return a right-aligned cell; ``?`` is marked as unknown."""
     return Cell(text=text, style=style, word="number unknown" if text == "?" else "number", title=title)
 
 
 def figure_cell(figure: Figure, *, style: str = "") -> Cell:
-    """Return the cell of a figure, with its source and what is missing behind it."""
+    """Return the cell of a figure, with its source and the missing value as tooltip."""
     missing = f"missing: {figure.missing}" if figure.missing else ""
     return number(figure_text(figure), style=style, title="; ".join(text for text in (figure.source, missing) if text))
 

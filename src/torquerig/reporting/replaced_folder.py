@@ -13,10 +13,10 @@ from torquerig.errors import InputError
 
 @contextmanager
 def replaced_folder(folder: Path) -> Iterator[Path]:
-    """Give a new folder beside ``folder`` to write into, and put it in its place when all went well.
+    """Yield a temporary folder that replaces ``folder`` when all is written.
 
-    On an error or Ctrl-C the new folder is removed and the old one stays as it was. Of the old folder only what was
-    written anew is replaced; other files in it are kept.
+    On an error or Ctrl-C the new folder is removed and the old one is unchanged. Other files of the old
+    folder are kept.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
         yield fresh
         _swap(fresh, folder)
     except OSError as error:
-        raise InputError(f"{error.filename or folder}: {error.strerror}; the old report was left as it was") from error
+        raise InputError(f"{error.filename or folder}: {error.strerror}; the old report is unchanged") from error
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
 

@@ -1,4 +1,4 @@
-"""Bode curves of a linear twin: what reaches the sensor, loop open and closed, and the loop gain with its margins."""
+"""Bode diagrams of a linearised rig: transfer to the sensor with open and closed loop, and loop gain with margins."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def draw_transfers(axes: Axes, twin: Twin, *, lowest: float, highest: float) -> 
             values = np.abs(system.transfer(f"torque on {node}", twin.sensor, frequencies))
             axes.loglog(frequencies, values, color=colour, linestyle=style, linewidth=1.2, label=f"{told}, {how}")
     axes.set_ylabel("sensor [N m per N m]")
-    axes.set_title("what reaches the sensor", loc="left")
+    axes.set_title("transfer to the sensor", loc="left")
     axes.legend(fontsize=7, framealpha=0.9)
     _dressed(axes)
 

@@ -56,7 +56,7 @@ def draw_campbell(
     _mark(axes, crossings, colours, low=low, named=named)
     axes.set_xlabel("motor speed [rpm]")
     axes.set_ylabel("frequency [Hz]")
-    axes.set_title("Campbell: order lines against modes", loc="left")
+    axes.set_title("Campbell diagram: order lines and modes", loc="left")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.set_major_formatter(lambda value, _: f"{value:g}")
@@ -64,7 +64,7 @@ def draw_campbell(
     _orders(axes, lines, colours, speed_rpm=high)
     handles = [Line2D([], [], color=colour, label=cause) for cause, colour in colours.items()]
     if any(line.amplitude is None for line in lines):
-        handles.append(Line2D([], [], color=UNKNOWN, label="by kinematics alone"))
+        handles.append(Line2D([], [], color=UNKNOWN, label="amplitude unknown"))
     axes.legend(handles=handles, loc="upper left", fontsize=7, framealpha=0.9, ncols=2)
 
 

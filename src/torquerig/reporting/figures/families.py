@@ -1,4 +1,4 @@
-"""How each family of lines is called and coloured in pictures."""
+"""Names and colours of line families in figures."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ SHORT: dict[Family, str] = {
     "gear_mesh": "gear mesh",
     "slots_times_pole_pairs": "slots x pole pairs",
 }
-"""For labels inside a picture; ``NAMES`` stand beside it."""
+"""For labels inside a figure; ``NAMES`` are for legends."""
 
 NAMES: dict[Family, str] = {
     "shaft": "output shaft",

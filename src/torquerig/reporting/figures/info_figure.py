@@ -1,4 +1,4 @@
-"""A recording at a glance: each channel over time, the torque's spectrum with its orders, and how often levels come."""
+"""A recording at a glance: each channel over time, spectrum with orders, and histogram of levels."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def info_figure(info: RecordingInfo, *, main: str, output_speed: float | None = 
     info : RecordingInfo
         With its summaries.
     main : str
-        The channel whose spectrum and levels are drawn, the torque as a rule; it stands first.
+        The channel whose spectrum and levels are drawn, the torque as a rule; it is drawn first.
     output_speed : float, optional
         Of the output shaft [rad/s]; gives the axis of orders.
     """
@@ -75,7 +75,7 @@ def _draw_envelope(axes: Axes, info: RecordingInfo, name: str) -> None:
 
 
 def _mark(axes: Axes, info: RecordingInfo, one: ChannelInfo) -> None:
-    """Draw what is suspicious as ticks along the top, one row and colour for each kind."""
+    """Draw faults as ticks along the top, one row and colour for each kind."""
     places: dict[str, Sequence[float]] = {
         "no numbers": [run.first for run in one.not_numbers],
         "dropouts": [run.first for run in one.dropouts],
@@ -103,7 +103,7 @@ def _draw_spectrum(axes: Axes, info: RecordingInfo, name: str, output_speed: flo
     frequencies, amplitudes = power.spectrum(info.sample_rate)
     kept = (frequencies > 0) & (amplitudes > 0)
     if power.count == 0 or not kept.any():
-        axes.text(0.5, 0.5, "no spectrum: too few numbers", transform=axes.transAxes, ha="center", fontsize=8)
+        axes.text(0.5, 0.5, "no spectrum: too few samples", transform=axes.transAxes, ha="center", fontsize=8)
         axes.set_axis_off()
         return
     axes.plot(*envelope(frequencies[kept], amplitudes[kept], columns=500, logarithmic=True), color=AFTER, linewidth=0.7)

@@ -19,7 +19,7 @@ from torquerig.reporting.figures.spectrum_figure import AFTER, mark_lines
 def notch_figure(before: Recording, after: Recording, *, levels: Sequence[LineLevel], motor_speed: float) -> Figure:
     """Return both spectra on the same axes, a triangle at each line of ``levels``.
 
-    Without a window, as in the reference report: what its band-stops took is then exactly nothing.
+    Without a window, as in the reference report: the removed bands are then exactly zero.
     """
     figure = new_figure(10.5, 5.4)
     upper, lower = figure.subplots(2, 1, sharex=True, sharey=True)

@@ -34,7 +34,7 @@ _LOWEST_ORDER, _LOWEST_FREQUENCY = 0.3, 5.0  # [1/rev], [Hz]
 
 @dataclass(frozen=True, kw_only=True)
 class OrderPicture:
-    """What the three panels show.
+    """Data of the three panels.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class OrderPicture:
         Over the order of the output shaft.
     order_map, speed_map : LineMap
     found : tuple of DetectedLine
-        What stands out, with its domain.
+        Lines above the noise floor, with their domain.
     ratio : float
         Motor turns per output turn [1].
     fastest : float
@@ -118,8 +118,8 @@ def draw_order_spectrum(axes: Axes, shown: OrderPicture) -> None:
         axes.text(last, 0.985, f"{name}  {one.place:.4g}: {one.amplitude:.2g}", transform=axes.transAxes, rotation=90,
                   va="top", ha="center", fontsize=6.5, color=colour,
                   bbox=_BOX)  # fmt: skip
-    told = "filled: of the shaft, open: shaft or fixed frequency cannot be told"
-    axes.text(0.005, 0.02, told, transform=axes.transAxes, fontsize=7, color="#46525e")
+    legend = "filled: order line, open: order or fixed frequency undecided"
+    axes.text(0.005, 0.02, legend, transform=axes.transAxes, fontsize=7, color="#46525e")
 
 
 def draw_order_map(axes: Axes, shown: OrderPicture) -> None:
@@ -140,7 +140,7 @@ def draw_order_map(axes: Axes, shown: OrderPicture) -> None:
                       color=_style(line)[0], clip_on=False, linestyle="none")  # fmt: skip
     axes.set_xlim(_LOWEST_ORDER, float(one.places[-1]))
     _plain(axes.xaxis)
-    axes.set_title("order map: triangles are lines of the shaft, dashed are fixed frequencies", loc="left", fontsize=9)
+    axes.set_title("order map: triangles mark order lines, dashed curves are fixed frequencies", loc="left", fontsize=9)
 
 
 def draw_campbell_map(axes: Axes, shown: OrderPicture) -> None:

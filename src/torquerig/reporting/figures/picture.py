@@ -26,7 +26,7 @@ STYLE: dict[Any, Any] = {
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
-    """An image of a page: ``source`` holds all of it, ``told`` is what it shows, for those who do not see it."""
+    """An image of a page: ``source`` holds all of it, ``told`` is its text alternative."""
 
     source: str
     caption: str
@@ -42,7 +42,7 @@ class NotebookFigure(Figure):
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of ``width`` x ``height`` [in] that needs no screen and is kept in no global list."""
+    """Return an empty figure of ``width`` x ``height`` [in] without a screen or a global list."""
     with rc_context(STYLE):
         made = NotebookFigure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(made)
@@ -61,7 +61,7 @@ def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> Non
     Raises
     ------
     InputError
-        For another ending, a missing folder, or a file that is there already and may not be overwritten.
+        For another ending, a missing folder, or an existing file that may not be overwritten.
     """
     check_picture(path, overwrite=overwrite)
     drawn = svg(figure) if path.suffix.lower() == ".svg" else png(figure)
@@ -70,7 +70,7 @@ def write_picture(figure: Figure, path: Path, *, overwrite: bool = False) -> Non
 
 
 def check_picture(path: Path, *, overwrite: bool = False) -> None:
-    """Raise the InputError that writing a picture to ``path`` would raise, so that no long work is done in vain."""
+    """Raise the InputError that writing a picture to ``path`` would raise, before a long calculation."""
     if path.suffix.lower() not in (".svg", ".png"):
         raise InputError(f"{path}: a picture is written as .svg or .png; choose one of these endings")
     if path.exists() and not overwrite:

@@ -12,7 +12,7 @@ NEAR = 0.015  # [1] dots nearer than this share one label
 
 
 def rating_figure(technical: KesselringResult, economic: KesselringResult, *, named: tuple[str, ...]) -> Figure:
-    """Return a dot per combination, bars over what is unknown, the ``named`` ones numbered and told beside.
+    """Return a dot per combination, bars over the uncertain range, the ``named`` ones numbered with a legend.
 
     The diagonal is where both ratings are equal; the nearer to the upper right corner on it, the better.
     """

@@ -1,4 +1,4 @@
-"""Colour scales whose text stays readable: a background for each value, and black or white on it."""
+"""Colour scales: a background for each value, with black or white text."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MARKS = {"+": "#d5ecd4", "-": "#f6cfca", "?": "#fdf0c4", "!": "#f9dcb0", "S": "#
 
 
 def shade(value: float, low: float, high: float, *, scale: str) -> str:
-    """Return the CSS of a cell whose background says where ``value`` lies between ``low`` and ``high``."""
+    """Return the CSS of a cell whose background shows ``value`` between ``low`` and ``high``."""
     place = Normalize(low, high, clip=True)(value) if high > low else 0.5
     # paled, so that the text stays legible in print too
     red, green, blue, _ = colormaps[scale](float(place))

@@ -1,4 +1,4 @@
-"""What the sensor's reading is made of, a stacked bar per drive."""
+"""Shares of the sensor's reading, a stacked bar per drive."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SHARES = {"load": "#8fb7d9", "cogging": "#e7298a", "electrical": "#1f5f9e", "mec
 
 
 def shares_figure(drives: Sequence[DriveResult]) -> Figure:
-    """Return bars of the shares of the fluctuation's power [%], and beside them the rms of each share [N m]."""
+    """Return bars of the shares of the fluctuation's power [%], and the rms of each share [N m]."""
     run = [drive for drive in drives if drive.shares is not None][::-1]
     figure = new_figure(10.5, 1.2 + 0.22 * len(run))
     percent, rms = figure.subplots(1, 2, sharey=True, width_ratios=(3, 2))

@@ -1,4 +1,4 @@
-"""A stretch of the reading before and after a filter, beside the load that a simulation knows."""
+"""A section of the reading before and after a filter, with the true load of a simulation."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ FULL = 1.03  # [1] where the axes end
 
 
 def strength_figure(found: Strength, *, winners: Collection[str] = ()) -> Figure:
-    """Return a numbered dot per alternative with the range that open facts leave, the ideal at (1, 1).
+    """Return a numbered dot per alternative with its uncertain range, the ideal at (1, 1).
 
     Thin curves join equal sqrt(x y); on the dashed diagonal both sides are equally good; left of the shaded edges the
     technical rating is unsatisfactory, right of the last one very good.

@@ -15,10 +15,10 @@ BAR, OPEN, WEAK = "#5b88ad", "#12395b", "#c0392b"
 
 
 def value_profile(result: KesselringResult, *, named: Sequence[str] = ()) -> Figure:
-    """Return a row of bars per alternative: length the points, height the weight, a line over what is open.
+    """Return a row of bars per alternative: length the points, height the weight, a line over the uncertain range.
 
-    The area of all bars is T. Cells that surely get one point above the worst or less are red: weak spots, which a
-    high total hides.
+    The area of all bars is T. Cells with at most one point above the worst are red: weak spots, which a high total
+    hides.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A worked-out matrix as chapters of tables and sentences: the same for page and Markdown."""
+"""A matrix analysis as chapters of tables and sentences, for page and Markdown."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from torquerig.reporting.layout import Cell, Table, number, words
 
 @dataclass(frozen=True, kw_only=True)
 class Chapter:
-    """A heading with what stands under it.
+    """A heading with its content.
 
     Parameters
     ----------
@@ -37,11 +37,11 @@ class Chapter:
 
 
 def chapters(worked: MatrixAnalysis) -> tuple[Chapter, ...]:
-    """Return all chapters in the order in which they are read."""
+    """Return all chapters in their order on the page."""
     return (
         known_chapter(worked),
         _elimination(worked),
-        Chapter(anchor="pareto", title="Dominance, before any weight", lines=_lines(pareto_text(worked.pareto))),
+        Chapter(anchor="pareto", title="Dominance (without weights)", lines=_lines(pareto_text(worked.pareto))),
         _pugh(worked),
         _kesselring(worked),
         *_strength(worked),
@@ -54,14 +54,14 @@ def chapters(worked: MatrixAnalysis) -> tuple[Chapter, ...]:
 
 
 def trace_anchor(worked: MatrixAnalysis, alternative: str, criterion: str) -> str:
-    """Return the name under which the page keeps the way of one cell."""
+    """Return the anchor of one cell's calculation on the page."""
     matrix = worked.case.matrix
     column = next(place for place, one in enumerate(matrix.criteria) if one.name == criterion)
     return f"cell-{matrix.index(alternative) + 1}-{column + 1}"
 
 
 def known_chapter(worked: MatrixAnalysis) -> Chapter:
-    """Return what is known, each cell leading to its trace."""
+    """Return the known values, each cell with a link to its calculation."""
     matrix = worked.case.matrix
     head = [one.name if one.unit in ("1", "yes/no") else f"{one.name} [{one.unit}]" for one in matrix.criteria]
     rows = []
@@ -73,9 +73,9 @@ def known_chapter(worked: MatrixAnalysis) -> Chapter:
             shown = number(cell.shown(), title=told)
             cells.append(replace(shown, link=f"#{trace_anchor(worked, name, one.name)}"))
         rows.append((*words(name), *cells))
-    table = Table(caption="What is known; ? is missing, and never counts as zero", head=("alternative", *head),
+    table = Table(caption="Known values; ? is missing and never counts as zero", head=("alternative", *head),
                   rows=tuple(rows))  # fmt: skip
-    return Chapter(anchor="known", title="What is known", tables=(table,))
+    return Chapter(anchor="known", title="Known values", tables=(table,))
 
 
 def _elimination(worked: MatrixAnalysis) -> Chapter:
@@ -91,14 +91,14 @@ def _elimination(worked: MatrixAnalysis) -> Chapter:
         cells = (Cell(text=mark, style=mark_style(mark), word="mark") for mark in marks)
         rows.append((*words(row.alternative), *cells, *words(str(row.decision)), Cell(text=told, word="remark")))
     table = Table(
-        caption="+ meets the demand, - fails it, ? the fact is missing, ! the demand must be checked; nothing is asked "
-        "after the first -",
+        caption="+ meets the requirement, - fails it, ? the value is missing, ! check the requirement; criteria "
+        "after the first - are not tested",
         head=("alternative", *(rules[name] for name in worked.chart.criteria), "decision", "remarks"),
         rows=tuple(rows),
     )
     near = tuple(f"Near miss: {one.sentence()}." for one in worked.near)
     if worked.verdict.winners == () and worked.chart.with_decision(Decision.ELIMINATE):
-        near = (*near, "Nobody meets the demands; what follows rates everybody all the same.")
+        near = (*near, "No alternative meets the requirements. The following chapters rate all of them.")
     return Chapter(anchor="elimination", title="Elimination", lines=near, tables=(table,))
 
 
@@ -112,20 +112,20 @@ def _pugh(worked: MatrixAnalysis) -> Chapter:
         net = span(float(result.net_low[place]), float(result.net_high[place]))
         rows.append((*words(name), *marks, *counts, number(net), number(shown_rank(best[place], worst[place]))))
     against = Table(
-        caption=f"Against {result.baseline}: better +, worse -, the same S, not known ?; the counts side by side are "
-        "the result, the net is an option",
+        caption=f"Against {result.baseline}: better +, worse -, same S, unknown ?; the counts are the result, "
+        "the net is optional",
         head=("alternative", *result.criteria, *(str(sign) for sign in Sign), "net (option)", "rank by net"),
         rows=tuple(rows),
     )
     wins = Table(
-        caption="In how many criteria the row surely beats the column",
+        caption="Number of criteria in which the row beats the column for all values of the intervals",
         head=("alternative", *sweep.alternatives),
         rows=tuple(
             (*words(name), *(number("" if name == other else str(count)) for other, count in zip(
                 sweep.alternatives, row, strict=True)))
             for name, row in zip(sweep.alternatives, sweep.wins.tolist(), strict=True)
         ),
-        note="Best net under each datum: " + "; ".join(f"{one}: {', '.join(names)}" for one, names in
+        note="Best net with each baseline: " + "; ".join(f"{one}: {', '.join(names)}" for one, names in
                                                        sweep.winners.items()),
     )  # fmt: skip
     lines = _lines(convergence_text(worked.convergence, worked.cycles))
@@ -161,11 +161,11 @@ def _kesselring(worked: MatrixAnalysis) -> Chapter:
         note=result.warning,
     )  # fmt: skip
     spots = tuple(
-        f"Weak spot: {one.alternative} gets at most {one.points:g} for {one.criterion!r}, hidden by T/T_max = "
+        f"Weak spot: {one.alternative} gets at most {one.points:g} for {one.criterion!r}, although T/T_max = "
         f"{one.share:.2f}." for one in result.weak_spots
     )  # fmt: skip
     hand = tuple(f"* Set by hand: {name}, {what!r}: {why}." for (name, what), why in result.by_hand.items())
-    out = (f"Left out, as a demand eliminates it: {', '.join(worked.eliminated)}.",) if worked.eliminated else ()
+    out = (f"Eliminated by a requirement, not rated: {', '.join(worked.eliminated)}.",) if worked.eliminated else ()
     return Chapter(anchor="kesselring", title="Kesselring", lines=(*out, *spots, *hand), tables=(table,),
                    picture="profile")  # fmt: skip
 
@@ -180,7 +180,7 @@ def _strength(worked: MatrixAnalysis) -> tuple[Chapter, ...]:
         for row, (name, word) in enumerate(zip(found.alternatives, found.grades(), strict=True))
     )  # fmt: skip
     table = Table(
-        caption="Technical and economic rating (VDI 2225 as textbooks give it; conformity is not claimed)",
+        caption="Technical and economic rating (after VDI 2225)",
         head=("alternative", "x", "y", "(x+y)/2", "sqrt(x y)", "technically"), rows=rows,
     )  # fmt: skip
     return (Chapter(anchor="strength", title="Strength", tables=(table,), picture="strength"),)
@@ -196,14 +196,14 @@ def _sure(worked: MatrixAnalysis) -> Chapter:
     )  # fmt: skip
     ranks = (f"rank {place + 1}" for place in range(len(together.alternatives)))
     table = Table(
-        caption=f"How often each is best, and how often it takes each rank: {together.draws} draws, seed "
-        f"{together.seed}, of the facts' intervals, points +-{together.uncertainty.scores:g}, weights "
+        caption=f"Share of samples in which each is best or has each rank: {together.draws} Monte Carlo samples, seed "
+        f"{together.seed}, of the values' intervals, points +-{together.uncertainty.scores:g}, weights "
         f"+-{together.uncertainty.weights:.0%}",
-        head=("alternative", *(f"best, by {name}" for name in found), "mean rank", *ranks), rows=rows,
+        head=("alternative", *(f"best: {name}" for name in found), "mean rank", *ranks), rows=rows,
     )  # fmt: skip
     flips = _lines(flips_text(worked.weight_flips, worked.score_flips, worked.common))
     tables = (table, _score_table(worked)) if worked.score_flips else (table,)
-    return Chapter(anchor="sure", title="How sure that is", lines=flips, tables=tables)
+    return Chapter(anchor="sure", title="Confidence", lines=flips, tables=tables)
 
 
 def _score_table(worked: MatrixAnalysis) -> Table:
@@ -215,8 +215,8 @@ def _score_table(worked: MatrixAnalysis) -> Table:
         for name in result.alternatives
     )  # fmt: skip
     return Table(
-        caption="By how many points one cell must change, all else held, for another one to win; empty where the scale "
-        "does not reach so far",
+        caption="Change of points of one cell alone that makes another alternative win; empty where no change within "
+        "the scale does",
         head=("alternative", *result.criteria), rows=rows,
     )  # fmt: skip
 
@@ -226,28 +226,30 @@ def _ask(worked: MatrixAnalysis) -> Chapter:
         (*words(one.sentence()), number(f"{one.p_change:.0%}"), number(f"{one.gain:.4f}")) for one in worked.missing
     )
     table = Table(
-        caption="Missing facts, the most useful first", rows=rows,
-        head=("what to ask for", "changes the winner in", "worth in T/T_max"),
+        caption="Missing values, the most useful first", rows=rows,
+        head=("missing value", "changes the winner in", "gain in T/T_max"),
     )  # fmt: skip
-    return Chapter(anchor="ask", title="What to ask next", lines=() if rows else ("Nothing is missing.",),
+    return Chapter(anchor="ask", title="Missing values", lines=() if rows else ("No value is missing.",),
                    tables=(table,) if rows else ())  # fmt: skip
 
 
 def _changed(worked: MatrixAnalysis) -> Chapter:
-    lines = worked.case.history or ("Nothing is noted; torquerig matrix FILE --before OLD shows what an edit did.",)
-    return Chapter(anchor="history", title="What was changed before", lines=lines)
+    lines = worked.case.history or (
+        "No change is noted. torquerig matrix FILE --before OLD shows the effect of an edit.",
+    )
+    return Chapter(anchor="history", title="Earlier changes", lines=lines)
 
 
 def _findings(worked: MatrixAnalysis) -> Chapter:
     rows = tuple(words(one.lint, one.table, one.what, one.why, one.remedy) for one in worked.findings)
-    table = Table(caption="What is wrong with the tables", head=("lint", "table", "what", "why", "remedy"), rows=rows)
-    return Chapter(anchor="lints", title="Lints", lines=() if rows else ("Nothing found.",),
+    table = Table(caption="Errors of the tables", head=("check", "table", "error", "reason", "remedy"), rows=rows)
+    return Chapter(anchor="lints", title="Errors", lines=() if rows else ("No error found.",),
                    tables=(table,) if rows else ())  # fmt: skip
 
 
 def _traces(worked: MatrixAnalysis) -> Chapter:
     tables = tuple(
-        Table(caption=f"{one.alternative}: {one.criterion}", head=("step", "what"),
+        Table(caption=f"{one.alternative}: {one.criterion}", head=("step", "value"),
               rows=tuple(words(label, text) for label, text in one.steps))
         for one in all_traces(worked)
     )  # fmt: skip
@@ -255,7 +257,7 @@ def _traces(worked: MatrixAnalysis) -> Chapter:
 
 
 def _lines(text: str) -> tuple[str, ...]:
-    """Return the sentences of a plain text whose further lines are set in."""
+    """Return the sentences of a plain text whose continuation lines are indented."""
     joined: list[str] = []
     for line in text.splitlines():
         if line.startswith("  ") and joined:

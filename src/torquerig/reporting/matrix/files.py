@@ -1,4 +1,4 @@
-"""A worked-out matrix as a file: page, Markdown, workbook or YAML, by its ending; whole or not at all."""
+"""A matrix analysis as page, Markdown, workbook or YAML file, by its ending."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from torquerig.whole_file import whole_file
 
 
 def write_matrix(worked: MatrixAnalysis, path: Path) -> None:
-    """Write ``path`` as .html, .md, .xlsx or .yaml; what stood there is replaced when the new one is complete."""
+    """Write ``path`` as .html, .md, .xlsx or .yaml; an old file is replaced when the new one is complete."""
     with whole_file(path) as partial:
         if path.suffix.lower() == ".xlsx":
             from torquerig.reporting.workbook.matrix_workbook import write_matrix_workbook

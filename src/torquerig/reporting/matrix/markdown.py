@@ -1,4 +1,4 @@
-"""A worked-out matrix as Markdown: tables that a version control system can compare line by line."""
+"""A matrix analysis as Markdown, for comparison line by line in version control."""
 
 from __future__ import annotations
 
@@ -37,5 +37,5 @@ def _row(texts: list[str]) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return text in which nothing is taken for markup."""
+    """Return text with escaped Markdown characters."""
     return re.sub(r"([\\`*_{}\[\]<>|#])", r"\\\1", text.replace("\n", " "))

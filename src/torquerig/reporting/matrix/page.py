@@ -1,4 +1,4 @@
-"""The page of a matrix: one HTML file that needs nothing beside it."""
+"""The page of a matrix: one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from torquerig.reporting.matrix.chapters import chapters, trace_anchor
 
 
 def matrix_page(worked: MatrixAnalysis) -> str:
-    """Return the HTML of a decision: pictures inline, no script, no request to anywhere; each cell leads to its way."""
+    """Return the HTML of a decision: with inline figures, without scripts or external requests."""
     matrix = worked.case.matrix
     content = {
         "title": matrix.name,
@@ -34,16 +34,17 @@ def _pictures(worked: MatrixAnalysis) -> dict[str, Picture]:
     made = {
         "profile": picture(
             profile,
-            caption="Value profile: length of a bar the points, height the weight, so that the area is T; a line over "
-            "what open facts leave; red are weak spots.",
+            caption="Value profile: bar length is points, bar height is weight, so the area is T. Lines are the "
+            "range of "
+            "uncertain points. Red bars are weak spots.",
             told="bars of points per criterion and alternative",
         )
     }
     if worked.strength is not None:
         made["strength"] = picture(
             strength_figure(worked.strength, winners=worked.verdict.winners),
-            caption="S-diagram: the nearer to the ideal at (1, 1) the stronger, the nearer to the diagonal the better "
-            "balanced; curves join equal sqrt(x y), lines are what open facts leave; red is unsatisfactory.",
+            caption="S-diagram: the ideal is at (1, 1); on the diagonal both ratings are equal. Curves have equal "
+            "sqrt(x y), lines are uncertain ranges, the red area is unsatisfactory.",
             told="technical against economic rating of each alternative",
         )
     return made

@@ -1,4 +1,4 @@
-"""A decision made again as a page and as Markdown: one file each that needs nothing beside it."""
+"""A published decision computed again, as self-contained page and as Markdown."""
 
 from __future__ import annotations
 
@@ -10,27 +10,29 @@ from torquerig.reporting.reference_report.decision_chapters import chapters
 from torquerig.study.reference_decision.decision import ReferenceDecision
 from torquerig.whole_file import whole_file
 
-TITLE = "The published decision, made again"
+TITLE = "The published decision, computed again"
 
 
 def write_decision(decision: ReferenceDecision, path: Path) -> None:
-    """Write ``path`` as .html or .md; what stood there is replaced when the new one is complete."""
-    text = redone_page(decision) if path.suffix.lower() == ".html" else redone_markdown(decision)
+    """Write ``path`` as .html or .md; an old file is replaced when the new one is complete."""
+    text = (
+        reference_decision_page(decision) if path.suffix.lower() == ".html" else reference_decision_markdown(decision)
+    )
     with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8", newline="\n")
 
 
-def redone_page(decision: ReferenceDecision) -> str:
-    """Return the HTML: no script, no request to anywhere; the same plan gives the same bytes."""
+def reference_decision_page(decision: ReferenceDecision) -> str:
+    """Return the HTML: without scripts or external requests; the same plan gives the same bytes."""
     settings = decision.plan.study.settings
     content = {
         "title": TITLE, "source": decision.plan.book.source, "answer": decision.answer, "chapters": chapters(decision),
         "command": command_of(decision), "seed": settings.seed, "draws": settings.draws,
     }  # fmt: skip
-    return html("redone.html", content)
+    return html("reference_decision.html", content)
 
 
-def redone_markdown(decision: ReferenceDecision) -> str:
+def reference_decision_markdown(decision: ReferenceDecision) -> str:
     """Return the same chapters as Markdown."""
     parts = [f"# {TITLE}", f"{escaped(decision.plan.book.source)}; made with `{command_of(decision)}`"]
     for chapter in chapters(decision):
@@ -41,6 +43,6 @@ def redone_markdown(decision: ReferenceDecision) -> str:
 
 
 def command_of(decision: ReferenceDecision) -> str:
-    """Return the command that makes the page again, without any folder of this machine."""
+    """Return the command that repeats the page, without folders of this machine."""
     path = Path(decision.plan.document.path)
     return f"torquerig reference-decision {path.name if path.is_absolute() else path.as_posix()}"

@@ -1,4 +1,4 @@
-"""From which catalog values each cell of a decision made again was computed, and how."""
+"""Calculation of each cell of a published decision, with its catalog values."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from torquerig.study.settings import SIMULATED
 
 
 def trace_chapter(decision: ReferenceDecision) -> Chapter:
-    """Return a table per published table with the way of its cells, and the catalog values of the simulated drives."""
+    """Return the calculation of the cells, one table per published table, and the catalog values of the drives."""
     tables = tuple(_cells(decision, one) for one in decision.tables)
-    return Chapter(anchor="way", title="Every cell from the catalog to the computed mark",
+    return Chapter(anchor="way", title="Calculation of every cell",
                    tables=(*tables, _simulated(decision)))  # fmt: skip
 
 
 def _cells(decision: ReferenceDecision, one: ComparedTable) -> Table:
     rows = tuple(
         (*words(cell.row, cell.alternative), Cell(text=_catalog(decision, one, cell), word="remark narrow"),
-         Cell(text=_worked(decision, one, cell), word="remark narrow"), *words(_value(cell.figure)),
+         Cell(text=_calculation(decision, one, cell), word="remark narrow"), *words(_value(cell.figure)),
          Cell(text=cell.computed, word="mark"))
         for cell in one.cells
     )  # fmt: skip
     return Table(
-        caption=f"{one.table.sheet.name}: from the catalog to the computed mark",
-        head=("criterion", "motor", "catalog values", "worked out", "value", "computed"), rows=rows,
+        caption=f"{one.table.sheet.name}: calculation of the computed marks",
+        head=("criterion", "motor", "catalog values", "calculation", "value", "computed"), rows=rows,
     )  # fmt: skip
 
 
@@ -39,13 +39,12 @@ def _catalog(decision: ReferenceDecision, one: ComparedTable, cell: ComparedCell
         made = next((row for row in decision.runs.drives if _is(decision, row.candidate.motor, cell.alternative)
                      and row.candidate.gearbox == box), None)  # fmt: skip
         return f"{len(origins)} values of {made.candidate.name}, listed below" if made else "not simulated"
-    return "; ".join(_told(origin) for origin in origins) or "none"
+    return "; ".join(_origin_text(origin) for origin in origins) or "none"
 
 
-def _worked(decision: ReferenceDecision, one: ComparedTable, cell: ComparedCell) -> str:
+def _calculation(decision: ReferenceDecision, one: ComparedTable, cell: ComparedCell) -> str:
     metric, settings = one.table.planned.rows[cell.row].metric, decision.plan.study.settings
-    told = FACT_TEXTS.get(metric)
-    return told or metric_text(metric, cell.figure, chain=settings.present.filter, settings=settings)
+    return FACT_TEXTS.get(metric) or metric_text(metric, cell.figure, chain=settings.present.filter, settings=settings)
 
 
 def _value(figure: Figure) -> str:
@@ -65,7 +64,7 @@ def _simulated(decision: ReferenceDecision) -> Table:
                  head=("drive", "catalog value", "known", "evidence", "source"))  # fmt: skip
 
 
-def _told(origin: Origin) -> str:
+def _origin_text(origin: Origin) -> str:
     evidence = f" [{origin.evidence}]" if origin.evidence else ""
     return f"{origin.name}: {origin.shown}{evidence}{f', from {origin.source}' if origin.source else ''}"
 

@@ -1,4 +1,4 @@
-"""The pictures that stand for the reference report's Figures 4.1 to 4.12, drawn from simulated readings."""
+"""Figures 4.1 to 4.12 of the reference report, drawn from simulated readings."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.recordings.recording import Recording, random_for
 from torquerig.recordings.spectrum import amplitude_spectrum
 from torquerig.reporting.figures.envelope import envelope
+from torquerig.reporting.figures.evaluation_figure import four_panels
 from torquerig.reporting.figures.families import COLOURS
-from torquerig.reporting.figures.judged_figure import four_panels
 from torquerig.reporting.figures.picture import Picture, new_figure, picture
 from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER, spectrum_figure
@@ -42,7 +42,7 @@ def results_pictures(results: ReportResults) -> tuple[Picture, ...]:
                 told="amplitude spectrum of the torque with its lines"),
         picture(pair((f"{HIGH:g} % occupancy", results.high), (f"{LOW:g} % occupancy", low)),
                 caption="Figures 4.2 and 4.3: spectrum at high and low load. The report reads a drop of 59 % of the "
-                f"mechanical noise; the output shaft's first line falls here by {results.drop.percent:.1f} %.",
+                f"mechanical noise; the first line of the output shaft falls here by {results.drop.percent:.1f} %.",
                 told="amplitude spectra at high and at low load"),
         _control(results, speed),
         _sizes(results, speed),
@@ -87,7 +87,8 @@ def _control(results: ReportResults, speed: float) -> Picture:
                          lines=results.chain.lines, motor_speed=speed, logarithmic=False)  # fmt: skip
     return picture(figure, told="spectrum of the control signal before and after the filter",
                    caption="Figures 4.4 and 4.5: the control signal, all frequencies at equal amplitude, before and "
-                   "after the filter: nothing is left in the bands, and nothing is touched beside them.")  # fmt: skip
+                   "after the filter: no signal remains in the bands, and the signal outside them is "
+                   "unchanged.")  # fmt: skip
 
 
 def _sizes(results: ReportResults, speed: float) -> Picture:
@@ -97,8 +98,9 @@ def _sizes(results: ReportResults, speed: float) -> Picture:
     figure = pair_figure((names[0], results.small), (names[1], results.large), lines=lines, motor_speed=speed)
     return picture(figure, told="amplitude spectra with small and with large particles",
                    caption=f"Figures 4.6 and 4.7: spectrum with the smallest and the largest particles at "
-                   f"{results.fit.occupancy:g} % occupancy. The report looked for the bulk at higher frequencies with "
-                   "small particles and saw no clear change; here half of what the filter leaves lies below "
+                   f"{results.fit.occupancy:g} % occupancy. The report expected higher frequencies with small "
+                   f"particles "
+                   "and found no clear change. Here half of the power after the filter lies below "
                    f"{bulk[0]:.1f} Hz with {names[0]} and below {bulk[1]:.1f} Hz with {names[1]}.")  # fmt: skip
 
 
@@ -109,11 +111,12 @@ def _steps(results: ReportResults) -> list[Picture]:
         after = chain.apply(results.low)
         cut = chain_effect(results.low, after, ratio=results.rig.kinematics.ratio).std_reduction_percent
         told = (
-            f"Figure 4.{number}: {chain.name} cut, {len(chain.lines)} bands: {cut:.1f} % less standard deviation "
-            f"over the whole recording ({_SHOWN:g} s of it drawn)."
+            f"Figure 4.{number}: {chain.name} removed, {len(chain.lines)} bands: the standard deviation falls by "
+            f"{cut:.1f} % "
+            f"over the whole recording ({_SHOWN:g} s are drawn)."
         )
         if made and cut - before < _NOTHING:
-            told += " The last bands change next to nothing: this rig has no line there, where the report has."
+            told += " The last bands have no effect: this rig has no line there, but the report has."
         figure = four_panels(_start(results.low), _start(after))
         made.append(picture(figure, told="original, filtered, both, and their rolling means", caption=told))
         before = cut
@@ -122,14 +125,14 @@ def _steps(results: ReportResults) -> list[Picture]:
 
 def _reading(results: ReportResults) -> tuple[Picture, ...]:
     low, after, cell = results.low, results.chain.apply(results.low), results.cells[0]
-    raw = f"Figure 4.11: the torque at {LOW:g} % occupancy without filter, and beside it the load itself."
+    raw = f"Figure 4.11: the torque at {LOW:g} % occupancy without filter, and the true load."
     filtered = (
-        f"Figure 4.12: the same filtered; the report reads {cell.cell.cut:g} % less standard deviation, here it is "
-        f"{cell.cut:.1f} % ({cell.lowest:.1f} to {cell.highest:.1f} % over copies of the run)."
+        f"Figure 4.12: the same filtered; the standard deviation falls by {cell.cell.cut:g} % in the report and by "
+        f"{cell.cut:.1f} % here ({cell.lowest:.1f} to {cell.highest:.1f} % over several runs)."
     )
     first, last = (signal_figure(low, one, start=1.0, duration=_SHOWN) for one in (low, after))
     return (
-        picture(first, told="the torque over time beside the true load", caption=raw),
+        picture(first, told="the torque and the true load over time", caption=raw),
         picture(last, told="the torque before and after the filter", caption=filtered),
     )
 

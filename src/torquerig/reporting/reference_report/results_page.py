@@ -1,4 +1,4 @@
-"""The reference report's results beside the simulated rig, as one HTML page that needs nothing beside it."""
+"""The results of the reference report and of the simulated rig as one self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from torquerig.study.reference_report.reasons import cell_sentence, fit_sentence
 from torquerig.study.reference_report.results import ReportResults
 
 HEAD = (
-    "", "published %", "", "simulated %", "copies of the run %", "difference", "nothing fitted %", "empty orders %",
+    "", "published %", "", "simulated %", "range of runs %", "difference", "without fit %", "placebo %",
     "mean change %", "energy change %", "lines N\u00a0m", "load N\u00a0m", "load needed N\u00a0m",
 )  # fmt: skip
 
 
 def reference_results_page(results: ReportResults) -> str:
-    """Return the HTML of the page: pictures inline, no script, no request to anywhere."""
+    """Return the HTML of the page: with inline figures, without scripts or external requests."""
     content = {
         "title": results.rig.scenario.title,
         "fit": fit_sentences(results),
@@ -40,18 +40,18 @@ def _table(results: ReportResults, name: str) -> Table:
         else f"at {results.fit.occupancy:g} % occupancy (not stated; fitted)"
     )
     return Table(
-        caption=f"Table {name}: reduction of the standard deviation by the reference report's filter, {where}",
+        caption=f"Table {name}: reduction of the standard deviation by the report's filter, {where}",
         head=HEAD,
         rows=tuple(_row(one) for one in shown),
-        note="Range over copies of the run with other random numbers. Empty orders: what the same notches cut where no "
-        "line stands. Load needed: the fluctuation in the reading at which the published cut would come out.",
+        note="Range of runs: with different random numbers. Placebo: reduction by the same notches at orders without "
+        "lines. Load needed: fluctuation in the reading that would give the published reduction.",
     )
 
 
 def _row(one: CellResult) -> tuple[Cell, ...]:
-    beside = "-"
+    placebo = "-"
     if one.placebo is not None:
-        beside = f"{100 * min(one.placebo.std_cuts):.1f}..{100 * max(one.placebo.std_cuts):.1f}"
+        placebo = f"{100 * min(one.placebo.std_cuts):.1f}..{100 * max(one.placebo.std_cuts):.1f}"
     energy = "?" if one.energy_change is None else f"{one.energy_change:+.4f}"
     return (
         *words(one.cell.shown),
@@ -61,7 +61,7 @@ def _row(one: CellResult) -> tuple[Cell, ...]:
         number(f"{one.lowest:.1f}..{one.highest:.1f}"),
         number(f"{one.difference:+.1f}"),
         number(f"{one.shipped_cut:.1f}"),
-        number(beside),
+        number(placebo),
         number(f"{one.mean_change + 0.0:.4f}"),
         number(energy),
         number(f"{one.lines:.3f}"),

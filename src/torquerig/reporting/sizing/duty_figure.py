@@ -1,4 +1,4 @@
-"""A duty cycle: speed and torque, the settled cycle of temperatures, and the way there from cold."""
+"""A duty cycle: speed and torque, temperatures of the settled cycle, and warm-up from cold."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ SPEED, TORQUE, WINDING, HOUSING, LIMIT = "#5b6b7a", "#1f77b4", "#d1495b", "#7a51
 
 
 def duty_figure(duty: MotorDuty, copies: ThermalVariants, *, ambient: float, title: str) -> Figure:
-    """Return three panels, the lower two with bands over what the data leave open, and the limit hatched."""
+    """Return three panels, the lower two with bands over the range of the data, and the limit hatched."""
     figure = new_figure(10.5, 7.6)
-    asked, settled, warming = figure.subplots(3, 1)
-    _asked(asked, duty)
-    asked.set_title(title, loc="left")
+    cycle, settled, warming = figure.subplots(3, 1)
+    _speed_and_torque(cycle, duty)
+    cycle.set_title(title, loc="left")
     band = settled_band(duty, copies, ambient=ambient)
     if band is None:
         settled.text(0.5, 0.5, "no settled cycle: thermal runaway", transform=settled.transAxes, ha="center")
@@ -34,7 +34,7 @@ def duty_figure(duty: MotorDuty, copies: ThermalVariants, *, ambient: float, tit
     return figure
 
 
-def _asked(axes: Axes, duty: MotorDuty) -> None:
+def _speed_and_torque(axes: Axes, duty: MotorDuty) -> None:
     edges = np.concatenate([[0.0], np.cumsum(duty.duration)])
     axes.stairs(np.sqrt(duty.torque_square), edges, color=TORQUE, linewidth=1.4, label="torque, rms")
     axes.axhline(duty.rms_torque, color=TORQUE, linewidth=0.9, linestyle="--", label="rms of the cycle")
@@ -53,16 +53,16 @@ def _asked(axes: Axes, duty: MotorDuty) -> None:
 
 def _temperatures(axes: Axes, band: Band, copies: ThermalVariants, *, unit: float) -> None:
     limits = [one.limit for one in copies.corners]
-    top = 1.6 * max(limits)  # a winding beyond that is past saving; the scale stays readable
+    top = 1.6 * max(limits)  # temperatures beyond are not drawn, to keep the scale readable
     time = band.time / unit
     axes.fill_between(time, np.minimum(band.low, top), np.minimum(band.high, top), color=WINDING, alpha=0.18,
-                      linewidth=0, label="winding, all that the data allow")  # fmt: skip
+                      linewidth=0, label="winding, range of the data")  # fmt: skip
     axes.plot(time, np.where(band.winding < top, band.winding, np.nan), color=WINDING, linewidth=1.6,
               label="winding, nominal")  # fmt: skip
     axes.plot(time, np.where(band.housing < top, band.housing, np.nan), color=HOUSING, linewidth=1.1,
               label="housing, nominal")  # fmt: skip
     axes.axhspan(min(limits), max(limits), facecolor="none", edgecolor=LIMIT, hatch="////", linewidth=0, alpha=0.35,
-                 label="the winding's limit lies here")  # fmt: skip
+                 label="limit of the winding")  # fmt: skip
     axes.set_ylabel("temperature [°C]")
     axes.set_ylim(top=min(top, max(1.06 * max(limits), float(np.nanmax(np.minimum(band.high, top))) * 1.03)))
     axes.grid(color="#e3e7eb", linewidth=0.6)

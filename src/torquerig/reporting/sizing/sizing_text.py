@@ -10,7 +10,7 @@ from torquerig.plain_table import cut, grid, wrapped
 from torquerig.reporting.layout import figure_text
 from torquerig.study.candidates import Candidate
 
-SPOKEN: Mapping[str, str] = {
+LABELS: Mapping[str, str] = {
     "rms_torque": "rms torque", "peak_torque": "largest torque", "peak_power": "largest power",
     "top_speed": "top speed", "mean_speed": "mean speed", "rms_torque_use": "rms / rated torque",
     "peak_torque_use": "largest / peak torque", "continuous_use": "rms / continuous torque there",
@@ -37,11 +37,11 @@ IN_TABLE: Mapping[str, str] = {
     "load_fidelity": "fidelity",
 }  # fmt: skip
 """The columns of the table of all drives, with their heads."""
-ASKED = 66  # characters of what decides a figure
+LETTERS = 66  # of the value that decides a figure
 
 
 def sizing_rows(sized: Sizing) -> list[list[str]]:
-    """Return a header and a row per figure: value and interval, unit, whether its limit holds, and what decides it."""
+    """Return a header and a row per figure: value, interval, unit, state of its limit, and the deciding value."""
     rows = [["figure", "value (lowest..highest)", "unit", "limit", "decided by"]]
     for _, units in GROUPS:
         for name, unit in units.items():
@@ -50,25 +50,26 @@ def sizing_rows(sized: Sizing) -> list[list[str]]:
             figure = sized.figures[name]
             shown, counted = _shown(figure, unit)
             first = figure.missing.split(", ")[0]
-            rows.append([SPOKEN[name], shown, "" if counted == "1" else counted, sized.word(name), cut(first, ASKED)])
+            rows.append([LABELS[name], shown, "" if counted == "1" else counted, sized.word(name), cut(first, LETTERS)])
     return rows
 
 
 def verdict_text(sized: Sizing) -> str:
-    """Return the answer in one sentence, with what to ask where it is not sure."""
+    """Return the verdict as text, with the missing values where it is uncertain."""
     over, unsure, unknown = (sized.with_word(word) for word in (EXCEEDS, UNSURE, UNKNOWN))
     if over:
         return f"Too small: exceeds {_listed(over)}."
     if not unsure and not unknown:
-        return "Large enough: every limit holds for all that the catalog leaves open."
-    parts = [f"may pass {_listed(unsure)}"] if unsure else []
-    parts += [f"cannot be said of {_listed(unknown)}"] if unknown else []
-    asked = dict.fromkeys(sized.figures[name].missing.split(", ")[0] for name in (*unsure, *unknown))
-    return f"No limit is surely passed, but it {' and '.join(parts)}; to be sure, ask for {', '.join(asked)}."
+        return "Large enough: every limit holds for all values of the catalog's intervals."
+    parts = [f"may exceed {_listed(unsure)}"] if unsure else []
+    parts += [f"has unknown {_listed(unknown)}"] if unknown else []
+    missing = dict.fromkeys(sized.figures[name].missing.split(", ")[0] for name in (*unsure, *unknown))
+    first = f"No limit is exceeded for certain, but the drive {' and '.join(parts)}."
+    return f"{first} To decide, ask for {', '.join(missing)}."
 
 
 def all_rows(sized: Mapping[Candidate, Sizing | str]) -> list[list[str]]:
-    """Return a header and a row per drive; a text stands where a drive cannot be sized."""
+    """Return a header and a row per drive; a text replaces the numbers of a drive that cannot be sized."""
     rows = [["drive", "verdict", *IN_TABLE.values()]]
     for candidate, one in sized.items():
         if isinstance(one, str):
@@ -79,24 +80,24 @@ def all_rows(sized: Mapping[Candidate, Sizing | str]) -> list[list[str]]:
     return rows
 
 
-def disturbance_rows(before: Sequence[float], left: Mapping[str, Sequence[float]]) -> list[list[str]]:
-    """Return a header and a row per filter chain: what is left of the disturbance behind it, over the copies."""
-    rows = [["filter", "disturbance left N*m", "share left %"], ["(before)", spread_text(before), "100"]]
-    for name, after in left.items():
-        shares = [100 * one / whole for one, whole in zip(after, before, strict=True) if whole > 0]
-        rows.append([name, spread_text(after), spread_text(shares, digits=1) if shares else "-"])
+def disturbance_rows(before: Sequence[float], after: Mapping[str, Sequence[float]]) -> list[list[str]]:
+    """Return a header and a row per filter chain: the disturbance behind it, over the Monte Carlo samples."""
+    rows = [["filter", "disturbance N*m", "remaining %"], ["(before)", range_text(before), "100"]]
+    for name, values in after.items():
+        shares = [100 * one / whole for one, whole in zip(values, before, strict=True) if whole > 0]
+        rows.append([name, range_text(values), range_text(shares, digits=1) if shares else "-"])
     return rows
 
 
-def spread_text(values: Sequence[float], *, digits: int = 4) -> str:
-    """Return the first copy's value, with the lowest and highest of all copies behind it."""
+def range_text(values: Sequence[float], *, digits: int = 4) -> str:
+    """Return the value of the first sample, with the lowest and highest of all samples."""
     first, low, high = (f"{one:.{digits}f}" for one in (values[0], min(values), max(values)))
     return first if low == high else f"{first} ({low}..{high})"
 
 
-def told_all(sized: Mapping[Candidate, Sizing | str]) -> str:
-    """Return the table of every drive, and why some are out of reach."""
-    why = [wrapped(f"{one.name}: {told}") for one, told in sized.items() if isinstance(told, str)]
+def all_text(sized: Mapping[Candidate, Sizing | str]) -> str:
+    """Return the table of every drive, and the reasons why some are out of reach."""
+    why = [wrapped(f"{one.name}: {reason}") for one, reason in sized.items() if isinstance(reason, str)]
     return "\n".join([grid(all_rows(sized)), *why])
 
 
@@ -116,4 +117,4 @@ def _shown(figure: Figure, unit: str) -> tuple[str, str]:
 
 
 def _listed(names: Sequence[str]) -> str:
-    return ", ".join(f"'{SPOKEN[name]}'" for name in names)
+    return ", ".join(f"'{LABELS[name]}'" for name in names)

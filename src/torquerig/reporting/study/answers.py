@@ -1,4 +1,4 @@
-"""What a study asked, at which operating point, by which rules; its limits; and how to make it again."""
+"""Question, operating point, rules and limits of a study, and the command that repeats it."""
 
 from __future__ import annotations
 
@@ -19,26 +19,28 @@ Facts = tuple[tuple[str, str], ...]
 
 MESH = "Gear mesh lines are absent unless the scenario states a mesh with its teeth."
 CLASS = (
-    "The disturbance of a motor without a data sheet is drawn from the interval of its class, so differences between "
-    "two such motors are differences between draws as much as between products."
+    "The disturbance of a motor without a data sheet is drawn from the interval of its class. A difference between two "
+    "such motors can be random, and need not be a difference between the products."
 )
 
 
 def question(runs: StudyRuns) -> str:
-    """Return what was asked, as one sentence."""
+    """Return the question of the study."""
     settings = runs.study.settings
     motors = len({drive.candidate.motor for drive in runs.drives})
     gearboxes = len({drive.candidate.gearbox for drive in runs.drives})
     return (
-        f"Which motor, gearbox and filter let the torque sensor read the load most truly, at what price? Compared are "
-        f"{motors} motors on {gearboxes} gearboxes with {len(settings.filters.names)} filters "
-        f"({listed(settings.filters.names)}), {len(runs.drives) * len(settings.filters.names)} combinations, against "
-        f"the present {settings.present.motor} on {settings.present.gearbox} with the filter {settings.present.filter}."
+        f"Which motor, gearbox and filter give the smallest error of the torque reading, and at what price? The study "
+        f"compares {motors} motors on {gearboxes} gearboxes with {len(settings.filters.names)} filters "
+        f"({listed(settings.filters.names)}): {len(runs.drives) * len(settings.filters.names)} combinations. The "
+        f"baseline "
+        f"is the present {settings.present.motor} on {settings.present.gearbox} with the filter "
+        f"{settings.present.filter}."
     )
 
 
 def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
-    """Return the operating point and the rules that held for every drive, as pairs of name and text."""
+    """Return the operating point and the rules for every drive, as pairs of name and text."""
     settings = runs.study.settings
     wander = runs.study.document.data.get("operating_point", {}).get("slow_speed_wander", 0)
     return (
@@ -46,7 +48,7 @@ def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
         ("occupancy", f"{runs.occupancy_percent:g} %, a mean load of {plain(runs.mean_load)} N m"),
         ("particle size", f"{plain(runs.particle_size * 1e3)} mm"),
         ("run", f"{settings.duration:g} s at 25 kHz for each drive, slow speed wander {wander} rms (relative)"),
-        ("copies", f"{settings.draws} further copies of each drive, drawn from the catalog's intervals"),
+        ("Monte Carlo", f"{1 + settings.draws} samples of each drive, drawn from the catalog's intervals"),
         ("speed loop", _loop_rule(settings.speed_loop)),
         ("drive limit", _limit_rule(settings.sensor_limit)),
         ("requirements", "; ".join(f"{rule_text(one)} ({one.purpose})" for one in decided.requirements.criteria)),
@@ -56,41 +58,45 @@ def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
 
 def _loop_rule(rule: SpeedLoopRule) -> str:
     return (
-        f"one rule for all: crossover {rule.crossover:g} Hz, integrator corner {rule.integral_corner:g} Hz; with J the "
-        f"drive's whole inertia at the motor, kp = 2π x {rule.crossover:g} Hz x J and ki = kp x 2π x "
+        f"the same rule for all drives: crossover {rule.crossover:g} Hz, integrator corner "
+        f"{rule.integral_corner:g} Hz. "
+        f"With the total inertia J at the motor, kp = 2π x {rule.crossover:g} Hz x J and ki = kp x 2π x "
         f"{rule.integral_corner:g} Hz"
     )
 
 
 def _limit_rule(limit: float) -> str:
     return (
-        f"the drive's torque limit is lowered until limit x ratio x efficiency is at most {limit:g} N m, so that the "
-        "sensor survives a jam"
+        f"the torque limit of the drive is lowered so that limit x ratio x efficiency is at most {limit:g} N m. The "
+        "sensor then survives a jam"
     )
 
 
 def limits(runs: StudyRuns) -> tuple[str, ...]:
-    """Return where the study stops being true."""
-    copies = (
-        f"{1 + runs.study.settings.draws} copies of each drive are few: the intervals are the extremes of these copies "
-        "and would widen with more."
+    """Return the limits of validity of the study."""
+    samples = (
+        f"The intervals are the extremes of {1 + runs.study.settings.draws} Monte Carlo samples of each drive; more "
+        "samples would widen them."
     )
-    simulated = "All readings are simulated; none is a measurement of a motor that could be bought."
-    shares = "The shares are told apart by leaving out one group of effects at a time; they need not add up in square."
+    simulated = "All readings are simulated; none is a measurement of a real motor."
+    shares = (
+        "The shares are determined by omitting one group of effects at a time. Their squares need not add up to "
+        "the square of the total."
+    )
     rig = runs.study.document.data.get("rig", {})
     mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
-    return (simulated, *omitted_ripple(runs), *mesh, copies, CLASS, shares)
+    return (simulated, *omitted_ripple(runs), *mesh, samples, CLASS, shares)
 
 
 def omitted_ripple(runs: StudyRuns) -> tuple[str, ...]:
-    """Return what six-step commutation would add where a motor's known lines leave it out; nothing where none does."""
+    """Return the ripple of six-step commutation where a motor's known lines lack it; empty where none does."""
     sentences = []
     for motor in dict.fromkeys(drive.candidate.motor for drive in runs.drives if not drive.omitted.unknown):
         drives = [drive for drive in runs.drives if drive.candidate.motor == motor]
         added = "; ".join(f"{_millinewtonmetres(drive.omitted)} at {drive.candidate.ratio:g}:1" for drive in drives)
         sentences.append(
-            f"The known lines of {motor} hold no six-step commutation ripple. If its drive commutates in six steps, "
-            f"the ripple of its class would add to the reading, by the linear twin: {added}."
+            f"The known lines of {motor} contain no six-step commutation ripple. If its drive commutates in six steps, "
+            f"the reading has an additional ripple (by its class and the linearised rig): {added}."
         )
     return tuple(sentences)
 
@@ -101,7 +107,7 @@ def evidence() -> Facts:
 
 
 def assumptions(runs: StudyRuns) -> tuple[tuple[str, Facts], ...]:
-    """Return for each motor and gearbox the values that no document states, with the value drawn and its interval."""
+    """Return for each motor and gearbox the values that no document states, with the drawn value and its interval."""
     found: dict[str, dict[str, str]] = {}
     for drive in runs.drives:
         for key, text in drive.assumed.items():
@@ -115,7 +121,7 @@ def assumptions(runs: StudyRuns) -> tuple[tuple[str, Facts], ...]:
 
 
 def command(runs: StudyRuns, edits: Sequence[str]) -> str:
-    """Return the command that makes this report again, without any folder of this machine."""
+    """Return the command that repeats this report, without folders of this machine."""
     path = Path(runs.study.document.path)
     shown = path.name if path.is_absolute() else path.as_posix()
     return shlex.join(["torquerig", "compare", shown, *(part for edit in edits for part in ("--set", edit))])
@@ -123,5 +129,5 @@ def command(runs: StudyRuns, edits: Sequence[str]) -> str:
 
 def _millinewtonmetres(figure: Figure) -> str:
     if figure.high is None or figure.high < 1e-6:
-        return "nothing that counts"
+        return "negligible"
     return f"{1e3 * (figure.low or 0.0):.2g} to {1e3 * figure.high:.2g} mN m rms"

@@ -16,35 +16,35 @@ from torquerig.study.scoring import Decided
 
 
 def rule_text(criterion: Criterion) -> str:
-    """Return the demand of a criterion as a formula."""
+    """Return the requirement of a criterion as a formula."""
     return (
         criterion.name if criterion.requirement is None else criterion.requirement.rule(criterion.name, criterion.unit)
     )
 
 
 def elimination_table(chart: SelectionChart, requirements: DecisionMatrix) -> Table:
-    """Return the chart, each sign with its remark behind it and the first one in words."""
+    """Return the chart, each sign with its remark as tooltip, and all remarks as text."""
     rows = []
     for row in chart.rows:
         remarks = {remark.criterion: remark.sentence() for remark in row.remarks}
         cells = []
         for name in chart.criteria:
             mark = str(row.marks.get(name, ""))
-            shown = requirements.cell(row.alternative, name).shown() if mark else "not asked"
+            shown = requirements.cell(row.alternative, name).shown() if mark else "not tested"
             way = f"#{trace_anchor(row.alternative)}"
             cells.append(Cell(text=mark, style=mark_style(mark), word="mark", title=remarks.get(name, shown), link=way))
         said = "; ".join(remarks.values())
         rows.append((*words(row.alternative), *cells, Cell(text=str(row.decision)), Cell(text=said, word="remark")))
     head = tuple(rule_text(criterion) for criterion in requirements.criteria if criterion.name in chart.criteria)
     return Table(
-        caption="Elimination: + meets the demand, - fails it, ? the fact is missing, ! the demand must be checked; "
-        "nothing is asked after the first -",
+        caption="Elimination: + meets the requirement, - fails it, ? the value is missing, ! check the requirement; "
+        "criteria after the first - are not tested",
         head=("drive", *head, "decision", "remarks"), rows=tuple(rows),
     )  # fmt: skip
 
 
 def pugh_table(decided: Decided, names: Sequence[str]) -> Table:
-    """Return the signs of the named combinations against the baseline, their counts, and the net as an option."""
+    """Return the signs of the named combinations against the baseline, their counts, and the net score."""
     result = decided.pugh
     best, worst = (ends.tolist() for ends in result.rank_range)
     rows = []
@@ -58,12 +58,12 @@ def pugh_table(decided: Decided, names: Sequence[str]) -> Table:
         rows.append((*words(name), *marks, *(number(str(counts[sign])) for sign in Sign), number(net),
                      number(shown_rank(best[place], worst[place]))))  # fmt: skip
     return Table(
-        caption=f"Pugh: each drive with its best filter against the present {result.baseline}; beside the signs, how "
-        "many of each",
+        caption=f"Pugh: each drive with its best filter against the baseline {result.baseline}; with the number "
+        "of each sign",
         head=("combination", *result.criteria, *(str(sign) for sign in Sign), "net (option)", "rank by net"),
         rows=tuple(rows), emphasised=frozenset(place for place, name in enumerate(names) if name == result.baseline),
-        note="Pugh counts the signs side by side; the net of pluses and minuses weighs every criterion the same and is "
-        "only an option. A ? is never counted as the same. The rank is among all combinations, see matrices.xlsx.",
+        note="Pugh's result is the counts. The net of pluses and minuses weights all criteria equally and is optional. "
+        "A ? never counts as S. The rank is among all combinations, see matrices.xlsx.",
     )  # fmt: skip
 
 
@@ -91,15 +91,15 @@ def kesselring_table(decided: Decided, names: Sequence[str]) -> Table:
         rank = ranks[name]
         rows.append((*words(name), *points, number(total), number(f"{result.share[row]:.3f}"), number(rank)))
     return Table(
-        caption=f"Kesselring, scale {result.profile.p_min:g} to {top:g}: points where the facts leave a range, "
-        "T and its range, T/T_max, and the rank among all combinations with its range",
+        caption=f"Kesselring, scale {result.profile.p_min:g} to {top:g}: points (a range where values are "
+        "uncertain), T with its range, T/T_max, and the rank among all combinations with its range",
         head=("combination", *result.criteria, "T", "T/T_max", "rank"), rows=tuple(rows),
         emphasised=frozenset({2}), note=result.warning,
     )  # fmt: skip
 
 
 def _way(decided: Decided, name: str) -> str:
-    """Return the link to the way of a combination's cells; none where the page shows another filter of the drive."""
+    """Return the link to the calculation of a combination's cells; empty where the page shows another filter."""
     drive = decided.alternatives[name].drive.candidate.name
     best = next(one for one in decided.ranked() if decided.alternatives[one].drive.candidate.name == drive)
     return f"#{trace_anchor(drive)}" if name == best else ""

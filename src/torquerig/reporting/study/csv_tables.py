@@ -1,4 +1,4 @@
-"""Every figure of every combination, and the shares of every drive, as CSV text."""
+"""All figures of all combinations, and the shares of all drives, as CSV text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of a study: one HTML file that needs nothing beside it."""
+"""The page of a study: one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from torquerig.study.trace import traced_drives
 from torquerig.study.verdict import Verdict
 from torquerig.study.what_if import Change
 
-RANKED = 15  # combinations in the first table; the rest stands in combinations.csv
+RANKED = 15  # combinations in the first table; combinations.csv has all
 
 
 def study_page(
     runs: StudyRuns, decided: Decided, verdict: Verdict, *, changes: Sequence[Change] = (), edits: Sequence[str] = ()
 ) -> str:
-    """Return the HTML of a study's page: pictures inline, no script, no request to anywhere."""
+    """Return the HTML of a study's page: with inline figures, without scripts or external requests."""
     content = {
         **_answers(runs, decided, verdict, edits),
         **_found(runs, decided, verdict),

@@ -1,4 +1,4 @@
-"""The pictures of a study's page."""
+"""The figures of a study's page."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Filtered:
 
     @property
     def motor_speed(self) -> float:
-        """The mean measured motor speed [rad/s]; the set-point where no channel tells it."""
+        """The mean measured motor speed [rad/s]; the set-point where no channel has it."""
         angle = measured_motor_angle(self.before, ratio=self.kinematics.ratio)
         if angle is None:
             return self.drive.motor_speed
@@ -63,8 +63,9 @@ def error_picture(runs: StudyRuns, *, present: str) -> Picture | None:
         return None
     return picture(
         error_figure(runs.drives, present=present),
-        caption="Reading error of each drive with each filter, bars over the drawn copies; the present drive is bold",
-        told="Dots of the reading error, a row per drive and a colour per filter; the numbers stand in the next table.",
+        caption="Reading error of each drive with each filter, bars over the Monte Carlo samples; the present "
+        "drive is bold",
+        told="Dots of the reading error, a row per drive and a colour per filter; the next table has the numbers.",
     )
 
 
@@ -74,7 +75,7 @@ def shares_picture(runs: StudyRuns) -> Picture | None:
         return None
     return picture(
         shares_figure(runs.drives), caption="Shares of the sensor's reading, unfiltered",
-        told="Stacked bars of load, cogging, electrical and mechanical share; the numbers stand in the tables above.",
+        told="Stacked bars of load, cogging, electrical and mechanical share; the tables above have the numbers.",
     )  # fmt: skip
 
 
@@ -86,8 +87,8 @@ def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
     named = tuple(dict.fromkeys(name for name in (winner, *front, decided.baseline) if name))
     return picture(
         rating_figure(decided.technical, decided.economic, named=named),
-        caption="Technical against economic rating; numbered are the best drives with their best filter, and the "
-        "present one",
+        caption="Technical against economic rating; the numbers mark the best drives with their best filter, "
+        "and the present one",
         told="Scatter of technical rating x against economic rating y of all combinations.",
     )  # fmt: skip
 
@@ -106,7 +107,7 @@ def reading_pictures(shown: Filtered, *, told: str) -> Iterator[Picture]:
         shown.before, after, lines=lines, motor_speed=shown.motor_speed, ratio=shown.kinematics.ratio
     )
     yield picture(
-        figure, caption=f"{name}: amplitude spectrum (Hann window) over frequency and order, lines by their cause",
+        figure, caption=f"{name}: amplitude spectrum (Hann window) over frequency and order, lines with their causes",
         told="Spectrum before and after the filter; thin lines mark shaft, motor, cogging and electrical lines.",
     )  # fmt: skip
 
@@ -127,7 +128,7 @@ def report_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] 
         notch_figure(shown.before, shown.after, levels=effect.levels, motor_speed=shown.motor_speed),
         caption=f"{drive.candidate.name}: spectrum before and after the filter; triangles mark its "
         f"{len(effect.levels)} notched lines",
-        told="Two spectra; at each marked line the lower one falls to nothing.",
+        told="Spectra before and after the filter; the amplitude at each marked line is near zero after it.",
     )
     return made, levels_table(effect)
 
@@ -142,6 +143,6 @@ def levels_table(effect: FilterEffect) -> Table:
     return Table(
         caption="Amplitude of each notched line, the power within 0.5 Hz of it",
         head=("line", "frequency [Hz]", "before [mN m]", "after [mN m]"), rows=rows,
-        note=f"Where the lines stand follows the speed {effect.speed_origin}. The load is broadband, so a band where "
-        "no line stands also holds some of it, and the filter takes that too.",
+        note=f"The frequencies of the lines follow the speed {effect.speed_origin}. The load is broadband: each band "
+        "contains a part of the load, which the filter removes too.",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The whole report of a study: page, CSV files and workbook, swapped into their folder in one step."""
+"""The report of a study: page, CSV files and workbook, written to a folder in one step."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ def write_study_report(
 ) -> list[Path]:  # fmt: skip
     """Write the report of a study into ``folder`` and return the files, the page first.
 
-    Everything is written beside the folder first and renamed in when complete, so that an error or Ctrl-C leaves the
-    old report as it was. The same study gives the same bytes.
+    All files are written to a temporary folder and renamed when complete, so an error or Ctrl-C leaves the old
+    report unchanged. The same study gives the same bytes.
 
     Parameters
     ----------
     folder : Path
-        Made where it does not exist; files in it that are no part of the report are kept.
+        Created if it does not exist; other files in it are kept.
     changes : sequence of Change, optional
-        What an edit changed against the original study; gives the page a section.
+        Differences from the original study; they get a section of the page.
     edits : sequence of str
-        The edits as given to ``--set``, for the command that makes the page again.
+        The edits as given to ``--set``, for the command that repeats the page.
 
     Raises
     ------

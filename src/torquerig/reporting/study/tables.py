@@ -1,4 +1,4 @@
-"""The tables of what a study simulated: ranking, reading errors, shares, filters, what is out of reach."""
+"""Tables of a study: ranking, reading errors, shares, filters, drives that are out of reach."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Ranks = dict[str, str]
 
 
 def rank_texts(decided: Decided) -> Ranks:
-    """Return the rank of each alternative by the overall T, with the range that unknowns leave open."""
+    """Return the rank of each alternative by the overall T, with its range over the unknown values."""
     best, worst = (ends.tolist() for ends in decided.overall.rank_range)
     ranks = decided.overall.ranks.tolist()
     return {
@@ -41,7 +41,7 @@ def best_per_drive(decided: Decided) -> tuple[str, ...]:
 
 
 def best_new_motor(decided: Decided) -> Alternative | None:
-    """Return the best combination whose motor is not the present one; None where the study has no other motor left."""
+    """Return the best combination whose motor is not the present one; None where there is no other motor."""
     present = decided.alternatives[decided.baseline].drive.candidate.motor
     ranked = (decided.alternatives[name] for name in decided.ranked())
     return next((made for made in ranked if made.drive.candidate.motor != present), None)
@@ -65,14 +65,14 @@ def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
             number(span(*ends, digits=2)), figure_cell(made.drive.margins["price"]),
             Cell(text=said[made.drive.candidate.name]),
         ))  # fmt: skip
-    stand_out = frozenset(place for place, name in enumerate(shown) if name in (winner, decided.baseline))
+    highlighted = frozenset(place for place, name in enumerate(shown) if name in (winner, decided.baseline))
     return Table(
         caption=f"The best {min(most, len(names))} of {len(names)} combinations, by T/T_max over all criteria; bold: "
         "the chosen and the present one",
         head=("rank (range)", "drive", "filter", "reading error [N m]", "disturbance [N m]", "T/T_max", "range",
               "price [EUR]", "requirements"),
-        rows=tuple(rows), emphasised=stand_out,
-        note="The range in brackets is what the drawn copies and the catalog's intervals leave open.",
+        rows=tuple(rows), emphasised=highlighted,
+        note="The range in brackets covers the Monte Carlo samples and the catalog's intervals.",
     )  # fmt: skip
 
 
@@ -87,11 +87,11 @@ def error_table(runs: StudyRuns, *, present: str) -> Table:
     ]
     low, high = min(found, default=0.0), max(found, default=1.0)
     rows = tuple(_error_row(drive, names, low=low, high=high) for drive in runs.drives)
-    stand_out = frozenset(row for row, drive in enumerate(runs.drives) if drive.candidate.name == present)
+    highlighted = frozenset(row for row, drive in enumerate(runs.drives) if drive.candidate.name == present)
     return Table(
-        caption="Reading error [N m], rms of filtered reading minus true load: the simulated value; green is small",
-        head=("drive", *names), rows=rows, emphasised=stand_out,
-        note="Point at a number for its interval over the drawn copies; combinations.csv has all of them.",
+        caption="Reading error [N m], rms of filtered reading minus true load: simulated; green is small",
+        head=("drive", *names), rows=rows, emphasised=highlighted,
+        note="The tooltip of a number has its interval over the Monte Carlo samples; combinations.csv has all of them.",
     )  # fmt: skip
 
 
@@ -130,13 +130,13 @@ def shares_table(motor: str, drives: Sequence[DriveResult]) -> Table:
 
 
 def out_of_reach_table(runs: StudyRuns) -> Table:
-    """Return the drives that were not simulated, and why."""
+    """Return the drives that were not simulated, with the reason."""
     rows = tuple(words(drive.candidate.name, drive.out_of_reach) for drive in runs.drives if drive.out_of_reach)
-    return Table(caption="Not simulated", head=("drive", "why"), rows=rows)
+    return Table(caption="Not simulated", head=("drive", "reason"), rows=rows)
 
 
 def effects_table(drive: DriveResult) -> Table:
-    """Return what each filter did to the reading of one drive."""
+    """Return the effect of each filter on the reading of one drive."""
     rows = []
     for name, result in drive.chains.items():
         effect = result.effect
@@ -147,17 +147,17 @@ def effects_table(drive: DriveResult) -> Table:
             figure_cell(result.truth_error), *words(listed(result.left_out, nothing="-")),
         ))  # fmt: skip
     return Table(
-        caption=f"What each filter does to the reading of {drive.candidate.name}",
+        caption=f"Effect of each filter on the reading of {drive.candidate.name}",
         head=("filter", "std reduction [%]", "variance reduction [%]", "mean change [%]", "energy change [%]",
-              "reading error [N m]", "lines left out"),
+              "reading error [N m]", "lines not removed"),
         rows=tuple(rows),
-        note="A lower standard deviation is no proof of a better reading: a filter that takes load out lowers it too. "
-        "The reading error says how far the filtered reading is from the load that acts.",
+        note="A lower standard deviation does not prove a better reading: a filter that removes load lowers it too. "
+        "The reading error is the rms difference between the filtered reading and the true load.",
     )  # fmt: skip
 
 
 def changes_table(changes: Sequence[Change]) -> Table:
-    """Return what an edit changed against the original study."""
+    """Return the differences between the edited and the original study."""
     rows = tuple(
         (*words(f"{one.before} -> {one.after}" if one.before != one.after else one.after, one.chain_before),
          number(plain(one.error_before)), *words(one.chain_after), number(plain(one.error_after)),
@@ -165,7 +165,7 @@ def changes_table(changes: Sequence[Change]) -> Table:
         for one in changes
     )  # fmt: skip
     return Table(
-        caption="The edited study against the original one: smallest reading error and disturbance of each drive [N m]",
+        caption="Edited and original study: smallest reading error and disturbance of each drive [N m]",
         head=("drive", "best filter before", "error before", "best filter now", "error now", "disturbance before",
               "disturbance now"),
         rows=rows,

@@ -30,7 +30,7 @@ def ranked_text(decided: Decided, *, most: int = 10) -> str:
         ])  # fmt: skip
     head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "requirements"]
     here = decided.alternatives[decided.baseline].drive.margins["new_parts"].value == 0
-    note = "stands on the rig today" if here else "the present motor on this gearbox, without a filter: the baseline"
+    note = "present drive" if here else "baseline: the present motor on this gearbox, without a filter"
     return f"{_fitted([head, *rows], left=(1, 2, 7))}\n* {note}"
 
 

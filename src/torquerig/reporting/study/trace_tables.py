@@ -1,4 +1,4 @@
-"""The way of every cell of a study as compact tables: a drive at a time, its catalog values below."""
+"""Calculation of every cell of a study as compact tables, one drive at a time, with its catalog values."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FEW = 4  # catalog values that are named in the cell itself
 
 @dataclass(frozen=True, kw_only=True)
 class DriveTables:
-    """What the page shows of one drive: its anchor, a heading, the two tables, and how it ends."""
+    """Tables of one drive on the page: anchor, heading, the two tables, and the result."""
 
     anchor: str
     title: str
@@ -40,7 +40,7 @@ def drive_tables(traced: Sequence[TracedDrive]) -> tuple[DriveTables, ...]:
 
 
 def trace_anchor(drive: str) -> str:
-    """Return the name under which the page keeps the way of a drive's cells."""
+    """Return the anchor of a drive's cells on the page."""
     return f"way-{re.sub(r'[^A-Za-z0-9]+', '-', drive).strip('-')}"
 
 
@@ -51,36 +51,36 @@ def functions_table(decided: Decided) -> Table:
     for one in decided.matrix.criteria:
         knots = one.value.knots if one.value else ()
         unit = "" if one.unit == "1" else f" {one.unit}"
-        told = ", ".join(f"{value:g}{unit} is worth {points:g}" for value, points in knots)
+        told = ", ".join(f"{value:g}{unit}: {points:g}" for value, points in knots)
         share = f"{result.normalised[result.criteria.index(one.name)]:.3f}" if one.name in result.criteria else "-"
         rows.append((*words(one.name, told, f"{one.weight:g}", share), Cell(text=one.purpose, word="remark")))
     return Table(
         caption="Value functions and weights, the same for every drive",
-        head=("criterion", "points (straight lines between, level outside)", "weight as given", "normalised",
-              "asked for"),
+        head=("criterion", "value: points (linear between, constant outside)", "weight as given", "normalised",
+              "purpose"),
         rows=tuple(rows),
     )  # fmt: skip
 
 
 def cells_table(one: TracedDrive) -> Table:
-    """Return a row per criterion and demand: from which catalog values, how, which value, which points."""
+    """Return a row per criterion and requirement: catalog values, calculation, value and points."""
     rows = tuple(
         (*words(trace.criterion), Cell(text=_catalog(trace), word="remark narrow"),
          Cell(text="; ".join(trace.texts("metric")), word="remark narrow"),
-         *words(_value(trace)), Cell(text=_judged(trace), word="remark narrow"),
+         *words(_value(trace)), Cell(text=_rating(trace), word="remark narrow"),
          *words(_before(trace, "points", ", on the scale"), _after(trace, "weight", ": adds ").removesuffix(" to T")))
         for trace in (*one.criteria, *one.requirements)
     )  # fmt: skip
     return Table(
         caption=f"{one.combination or one.drive}: from the catalog to the points",
-        head=("criterion or demand", "catalog values", "worked out", "value", "Pugh sign or demand", "points",
-              "adds to T"),
+        head=("criterion or requirement", "catalog values", "calculation", "value", "Pugh sign or requirement",
+              "points", "adds to T"),
         rows=rows,
     )  # fmt: skip
 
 
 def values_table(one: TracedDrive) -> Table:
-    """Return each catalog value that the drive's cells rest on, with interval, evidence and source."""
+    """Return each catalog value behind the drive's cells, with interval, evidence and source."""
     rows = tuple(
         (*words(origin.name), Cell(text=origin.shown, word="name"), *words(origin.evidence, origin.source),
          Cell(text=", ".join(used), word="remark narrow"))
@@ -104,7 +104,7 @@ def _value(trace: CellTrace) -> str:
     return "; ".join((*(text.partition(", from ")[0] for text in trace.texts("value")), *missing))
 
 
-def _judged(trace: CellTrace) -> str:
+def _rating(trace: CellTrace) -> str:
     return "; ".join(trace.texts("requirement")) or _before(trace, "Pugh", " against ")
 
 

@@ -1,4 +1,4 @@
-"""The sheets of a matrix workbook that say what follows: verdict, ranks by draws, what to ask, lints."""
+"""Result sheets of a matrix workbook: verdict, rank shares, missing values, errors."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ Looks = dict[str, Any]
 
 
 def write_answers(sheet: Any, looks: Looks, worked: MatrixAnalysis) -> None:
-    """Write the verdict, how often each alternative takes each rank, and the ratings of the S-diagram."""
+    """Write the verdict, the share of samples of each rank, and the ratings of the S-diagram."""
     sheet.set_column(0, 0, 34)
     sheet.set_column(1, 12, 13)
     sheet.write_string(0, 0, worked.verdict.sentence(), looks["bold"])
     found = worked.acceptability
     together = found["together"]
-    ranks = [f"takes rank {place + 1}" for place in range(len(together.alternatives))]
-    _row(sheet, 2, ["best in, by", *found, "mean rank", *ranks], looks["head"])
+    ranks = [f"rank {place + 1}" for place in range(len(together.alternatives))]
+    _row(sheet, 2, ["best in share of samples", *found, "mean rank", *ranks], looks["head"])
     for row, name in enumerate(together.alternatives):
         shares = [float(one.p_best[row]) for one in found.values()]
         _row(sheet, 3 + row, [name, *shares, float(together.mean_rank[row]), *together.shares[row].tolist()],
@@ -34,8 +34,8 @@ def write_answers(sheet: Any, looks: Looks, worked: MatrixAnalysis) -> None:
 
 
 def write_ask(sheet: Any, looks: Looks, worked: MatrixAnalysis) -> None:
-    """Write what to ask for, the most useful first."""
-    _row(sheet, 0, ["what to ask for", "changes the winner in", "worth in T/T_max", "why"], looks["head"])
+    """Write the missing values, the most useful first."""
+    _row(sheet, 0, ["missing value", "changes the winner in", "gain in T/T_max", "question"], looks["head"])
     sheet.set_column(0, 0, 50)
     sheet.set_column(1, 2, 14)
     sheet.set_column(3, 3, 110)
@@ -44,8 +44,8 @@ def write_ask(sheet: Any, looks: Looks, worked: MatrixAnalysis) -> None:
 
 
 def write_findings(sheet: Any, looks: Looks, findings: Sequence[Finding]) -> None:
-    """Write what is wrong with the tables."""
-    _row(sheet, 0, ["table", "lint", "what", "why", "remedy"], looks["head"])
+    """Write the errors of the tables."""
+    _row(sheet, 0, ["table", "check", "error", "reason", "remedy"], looks["head"])
     for column, width in enumerate((14, 30, 70, 60, 60)):
         sheet.set_column(column, column, width)
     for row, one in enumerate(findings, start=1):

@@ -1,4 +1,4 @@
-"""The sheet that calculates: change a weight and see totals, T/T_max and ranks follow."""
+"""The Kesselring sheet: formulas from weights and points to totals, T/T_max and ranks."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Links:
     points : function of the places of alternative and criterion, and of 0, 1, 2 for middle, fewest and most
     ideal : str
     hint : str
-        Where the reader changes what.
+        Instruction for the reader.
     """
 
     weight: Callable[[int], str]
@@ -34,22 +34,22 @@ class Links:
     hint: str
 
 
-HINT = "Change the weights in the coloured row; totals and ranks follow."
+HINT = "Change the weights in the coloured row; totals and ranks are recalculated."
 
 
 def write_kesselring(sheet: Any, looks: Looks, result: KesselringResult, *, links: Links | None = None) -> None:
     """Write weights, ideal, points and the formulas over them, each with its present value stored.
 
-    With ``links``, weights and points are formulas themselves. Beside the points stand the fewest and the most that
-    the facts allow, from which the range of the rank follows.
+    With ``links``, weights and points are formulas themselves. Further columns hold the fewest and the most points
+    that the facts allow; they give the range of the rank.
     Ranks are shared competition ranks: 1 plus how many are better by more than rounding.
     """
     from xlsxwriter.utility import xl_range_abs
 
     count = len(result.criteria)
     points, low, high = 1, 1 + count + len(TOTALS), 1 + 2 * count + len(TOTALS)
-    sheet.write_string(0, 0, f"{HINT if links is None else links.hint} Points in italics are the middle of a range "
-                       "that the facts leave open.", looks["bold"])  # fmt: skip
+    sheet.write_string(0, 0, f"{HINT if links is None else links.hint} Points in italics are the middle of an "
+                       "uncertain range.", looks["bold"])  # fmt: skip
     _head(sheet, looks, result)
     weights = xl_range_abs(WEIGHTS, 1, WEIGHTS, count)
     for column in range(count):
@@ -133,7 +133,7 @@ def _totals(
     best_rank, worst_rank = (int(ends[row]) for ends in result.rank_range)
     sheet.write_formula(line, rank, f"={above[total].format(_cell(line, total))}", None, int(result.ranks[row]))
     sheet.write_formula(line, best, f"={above[low].format(_cell(line, high))}", None, best_rank)
-    # its own highest total is above its own lowest one, which is no rival
+    # the highest total of an alternative may exceed its lowest one; it does not rank against itself
     itself = f"({_cell(line, high)}>{_cell(line, low)}+{TIE})"
     sheet.write_formula(line, worst, f"={above[high].format(_cell(line, low))}-{itself}", None, worst_rank)
 

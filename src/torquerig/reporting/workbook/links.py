@@ -13,7 +13,7 @@ from torquerig.reporting.workbook.kesselring_sheet import Links
 
 HINT = (
     "Change weights and value functions on the sheet Criteria, facts on the sheet Facts; points, totals and ranks "
-    "follow. Who meets the demands follows only when the file goes through torquerig matrix again."
+    "are recalculated. Run torquerig matrix on this file to update the elimination."
 )
 
 

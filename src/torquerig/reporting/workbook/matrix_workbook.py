@@ -1,4 +1,4 @@
-"""One's own matrix as an Excel file that is filled in, calculates, and can be read again."""
+"""A decision matrix as Excel file with entries and formulas, which torquerig matrix reads."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def write_matrix_workbook(path: Path, worked: MatrixAnalysis) -> None:
 
     Criteria, Facts, Settings and Sources are entries, coloured; ``torquerig matrix FILE.xlsx`` reads them back. On the
     sheet Kesselring every number is a formula over them: a changed weight, fact or value function changes points,
-    totals and ranks at once. Verdict, elimination, Pugh and open questions are as of the last run of the program.
+    totals and ranks at once. Verdict, elimination, Pugh and missing values are those of the last run of the program.
     """
     import xlsxwriter
 

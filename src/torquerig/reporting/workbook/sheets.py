@@ -1,4 +1,4 @@
-"""The sheets of the workbook, but for the one that calculates."""
+"""The sheets of the workbook without formulas over other sheets."""
 
 from __future__ import annotations
 
@@ -22,7 +22,17 @@ Looks = dict[str, Any]
 def write_ranking(sheet: Any, looks: Looks, decided: Decided) -> None:
     """Write every combination, the best first, with the figures of all criteria and their ends."""
     criteria = decided.matrix.criteria
-    head = ["rank", "best rank", "worst rank", "drive", "filter", "T/T_max", "T/T_max low", "T/T_max high", "demands"]
+    head = [
+        "rank",
+        "best rank",
+        "worst rank",
+        "drive",
+        "filter",
+        "T/T_max",
+        "T/T_max low",
+        "T/T_max high",
+        "requirements",
+    ]
     for one in criteria:
         unit = "" if one.unit == "1" else f" [{one.unit}]"
         head += [f"{one.name}{unit}", f"{one.name} low{unit}", f"{one.name} high{unit}"]
@@ -64,10 +74,10 @@ def write_shares(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
 
 
 def write_elimination(
-    sheet: Any, looks: Looks, chart: SelectionChart, demands: DecisionMatrix, *, of: str = "drive"
+    sheet: Any, looks: Looks, chart: SelectionChart, requirements: DecisionMatrix, *, of: str = "drive"
 ) -> None:
     """Write the selection chart with every remark in full."""
-    rules = [rule_text(one) for one in demands.criteria if one.name in chart.criteria]
+    rules = [rule_text(one) for one in requirements.criteria if one.name in chart.criteria]
     write_head(sheet, looks, [of, *rules, "decision", "remarks"], wide={0: 24, len(rules) + 2: 110})
     for row, line in enumerate(chart.rows, start=1):
         sheet.write_string(row, 0, line.alternative)
@@ -79,7 +89,7 @@ def write_elimination(
 
 
 def write_pugh(sheet: Any, looks: Looks, result: PughResult) -> None:
-    """Write the signs of all combinations against the datum; the counts are formulas over the signs."""
+    """Write the signs of all combinations against the baseline; the counts are formulas over the signs."""
     from xlsxwriter.utility import xl_range
 
     best, worst = result.rank_range
@@ -100,8 +110,10 @@ def write_pugh(sheet: Any, looks: Looks, result: PughResult) -> None:
 
 
 def write_assumptions(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
-    """Write every value that was drawn, with its interval."""
-    write_head(sheet, looks, ["motor, gearbox or part", "value", "drawn, and from what"], wide={0: 24, 1: 36, 2: 60})
+    """Write every drawn value with its interval."""
+    write_head(
+        sheet, looks, ["motor, gearbox or part", "value", "drawn value and its interval"], wide={0: 24, 1: 36, 2: 60}
+    )
     listed = [(owner, name, text) for owner, values in assumptions(runs) for name, text in values]
     for row, texts in enumerate(listed, start=1):
         for column, text in enumerate(texts):
@@ -109,7 +121,7 @@ def write_assumptions(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
 
 
 def write_head(sheet: Any, looks: Looks, head: Sequence[str], *, wide: dict[int, int]) -> None:
-    """Write the head of a sheet and the widths of its columns; head and first column stay in sight."""
+    """Write the head of a sheet and the widths of its columns; head and first column are frozen."""
     for column, text in enumerate(head):
         sheet.write_string(0, column, text, looks["head"])
         sheet.set_column(column, column, wide.get(column, 12))

@@ -14,14 +14,14 @@ from torquerig.study.scoring import Decided
 from torquerig.study.trace import traced_combinations
 from torquerig.study.verdict import Verdict
 
-CREATED = datetime(2000, 1, 1)  # a fixed day, or no two files would be equal
+CREATED = datetime(2000, 1, 1)  # a fixed date, so that equal studies give equal files
 
 
 def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdict) -> None:
-    """Write ranking, shares, elimination, Pugh, Kesselring, assumptions and the way of every cell, one sheet each.
+    """Write ranking, shares, elimination, Pugh, Kesselring, assumptions and all calculations, one sheet each.
 
     The weights of the Kesselring sheet are meant to be changed: totals, T/T_max and ranks are formulas. Their present
-    values are stored beside them, for viewers that do not calculate.
+    values are stored too, for viewers that do not calculate.
     """
     import xlsxwriter
 

@@ -1,4 +1,4 @@
-"""The way of every cell of a study as two sheets: cells, and the catalog values that they rest on."""
+"""Calculation of every cell of a study as two sheets: cells, and the catalog values behind them."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ Looks = dict[str, Any]
 STEPS = (
     "metric", "value", "missing", "requirement", "Pugh", "value function", "points", "weight", "total", "decision",
 )  # fmt: skip
-"""The steps of a trace, a column each; the catalog values stand on their own sheet."""
+"""The steps of a trace, a column each; the catalog values are on a separate sheet."""
 
 
 def write_trace(sheet: Any, looks: Looks, traced: Sequence[TracedDrive]) -> None:
     """Write a row per cell: requirements of each drive once, criteria of each combination."""
     wide = {0: 46, 1: 22, 2: 12, 3: 60, 4: 28, 5: 40, 6: 44, 8: 44, 9: 30, 10: 44, 11: 40, 12: 60}
-    write_head(sheet, looks, ["drive | filter", "criterion or demand", "catalog values", *STEPS], wide=wide)
+    write_head(sheet, looks, ["drive | filter", "criterion or requirement", "catalog values", *STEPS], wide=wide)
     seen: set[str] = set()
     row = 0
     for one in traced:
@@ -31,7 +31,7 @@ def write_trace(sheet: Any, looks: Looks, traced: Sequence[TracedDrive]) -> None
 
 
 def write_catalog_values(sheet: Any, looks: Looks, traced: Sequence[TracedDrive]) -> None:
-    """Write a row per drive and catalog value: what is known, evidence, source, and what rests on it."""
+    """Write a row per drive and catalog value: value, evidence, source, and the cells that use it."""
     head = ["drive", "catalog value", "known", "evidence", "source", "used for"]
     write_head(sheet, looks, head, wide={0: 26, 1: 44, 2: 46, 3: 9, 4: 60, 5: 60})
     seen: set[str] = set()

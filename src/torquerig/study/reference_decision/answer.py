@@ -134,7 +134,7 @@ def _rated(plan: Plan, one: ComparedTable) -> dict[str, MatrixVerdict]:
     whole = f"{sheet.name} computed"
     if added:
         weight = next(criterion.weight for criterion in matrix.criteria if criterion.name in added)
-        whole = f"{sheet.name} computed with the missing weight {weight:g} on {added[0]}"
+        whole = f"{sheet.name} computed with the missing {weight:g} on {added[0]}"
         found[whole] = _verdict(matrix, sheet.profile)
     present = real_name(plan.study.catalog, plan.study.settings.present.motor)
     new = [name for name in matrix.alternatives if real_name(plan.study.catalog, name) != present]

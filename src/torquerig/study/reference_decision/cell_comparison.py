@@ -22,8 +22,8 @@ from torquerig.study.reference_decision.reasons import (
     Compared,
     Reason,
     points_turned,
-    reason_of_demand,
     reason_of_points,
+    reason_of_requirement,
     reason_of_sign,
     signs_of,
     turned_round,
@@ -94,7 +94,7 @@ def _elimination(table: ComputedTable, unclear: set[str]) -> Found:
         for name, said in zip(sheet.alternatives, row.entries, strict=True):
             key = name, row.criterion
             compared = _compared(table, key, said, marks[key], others.get(key, ""))
-            cells.append(_cell(table, key, said, marks[key], reason_of_demand(compared)))
+            cells.append(_cell(table, key, said, marks[key], reason_of_requirement(compared)))
     printed = {True: "Yes", False: "No", None: ""}
     undeciding = {row.criterion for row in undeciding_rows(sheet)} if None not in sheet.passed else set()
     totals = {

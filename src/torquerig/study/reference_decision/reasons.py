@@ -76,7 +76,7 @@ class Compared:
         return with_unit(self.figure, self.criterion.unit)
 
 
-def reason_of_demand(cell: Compared) -> Reason:
+def reason_of_requirement(cell: Compared) -> Reason:
     """Return why an elimination's mark differs."""
     if cell.published == cell.computed:
         return AGREED

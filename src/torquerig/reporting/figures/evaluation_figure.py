@@ -20,12 +20,12 @@ _GRID = "#e3e7eb"
 Array = NDArray[np.float64]
 
 
-def judged_figure(made: FilterEvaluation) -> Figure:
-    """Return the four panels of a judgement; the true load's rolling mean too, where it is known."""
+def evaluation_figure(made: FilterEvaluation) -> Figure:
+    """Return the four panels of an evaluation, with the rolling mean of the true load where it is known."""
     effect = made.effect
     title = f"{made.chain}: standard deviation {effect.std_before:.4f} to {effect.std_after:.4f} N m"
     if made.placebo is not None:
-        title += (f" ({effect.std_reduction_percent:.1f} % less; at empty orders beside "
+        title += (f" ({effect.std_reduction_percent:.1f} % less; placebo at other orders "
                   f"{100 * min(made.placebo.std_cuts):.1f} to {100 * max(made.placebo.std_cuts):.1f} %)")  # fmt: skip
     return four_panels(made.before, made.after, title=title)
 
@@ -73,7 +73,7 @@ def _means(axes: Axes, before: Recording, after: Recording) -> None:
 
 
 def rolling_mean(values: Array, window: int) -> Array:
-    """Return the mean of each ``window`` samples that lie side by side, shape (samples - window + 1,)."""
+    """Return the mean of ``window`` consecutive samples, shape (samples - window + 1,)."""
     sums = np.concatenate([[0.0], np.cumsum(values - values.mean())])
     return np.asarray((sums[window:] - sums[:-window]) / window + values.mean())
 
