@@ -33,7 +33,7 @@ def test_a_servo_on_the_duty_cycle(capsys):
     text = said(capsys, "size", WEAR_RIG, "--motor", "HDS6A-0104A", "--gearbox", "economy-5-1", "--picture", "size.png")
     assert text.startswith("HDS6A-0104A, 5:1, duty_cycle, 300 s, repeated without end, ambient 40 °C")
     assert "largest input speed of economy-5-1" in text.split("ask for", 1)[1]
-    assert "Alpha-beta: 30:1, where speed bounds it" in text
+    assert "Alpha-beta: 30:1, limited by the motor speed" in text
     assert "order_lines" in text
     assert Path("size.png").stat().st_size > 20_000
     assert "is there already" in said(capsys, "size", WEAR_RIG, "--picture", "size.png", code=2)

@@ -120,7 +120,7 @@ def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
 
 
 def test_a_study_that_nothing_survives_has_a_page_too(runs, decided, answer):
-    page = study_page(runs, decided, replace(answer, winner="", word=Certainty.NOBODY, facts=()))
+    page = study_page(runs, decided, replace(answer, winner="", certainty=Certainty.NOBODY, facts=()))
     assert "<dd>no alternative meets the requirements</dd>" in page
     assert "No value is missing." in page
 

@@ -68,12 +68,12 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
         why = "a linear axis has no motor speed" if is_linear_axis else error
         return stream.run.speed, f"motor speed: not found ({why})"
     rpm = found.value * 30 / pi
-    spread = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
+    uncertainty = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
     whole = stream.samples is not None and stream.samples <= head.samples
     where = "" if whole else f" over {_span(first, head)}"
     set_point = stream.run.speed_rpm
     stated = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
-    return found.value, f"motor speed: {rpm:.6g} rpm{spread}{where} ({found.origin}{stated})"
+    return found.value, f"motor speed: {rpm:.6g} rpm{uncertainty}{where} ({found.origin}{stated})"
 
 
 def _sound_stretch(head: Recording) -> tuple[int, Recording]:

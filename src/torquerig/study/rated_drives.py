@@ -55,12 +55,12 @@ def rated_drives(decided: Decided, names: Iterable[str]) -> RatedDrives:
     matrix = with_requirements(decided, tuple(drives))
     overall = kesselring(matrix, profile=TEACHING)
     found = robustness(decided.matrix.only(alternatives=listed))
-    chances = {name: _of_drives(one, drives) for name, one in found.items()}
+    shares = {name: _of_drives(one, drives) for name, one in found.items()}
     return RatedDrives(
         matrix=matrix,
         overall=overall,
         combinations=found,
-        verdict=verdict_of(eliminate(matrix), overall, chances),
+        verdict=verdict_of(eliminate(matrix), overall, shares),
     )
 
 

@@ -62,9 +62,9 @@ def verdict(decided: Decided) -> Verdict:
     """Return the best combination of a study and its confidence."""
     names = feasible_combinations(decided)
     if not names:
-        nobody = verdict_of(decided.chart, None, {})
+        empty = verdict_of(decided.chart, None, {})
         return Verdict(
-            winner="", certainty=nobody.certainty, p_best=0.0, best_shares={}, shares={}, facts=(),
+            winner="", certainty=empty.certainty, p_best=0.0, best_shares={}, shares={}, facts=(),
             sentence="No drive meets the requirements. The elimination lists the requirements that each one misses.",
         )  # fmt: skip
     rated = rated_drives(decided, names)

@@ -25,10 +25,10 @@ def draw_transfers(axes: Axes, twin: Twin, *, lowest: float, highest: float) -> 
     frequencies = np.geomspace(lowest, highest, 1500)
     motor, far = twin.lowered.leader(), twin.rig.node(twin.rig.measured)
     far = twin.lowered.load_terms[0].on if twin.lowered.load_terms else far
-    for node, colour, told in ((motor, MOTOR, "motor"), (far, LOAD, "load")):
+    for node, colour, name in ((motor, MOTOR, "motor"), (far, LOAD, "load")):
         for system, style, how in ((twin.closed_loop, "-", "loop closed"), (twin.open_loop, ":", "open")):
             values = np.abs(system.transfer(f"torque on {node}", twin.sensor, frequencies))
-            axes.loglog(frequencies, values, color=colour, linestyle=style, linewidth=1.2, label=f"{told}, {how}")
+            axes.loglog(frequencies, values, color=colour, linestyle=style, linewidth=1.2, label=f"{name}, {how}")
     axes.set_ylabel("sensor [N m per N m]")
     axes.set_title("transfer to the sensor", loc="left")
     axes.legend(fontsize=7, framealpha=0.9)

@@ -17,7 +17,7 @@ from torquerig.simulation.twin.lines import OrderLine
 def modes_figure(
     twin: Twin, lines: Sequence[OrderLine], crossings: Sequence[Crossing], *, top_speed: float, title: str = ""
 ) -> Figure:
-    """Return the Campbell diagram up to ``top_speed`` [rad/s] beside the transfers to the sensor and the loop gain.
+    """Return the Campbell diagram up to ``top_speed`` [rad/s] with the transfers to the sensor and the loop gain.
 
     The numbers at the crossings are the rows of the table that ``torquerig modes`` prints.
     """

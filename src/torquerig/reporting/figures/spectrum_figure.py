@@ -57,7 +57,7 @@ def spectrum_figure(
 
 
 def mark_lines(axes: Axes, lines: Sequence[KinematicLine], *, motor_speed: float, labels: bool = True) -> None:
-    """Draw a thin line per kinematic line, label the fundamentals once per place, and list the families beside."""
+    """Draw a thin line per kinematic line, label the fundamentals once per place, and list the families in a legend."""
     groups: list[tuple[float, list[KinematicLine]]] = []
     for line in sorted(lines, key=lambda line: line.frequency(motor_speed)):
         place = line.frequency(motor_speed)
@@ -110,7 +110,7 @@ def _scales(axes: Axes, *, top: float, peak: float, output_speed: float) -> None
 
 
 def _label(axes: Axes, groups: Sequence[tuple[float, Sequence[KinematicLine]]]) -> None:
-    """Write upright labels at the top, each moved right where the one before it stands too near."""
+    """Write upright labels at the top, each moved right where it would overlap the one before."""
     last = -1.0
     low, high = np.log(axes.get_xlim())
     for frequency, lines in groups:

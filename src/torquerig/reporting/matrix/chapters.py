@@ -69,8 +69,8 @@ def known_chapter(worked: MatrixAnalysis) -> Chapter:
         cells = []
         for one in matrix.criteria:
             cell = matrix.cell(name, one.name)
-            told = "; ".join(text for text in (cell.source, cell.evidence, cell.unknown_reason) if text)
-            shown = number(cell.shown(), title=told)
+            source = "; ".join(text for text in (cell.source, cell.evidence, cell.unknown_reason) if text)
+            shown = number(cell.shown(), title=source)
             cells.append(replace(shown, link=f"#{trace_anchor(worked, name, one.name)}"))
         rows.append((*words(name), *cells))
     table = Table(caption="Known values; ? is missing and never counts as zero", head=("alternative", *head),
@@ -87,9 +87,9 @@ def _elimination(worked: MatrixAnalysis) -> Chapter:
     rows = []
     for row in worked.chart.rows:
         marks = [str(row.marks.get(name, "")) for name in worked.chart.criteria]
-        told = "; ".join(remark.sentence() for remark in row.remarks)
+        remarks = "; ".join(remark.sentence() for remark in row.remarks)
         cells = (Cell(text=mark, style=mark_style(mark), word="mark") for mark in marks)
-        rows.append((*words(row.alternative), *cells, *words(str(row.decision)), Cell(text=told, word="remark")))
+        rows.append((*words(row.alternative), *cells, *words(str(row.decision)), Cell(text=remarks, word="remark")))
     table = Table(
         caption="+ meets the requirement, - fails it, ? the value is missing, ! check the requirement; criteria "
         "after the first - are not tested",

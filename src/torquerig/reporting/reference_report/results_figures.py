@@ -110,15 +110,15 @@ def _steps(results: ReportResults) -> list[Picture]:
     for number, chain in zip((8, 9, 10), report_filter_steps(results.rig.kinematics), strict=True):
         after = chain.apply(results.low)
         cut = chain_effect(results.low, after, ratio=results.rig.kinematics.ratio).std_reduction_percent
-        told = (
+        caption = (
             f"Figure 4.{number}: {chain.name} removed, {len(chain.lines)} bands: the standard deviation falls by "
             f"{cut:.1f} % "
             f"over the whole recording ({_SHOWN:g} s are drawn)."
         )
         if made and cut - before < _NOTHING:
-            told += " The last bands have no effect: this rig has no line there, but the report has."
+            caption += " The last bands have no effect: this rig has no line there, but the report has."
         figure = four_panels(_start(results.low), _start(after))
-        made.append(picture(figure, told="original, filtered, both, and their rolling means", caption=told))
+        made.append(picture(figure, told="original, filtered, both, and their rolling means", caption=caption))
         before = cut
     return made
 

@@ -1,4 +1,4 @@
-"""A sizing in one picture: regions of the motor with the cycle in them, and the ratio, closed form beside catalog."""
+"""A sizing in one figure: operating regions with the duty cycle, and torque over gear ratio."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ RPM = 30 / np.pi
 
 
 def sizing_figure(drive: SizedDrive, sweep: RatioSweep | None, *, title: str) -> Figure:
-    """Return speed against torque, and where the ratio was swept the rms torque against the ratio beside it."""
+    """Return speed against torque, and, with a ratio sweep, the rms torque against the ratio."""
     figure = new_figure(13.0 if sweep else 7.6, 6.2)
     figure.suptitle(title, x=0.01, ha="left")
     panels = figure.subplots(1, 2 if sweep else 1, squeeze=False)[0]
@@ -66,8 +66,8 @@ def draw_ratios(axes: Axes, sweep: RatioSweep) -> None:
         axes.annotate(f" ideal {sweep.ideal.best:.3g}:1", (sweep.ideal.best, 0.02), xycoords=("data", "axes fraction"),
                       color=CYCLE, fontsize=8)  # fmt: skip
     _speed_bound(axes, sweep, ratios[-1])
-    for barred, colour, told in ((False, CONTINUOUS, "gearbox of the catalog"), (True, BARRED, "exceeds a limit")):
-        _boxes(axes, [one for one in boxes if bool(one.exceeded) is barred], colour=colour, label=told)
+    for exceeds, colour, label in ((False, CONTINUOUS, "gearbox of the catalog"), (True, BARRED, "exceeds a limit")):
+        _boxes(axes, [one for one in boxes if bool(one.exceeded) is exceeds], colour=colour, label=label)
     if sweep.best is not None:
         axes.plot([sweep.best.ratio], [middle(sweep.best.rms_torque)], marker="o", markersize=13, linestyle="",
                   markerfacecolor="none", markeredgecolor=LIMIT, label=f"least: {sweep.best.gearbox}")  # fmt: skip
@@ -89,8 +89,8 @@ def _speed_bound(axes: Axes, sweep: RatioSweep, edge: float) -> None:
     low, high = (end / top for end in sweep.drive.motor.max_speed.bounds)
     if low < edge:
         axes.axvspan(low, edge, color=LIMIT, alpha=0.10, linewidth=0)
-        told = f" too fast from {low:.3g}:1" if high <= low * 1.001 else f" too fast from {low:.3g}..{high:.3g}:1"
-        axes.annotate(told, (low, 0.97), xycoords=("data", "axes fraction"), va="top", color=LIMIT, fontsize=8)
+        text = f" too fast from {low:.3g}:1" if high <= low * 1.001 else f" too fast from {low:.3g}..{high:.3g}:1"
+        axes.annotate(text, (low, 0.97), xycoords=("data", "axes fraction"), va="top", color=LIMIT, fontsize=8)
 
 
 def _boxes(axes: Axes, boxes: list[SweptGearbox], *, colour: str, label: str) -> None:

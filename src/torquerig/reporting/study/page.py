@@ -78,9 +78,9 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
     elif newest := tables.best_new_motor(decided):
         listed.append((newest.drive, newest.chain, "the best new motor"))
     readings: list[Picture] = []
-    for drive, chain, told in listed:
+    for drive, chain, role in listed:
         shown = pictures.filtered(drive, chain, runs)
-        readings += pictures.reading_pictures(shown, told=told) if shown else ()
+        readings += pictures.reading_pictures(shown, role=role) if shown else ()
     return {
         "readings": tuple(readings),
         "report_filter": pictures.report_filter(present, runs),

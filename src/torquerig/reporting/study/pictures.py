@@ -93,9 +93,9 @@ def rating_picture(decided: Decided, *, winner: str) -> Picture | None:
     )  # fmt: skip
 
 
-def reading_pictures(shown: Filtered, *, told: str) -> Iterator[Picture]:
+def reading_pictures(shown: Filtered, *, role: str) -> Iterator[Picture]:
     """Yield time signal and spectrum of one drive, before and after its chain."""
-    name = f"{shown.drive.candidate.name}, {told}, filter {shown.chain.name}"
+    name = f"{shown.drive.candidate.name}, {role}, filter {shown.chain.name}"
     after = shown.after if shown.chain.stages else shown.before
     start = min(1.0, shown.before.duration / 2)
     yield picture(

@@ -51,9 +51,9 @@ def functions_table(decided: Decided) -> Table:
     for one in decided.matrix.criteria:
         knots = one.value.knots if one.value else ()
         unit = "" if one.unit == "1" else f" {one.unit}"
-        told = ", ".join(f"{value:g}{unit}: {points:g}" for value, points in knots)
+        points = ", ".join(f"{value:g}{unit}: {points:g}" for value, points in knots)
         share = f"{result.normalised[result.criteria.index(one.name)]:.3f}" if one.name in result.criteria else "-"
-        rows.append((*words(one.name, told, f"{one.weight:g}", share), Cell(text=one.purpose, word="remark")))
+        rows.append((*words(one.name, points, f"{one.weight:g}", share), Cell(text=one.purpose, word="remark")))
     return Table(
         caption="Value functions and weights, the same for every drive",
         head=("criterion", "value: points (linear between, constant outside)", "weight as given", "normalised",
@@ -93,10 +93,10 @@ def values_table(one: TracedDrive) -> Table:
 
 
 def _catalog(trace: CellTrace) -> str:
-    told = trace.texts("catalog")
-    if len(told) > FEW:
-        return f"{len(told)} values of motor, gearbox, sensor and coupling, listed below"
-    return "; ".join(told) or "none"
+    values = trace.texts("catalog")
+    if len(values) > FEW:
+        return f"{len(values)} values of motor, gearbox, sensor and coupling, listed below"
+    return "; ".join(values) or "none"
 
 
 def _value(trace: CellTrace) -> str:

@@ -86,7 +86,7 @@ def write_kesselring(sheet: Any, looks: Looks, result: KesselringResult, *, link
 
 
 def _number(sheet: Any, place: tuple[int, int], value: float, look: Any, formula: str | None) -> None:
-    """Write a number, or the formula that gives it with the number stored beside it."""
+    """Write a number, or the formula that gives it, with the number as stored value."""
     if formula:
         sheet.write_formula(*place, formula, look, value)
     else:

@@ -53,11 +53,11 @@ def _points(held: Sequence[str], criterion: Criterion, knots: Knots, scale: tupl
     """Return the points of a fact: block 0 the middle, 1 the fewest, 2 the most that it allows."""
     value, low, high = held
     if criterion.unit == YES_NO:
-        asked, value = f'OR({value}="yes",{value}="no")', f'IF({value}="yes",1,0)'
+        is_known, value = f'OR({value}="yes",{value}="no")', f'IF({value}="yes",1,0)'
     else:
-        asked = f"ISNUMBER({value})"
+        is_known = f"ISNUMBER({value})"
     given = _value_function(value, knots)
-    ends = [f"IF({asked},{given},{end})" for end in scale]
+    ends = [f"IF({is_known},{given},{end})" for end in scale]
     if low:
         at = [_value_function(end, knots) for end in (low, high)]
         inside = [[f"IF(AND({low}<{x},{x}<{high}),{p},{at[0]})" for x, p in knots] for _ in (0, 1)]
@@ -65,7 +65,7 @@ def _points(held: Sequence[str], criterion: Criterion, knots: Knots, scale: tupl
         ends = [f"IF(ISNUMBER({low}),{span},{end})" for span, end in zip(spans, ends, strict=True)]
     if block:
         return ends[block - 1]
-    return f"IF({asked},{given},({ends[0]}+{ends[1]})/2)"
+    return f"IF({is_known},{given},({ends[0]}+{ends[1]})/2)"
 
 
 def _value_function(value: str, knots: Knots) -> str:

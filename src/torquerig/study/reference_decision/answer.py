@@ -89,9 +89,9 @@ def answer(plan: Plan, tables: tuple[ComparedTable, ...], decided: Decided) -> A
     present = real_name(plan.study.catalog, plan.study.settings.present.motor)
     motors = {name: decided.alternatives[name].drive.candidate.motor for name in names}
     new = [name for name in names if motors[name] != present]
-    nobody = verdict_of(decided.chart, None, {})
+    empty = verdict_of(decided.chart, None, {})
     every, bought = (rated_drives(decided, one) if one else None for one in (names, new))
-    overall = every.verdict if every else nobody
+    overall = every.verdict if every else empty
     chosen = overall.winners[0] if overall.winners else ""
     rated = [one for one in tables if one.table.sheet.method is Method.KESSELRING]
     published, text = _published(plan, rated)
@@ -104,7 +104,7 @@ def answer(plan: Plan, tables: tuple[ComparedTable, ...], decided: Decided) -> A
         if every
         else 0.0,
         overall=overall,
-        bought=bought.verdict if bought else nobody,
+        bought=bought.verdict if bought else empty,
         table={name: found for one in rated for name, found in _rated(plan, one).items()},
         conditions=tuple(dict.fromkeys(one.partition(": ")[2] for one in overall.conditions)),
         missing=tuple(
