@@ -41,7 +41,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "no YAML": (("simulate", "broken.yaml"), "broken.yaml:2: not YAML"),
     "duration without unit": (("simulate", WEAR_RIG, "--duration", "2"), "--duration: '2' has no unit; write '2 s'"),
     "negative duration": (("simulate", WEAR_RIG, "--duration", "-1 s"), "ask for more"),
-    "unknown ending": (("simulate", WEAR_RIG, "--out", "x.foo"), "'.foo' is no format that is written; use .parquet"),
+    "unknown ending": (("simulate", WEAR_RIG, "--out", "x.foo"), "the ending '.foo' cannot be written; use .parquet"),
     "missing folder": (("simulate", WEAR_RIG, "--out", "no/x.csv"), "there is no folder no; make it first"),
     "existing file": (("simulate", WEAR_RIG, "--out", "there.parquet"), "overwrite it with --force"),
     "unknown motor": (("simulate", WEAR_RIG, "--motor", "HDS6A-0104B"), "--motor HDS6A-0104B: there is no motor"),
