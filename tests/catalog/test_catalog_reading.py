@@ -130,7 +130,7 @@ BROKEN = {
     "a negative inertia": ("value: 0.48e-4 kg*m^2, low: 0.17e-4", "low: -0.17e-4", "rotor inertia must be more than 0"),
     "half a choice": ("pole_pairs: {one_of: [4, 5]", "pole_pairs: {one_of: [4.5]", "4.5 is not a whole number"),
     "an unwindable pair": ("slots: {one_of: [9, 12]", "slots: {one_of: [8]", "no three-phase winding exists"),
-    "a peak below the rating": ("value: 4.46 N*m", "value: 1 N*m", "peak_torque: 1 N*m lies below rated_torque"),
+    "a peak below the rating": ("value: 4.46 N*m", "value: 1 N*m", "peak_torque: 1 N*m is below rated_torque"),
     "a constant per peak ampere": (
         "low: 0.5 N*m/Arms, high: 0.55 N*m/Arms",
         "low: 0.35 N*m/Arms, high: 0.38 N*m/Arms",
@@ -177,7 +177,7 @@ def test_a_name_or_alias_that_stands_twice_in_one_folder_is_refused(own):
         "name: my-motor", "name: other\naliases:\n  - {name: my-motor, table: my list, reason: the same}"
     )
     (own / "motors" / "other.yaml").write_text(second, encoding="utf-8")
-    with pytest.raises(InputError, match=r"other\.yaml:\d+: aliases\.0\.name: the name 'my-motor' stands already in"):
+    with pytest.raises(InputError, match=r"other\.yaml:\d+: aliases\.0\.name: the name 'my-motor' is already in"):
         load_catalog(own)
 
 

@@ -173,7 +173,7 @@ def test_each_doubt_is_drawn_on_its_own():
 
 @pytest.mark.parametrize("wrong", [{"scores": -0.5}, {"scores": float("nan")}, {"weights": 1.5}, {"weights": -0.1}])
 def test_a_doubt_that_makes_no_sense_is_refused(wrong):
-    with pytest.raises(InputError, match="uncertainty about"):
+    with pytest.raises(InputError, match="uncertainty of"):
         Uncertainty(**wrong)
 
 

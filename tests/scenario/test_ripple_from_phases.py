@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from torquerig.catalog.phases import drawn_phases
+from torquerig.catalog.phases import sample_phases
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import parse_document, read_document
@@ -14,7 +14,7 @@ from torquerig.mechanisms import CommutationRipple, FieldOrientedControl, SixSte
 from torquerig.rig.host_changes import DriveRipple, waves_of
 from torquerig.rig.parts import MotorPhases
 from torquerig.rig.steady import steady_torque
-from torquerig.scenario.from_catalog import copy_of
+from torquerig.scenario.from_catalog import sample_of
 from torquerig.scenario.overrides import overridden
 from torquerig.scenario.reading import read_scenario
 
@@ -92,21 +92,21 @@ def test_from_catalog_is_what_stands_without_the_key():
 def test_resistance_inductance_and_torque_constant_are_of_one_number_of_turns(motor, seed):
     """The same rank in every interval, and a DC link that reaches the largest speed."""
     entry = CATALOG.motor(motor)
-    copy = copy_of(entry, seed)
-    phases = drawn_phases(copy, seed)
-    assert phases == drawn_phases(copy, seed)
-    pairs, flux = copy.count("pole_pairs"), phases.values["flux_linkage"]
+    sample = sample_of(entry, seed)
+    phases = sample_phases(sample, seed)
+    assert phases == sample_phases(sample, seed)
+    pairs, flux = sample.count("pole_pairs"), phases.values["flux_linkage"]
     constant = flux * (2 * pairs if entry.kind == "bldc" else 1.5 * sqrt(2) * pairs)
     assert entry.torque_constant.low <= constant <= entry.torque_constant.high
     for field in ("phase_resistance", "phase_inductance"):
         assert getattr(entry, field).low <= phases.values[field] <= getattr(entry, field).high
-    line_emf = flux * pairs * copy.value("max_speed") * (2 if entry.kind == "bldc" else sqrt(3))
+    line_emf = flux * pairs * sample.value("max_speed") * (2 if entry.kind == "bldc" else sqrt(3))
     assert line_emf < phases.values["dc_link"] < 2 * line_emf
 
 
 def test_a_stated_supply_is_rectified():
-    copy = copy_of(CATALOG.motor("HDS6A-0104A"), 1)
-    assert drawn_phases(copy, 1).values["dc_link"] == pytest.approx(sqrt(2) * 230)
+    sample = sample_of(CATALOG.motor("HDS6A-0104A"), 1)
+    assert sample_phases(sample, 1).values["dc_link"] == pytest.approx(sqrt(2) * 230)
 
 
 def test_the_ripple_follows_the_operating_point():
@@ -155,5 +155,5 @@ def test_what_cannot_be_is_refused_with_its_line(written, said):
 def test_a_motor_file_that_states_no_resistance_is_refused():
     motor = CATALOG.motor("bldc-12n14p")
     unknown = motor.model_copy(update={"phase_resistance": type(motor.phase_resistance)()})
-    with pytest.raises(InputError, match="nothing is known of phase_resistance"):
-        drawn_phases(copy_of(unknown, 1), 1)
+    with pytest.raises(InputError, match="phase_resistance is unknown"):
+        sample_phases(sample_of(unknown, 1), 1)

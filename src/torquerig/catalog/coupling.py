@@ -1,4 +1,4 @@
-"""The schema of a coupling file: a torsional spring with damping, and the orders that its jaws add."""
+"""Schema of a coupling file: torsional stiffness, damping, and the orders of its jaws."""
 
 from __future__ import annotations
 
@@ -34,5 +34,5 @@ class Coupling(Entry):
     @model_validator(mode="after")
     def _is_damped(self) -> Self:
         if self.damping.unknown and self.damping_ratio.unknown and self.loss_factor.unknown:
-            raise ValueError("nothing says how it is damped; state damping, damping_ratio or loss_factor")
+            raise ValueError("the damping is missing; state damping, damping_ratio or loss_factor")
         return self

@@ -1,4 +1,4 @@
-"""What every catalog entry shares: a name, a title, notes, and counts that must be whole."""
+"""Common fields of all catalog entries: name, title, note; integer counts."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ Text = Annotated[str, StringConstraints(strict=True, strip_whitespace=True, min_
 
 
 class Record(BaseModel):
-    """A frozen part of a YAML file; a key that it does not know is refused."""
+    """A frozen part of a YAML file; an unknown key is an error."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
 class Evidenced(Record):
-    """A record that says where it comes from.
+    """A record with its evidence and source.
 
     Parameters
     ----------
@@ -48,16 +48,16 @@ class Fact(Evidenced):
 
 
 class Entry(Record):
-    """One thing that can be bought.
+    """One catalog entry.
 
     Parameters
     ----------
     name : str
         The id by which scenarios and the command line name it.
     title : str
-        One line for people.
+        One line of description.
     note : str
-        What a reader of the file should know before relying on it.
+        Remarks on the reliability of the values.
     """
 
     name: Text
@@ -68,7 +68,7 @@ class Entry(Record):
 def whole_choices(estimate: Estimate) -> Estimate:
     """Return ``estimate`` of a count if its value or each of its choices is whole, else raise ValueError."""
     if estimate.low is not None or estimate.rel_sd:
-        raise ValueError("a count has no interval or spread; write one_of: [4, 5]")
+        raise ValueError("a count has no interval or standard deviation; write one_of: [4, 5]")
     counts = estimate.choices or (() if estimate.value is None else (estimate.value,))
     for count in counts:
         if count != int(count):

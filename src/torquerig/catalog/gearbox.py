@@ -1,4 +1,4 @@
-"""The schema of a gearbox file: one reduction between motor and torque sensor."""
+"""Schema of a gearbox file: one reduction between motor and torque sensor."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Count = Annotated[int, Field(ge=1, strict=True)]
 
 
 class ToothSet(Record):
-    """Tooth counts of one stage: sun and ring (carrier taken off), or pinion and wheel (gears or toothed belt).
+    """Tooth counts of one stage: sun and ring (output at the carrier), or pinion and wheel (gears or toothed belt).
 
     Raises
     ------
@@ -39,7 +39,7 @@ class ToothSet(Record):
         return self
 
     def stage(self) -> Teeth:
-        """Return the stage as the orders need it; InputError where there is no such stage."""
+        """Return the stage for the order calculation; InputError where there is no such stage."""
         if self.sun and self.ring and not (self.pinion or self.wheel):
             return Planetary(self.sun, self.ring, self.planets)
         if self.pinion and self.wheel and not (self.sun or self.ring or self.planet or self.planets):
@@ -48,7 +48,7 @@ class ToothSet(Record):
 
 
 class ToothSets(Evidenced):
-    """The tooth counts that a single-stage gearbox may have: one set where they are known, several where not."""
+    """Possible tooth counts of a single-stage gearbox: one set where they are known, else several."""
 
     one_of: tuple[ToothSet, ...] = Field(min_length=1)
 
@@ -94,5 +94,5 @@ class Gearbox(Entry):
         return self
 
     def tooth_sets(self) -> tuple[Teeth, ...]:
-        """Return the stages that the gearbox may have inside; empty where the tooth counts are unknown."""
+        """Return the possible stages of the gearbox; empty where the tooth counts are unknown."""
         return () if self.teeth is None else tuple(teeth.stage() for teeth in self.teeth.one_of)

@@ -1,4 +1,4 @@
-"""The torque lines that a drawn motor makes: at which order of its shaft, how large, and what the size follows."""
+"""Torque lines of a sampled motor: order of its shaft, amplitude, and dependence on load."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import lcm
 
-from torquerig.catalog.drawing import Drawn
 from torquerig.catalog.motor import Motor
+from torquerig.catalog.sampling import Sample
 from torquerig.orders.kinematics.kinematic_lines import Family
 
 KNOWN_FAMILIES: dict[str, Family] = {
@@ -28,11 +28,11 @@ class RippleLine:
     order : int
         Periods per turn of the motor [1/rev].
     torque : float
-        Zero-to-peak torque whatever the load [N m], >= 0.
+        Zero-to-peak torque, independent of the load [N m], >= 0.
     share : float
         Zero-to-peak share of the transmitted torque [1], >= 0.
     field : str
-        Of the catalog entry, that states its size: ``ripple.cogging_native``.
+        Field of the catalog entry with its amplitude: ``ripple.cogging_native``.
     """
 
     family: Family
@@ -42,26 +42,26 @@ class RippleLine:
     field: str = ""
 
 
-def ripple_lines(motor: Drawn[Motor]) -> tuple[RippleLine, ...]:
-    """Return the known lines of the motor, or, where there are none, the lines that its class has.
+def ripple_lines(motor: Sample[Motor]) -> tuple[RippleLine, ...]:
+    """Return the known lines of the motor, or the lines of its class where none are known.
 
     Source: handbook 1.1 (native cogging), 1.2 (tolerance cogging), 1.4 and 1.5 (six pulses), 1.8 (cage), 2.1 (current
-    offset), 2.2 (current gain). Only the fundamental of each class line is given; phases are not known. An induction
-    motor's slip is left out: its electrical lines stand slightly above whole orders of the shaft.
+    offset), 2.2 (current gain). Only the fundamental of each class line is given; phases are not known. The slip
+    of an induction motor is not included: its electrical lines are slightly above integer orders of the shaft.
     """
     known = motor.entry.ripple.known_lines
     lines = _class_lines(motor) if known is None else _known_lines(motor)
     return tuple(line for line in lines if line.torque or line.share)
 
 
-def _known_lines(motor: Drawn[Motor]) -> Iterator[RippleLine]:
+def _known_lines(motor: Sample[Motor]) -> Iterator[RippleLine]:
     for name, family in KNOWN_FAMILIES.items():
         for order in getattr(motor.entry.ripple.known_lines, name):
             field = f"ripple.known_lines.{name}.{order}"
             yield RippleLine(family, order, torque=motor.value(field), field=field)
 
 
-def _class_lines(motor: Drawn[Motor]) -> Iterator[RippleLine]:
+def _class_lines(motor: Sample[Motor]) -> Iterator[RippleLine]:
     poles, slots = motor.count("pole_pairs"), round(motor.values.get("slots", 0))
     rated = motor.value("rated_torque")
 

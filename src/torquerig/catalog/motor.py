@@ -1,4 +1,4 @@
-"""The schema of a motor file: what one motor is, each value with unit, interval, evidence and source."""
+"""Schema of a motor file: each value with unit, interval, evidence and source."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from torquerig.catalog.ripple import Ripple
 from torquerig.machines.winding import no_winding, winding_pairs
 from torquerig.parameter import Estimate, Parameter
 
-KT_TOLERANCE = 0.10  # rated torque and current are rounded and taken at another temperature than the constant
+KT_TOLERANCE = 0.10  # [1] rated torque and current are rounded, and hold at another temperature than the constant
 
 
 class Alias(Record):
-    """Another name under which the motor stands somewhere, where, and why it is taken to be the same."""
+    """Another name of the motor in some table, with the reason for taking it as the same."""
 
     name: Text
     table: Text
@@ -26,7 +26,7 @@ class Alias(Record):
 class Motor(Entry):
     """One motor with its drive.
 
-    What a simulation needs must be stated, if only as an interval; what is left out is unknown and shown as ``?``.
+    Values that a simulation needs must be stated, at least as an interval; other values may be unknown (``?``).
 
     Raises
     ------
@@ -69,7 +69,7 @@ class Motor(Entry):
 
     rotor_inertia: Annotated[Estimate, Parameter("kg*m^2", "rotor inertia", above=0)]
     coulomb_friction: Annotated[Estimate, Parameter("N*m", "dry friction", low=0)]
-    viscous_friction: Annotated[Estimate, Parameter("N*m*s/rad", "friction that grows with speed", low=0)]
+    viscous_friction: Annotated[Estimate, Parameter("N*m*s/rad", "friction in proportion to speed", low=0)]
     mass: Annotated[Estimate, Parameter("kg", "mass", above=0)] = UNKNOWN
     shaft_diameter: Annotated[Estimate, Parameter("mm", "shaft diameter", above=0)] = UNKNOWN
     encoder_bits: Annotated[Estimate, Parameter("bit", "encoder resolution", low=1)] = UNKNOWN
@@ -131,5 +131,5 @@ class Motor(Entry):
 def _not_below(upper: Estimate, info: ValidationInfo, field: str) -> Estimate:
     lower: Estimate = info.data.get(field, UNKNOWN)
     if not lower.unknown and not upper.unknown and upper.bounds[1] < lower.bounds[0]:
-        raise ValueError(f"{upper.shown()} lies below {field} {lower.shown()}; correct one of them")
+        raise ValueError(f"{upper.shown()} is below {field} {lower.shown()}; correct one of them")
     return upper

@@ -1,4 +1,4 @@
-"""Reading catalog folders into one catalog, in which motors are found by name or alias."""
+"""Catalog folders read into one catalog, in which motors are found by name or alias."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SHELVES: dict[str, type[Entry]] = {"motors": Motor, "gearboxes": Gearbox, "senso
 
 @dataclass(frozen=True)
 class Catalog:
-    """Everything that can be bought, by name."""
+    """All catalog entries, by name."""
 
     motors: Mapping[str, Motor] = field(default_factory=dict)
     gearboxes: Mapping[str, Gearbox] = field(default_factory=dict)
@@ -32,7 +32,7 @@ class Catalog:
     couplings: Mapping[str, Coupling] = field(default_factory=dict)
 
     def motor(self, name: str) -> Motor:
-        """Return the motor ``name``; under an alias it keeps that name, with ``stands_for`` naming the real one."""
+        """Return the motor ``name``; under an alias it keeps that name, and ``stands_for`` is the real name."""
         if name in self.motors:
             return self.motors[name]
         real, _ = self._aliases().get(name, ("", None))
@@ -41,7 +41,7 @@ class Catalog:
         return self.motors[real].model_copy(update={"name": name, "stands_for": real})
 
     def resolved(self, name: str) -> Alias | None:
-        """Return why and from where ``name`` is another motor's alias; None where it is a motor's own name."""
+        """Return the alias entry of ``name``, with its reason and source; None where it is the name of a motor."""
         self.motor(name)
         return None if name in self.motors else self._aliases()[name][1]
 
@@ -69,7 +69,7 @@ def load_catalog(*folders: Path) -> Catalog:
     Raises
     ------
     InputError
-        When a folder is missing or has none of the four, when a file cannot be read, and when a name or alias stands
+        When a folder is missing or has none of the four, when a file cannot be read, and when a name or alias occurs
         twice within one folder; with file, line and key.
     """
     shelves: dict[str, dict[str, Any]] = {shelf: {} for shelf in SHELVES}
@@ -92,9 +92,9 @@ def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
         raise InputError(f"{folder}: there is no such catalog folder; check the path")
     below = sorted(child.name for child in folder.iterdir() if child.is_dir() and any(child.glob("*.y*ml")))
-    strange = next((name for name in below if name not in SHELVES), None)
-    if strange:
-        raise InputError(f"{folder / strange}: not a catalog folder; {did_you_mean(strange, SHELVES)}")
+    unknown = next((name for name in below if name not in SHELVES), None)
+    if unknown:
+        raise InputError(f"{folder / unknown}: not a catalog folder; {did_you_mean(unknown, SHELVES)}")
     loose = next(iter(sorted(folder.glob("*.y*ml"))), None)
     if loose or not below:
         where = loose or folder
@@ -109,7 +109,7 @@ def _read_shelf(folder: Path, kind: type[AnyEntry]) -> dict[str, AnyEntry]:
         for name, keys in _names(entry):
             if name in seen:
                 place = read_document(path).place(keys)
-                raise InputError(f"{place}: the name {name!r} stands already in {seen[name]}; rename one of them")
+                raise InputError(f"{place}: the name {name!r} is already in {seen[name]}; rename one of them")
             seen[name] = path
         entries[entry.name] = entry
     return entries

@@ -1,4 +1,4 @@
-"""How rough a motor's torque is: line by line where it is known, else by class, in shares of its torque."""
+"""Torque ripple of a motor: line by line where it is known, else by class, as shares of its torque."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Lines = dict[Order, LineTorque]
 
 
 class KnownLines(Record):
-    """Zero-to-peak torques [N m] by motor order [1/rev], on the motor's shaft, whatever the load.
+    """Zero-to-peak torques [N m] by motor order [1/rev], on the motor's shaft, independent of the load.
 
     Parameters
     ----------
@@ -34,8 +34,8 @@ class KnownLines(Record):
 class Ripple(Record):
     """The torque ripple of one motor.
 
-    ``known_lines``, where stated, is what a simulation takes; the shares then stand beside it as documentation of
-    what the class would have. All shares are zero to peak.
+    A simulation uses ``known_lines`` where they are stated; the shares then only document the class. All shares are
+    zero to peak.
 
     Raises
     ------
@@ -67,7 +67,7 @@ class Ripple(Record):
     ] = UNKNOWN
 
     @model_validator(mode="after")
-    def _says_something(self) -> Self:
+    def _is_not_empty(self) -> Self:
         shares = (self.cogging_native, self.six_pulse_ripple, self.rotor_slot_ripple)
         if self.known_lines is None and all(share.unknown for share in shares):
             raise ValueError("the ripple is empty; state known_lines, or cogging_native and six_pulse_ripple")

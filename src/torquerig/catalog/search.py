@@ -1,4 +1,4 @@
-"""Which catalog folders a scenario or a command reads."""
+"""Catalog folders that a scenario or a command reads."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.extensions import extensions
 
 
 def catalog_for(scenario: Path | None, further: Sequence[Path] = ()) -> Catalog:
-    """Return all catalogs that serve a scenario, merged; an entry of a later folder replaces one of an earlier.
+    """Return all catalogs of a scenario, merged; an entry of a later folder replaces one of an earlier.
 
     In this order: the shipped catalog, those of installed packages (entry points ``torquerig.catalogs``), the folder
     ``catalogs`` next to the scenario's folder and in it (without a scenario: in the current folder), and ``further``.

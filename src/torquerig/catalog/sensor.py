@@ -1,4 +1,4 @@
-"""The schema of a torque sensor file: what it measures, how it bends, and how it lies."""
+"""Schema of a torque sensor file: range, stiffness, errors and converter."""
 
 from __future__ import annotations
 

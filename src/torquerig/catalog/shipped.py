@@ -1,4 +1,4 @@
-"""Where the catalogs and scenarios lie that come with torquerig: inside a wheel, or at the top of a checkout."""
+"""Folders of the catalogs and scenarios that come with torquerig: inside a wheel, or at the top of a checkout."""
 
 from __future__ import annotations
 

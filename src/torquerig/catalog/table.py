@@ -1,4 +1,4 @@
-"""The rows of ``torquerig catalog``: what is documented as a number, what is not as ``?`` with its interval."""
+"""Rows of ``torquerig catalog``: documented values as numbers, others as ``?`` with their interval."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ class FromCatalog:
     known : Estimate
         What the file states.
     used : float
-        What this copy of the part has [SI].
+        What this sample of the part has [SI].
     """
 
     entry: str

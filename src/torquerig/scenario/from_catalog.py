@@ -8,11 +8,11 @@ from math import pi
 from typing import Any, TypeVar
 
 from torquerig.catalog.coupling import Coupling
-from torquerig.catalog.drawing import Drawn, drawn, drawn_teeth
 from torquerig.catalog.entry import Entry, estimates
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import Catalog
+from torquerig.catalog.sampling import Sample, sample_entry, sample_teeth
 from torquerig.catalog.sensor import Sensor
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.scenario.filled import Filled, FromCatalog
@@ -90,79 +90,81 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
         found = shelves[kind](entry)
     except UnknownNameError as error:
         raise InputError(f"{place}.catalog: {error}") from None
-    copy = copy_of(found, seed)
-    filled = _quantities(copy, kind, name)
+    sample = sample_of(found, seed)
+    filled = _quantities(sample, kind, name)
     if isinstance(found, Motor):
-        motor = Drawn(found, copy.values, copy.assumed)
+        motor = Sample(found, sample.values, sample.assumed)
         return _on_its_supply(filled, motor, place) if kind == "induction_drive" else _with_winding(filled, motor)
     if isinstance(found, Gearbox):
         return _with_teeth(filled, found, seed)
     if isinstance(found, Coupling):
-        return _with_damping(filled, copy)
-    if isinstance(found, Sensor) and "adc.bits" in copy.values:
-        taken = {**filled.taken, "converter_bits": _taken(copy, "adc.bits")}
-        return replace(filled, values={**filled.values, "converter_bits": copy.count("adc.bits")}, taken=taken)
+        return _with_damping(filled, sample)
+    if isinstance(found, Sensor) and "adc.bits" in sample.values:
+        taken = {**filled.taken, "converter_bits": _taken(sample, "adc.bits")}
+        return replace(filled, values={**filled.values, "converter_bits": sample.count("adc.bits")}, taken=taken)
     return filled
 
 
-def _quantities(copy: Drawn[Any], kind: str, name: str) -> Filled:
+def _quantities(sample: Sample[Any], kind: str, name: str) -> Filled:
     values: dict[str, Any] = {"kind": kind}
     uncertainties, assumed, taken = {}, {}, {}
-    known = dict(estimates(copy.entry))
+    known = dict(estimates(sample.entry))
     for target, source, unit in FIELDS[kind]:
-        if source not in copy.values:
+        if source not in sample.values:
             continue
-        values[target] = written_quantity(copy.values[source], unit)
-        taken[target] = _taken(copy, source)
+        values[target] = written_quantity(sample.values[source], unit)
+        taken[target] = _taken(sample, source)
         spread = known[source].spread if target not in RANGES else known[source].rel_sd
-        if spread and (source in copy.assumed or known[source].rel_sd):
+        if spread and (source in sample.assumed or known[source].rel_sd):
             uncertainties[target] = spread
-        if source in copy.assumed:
-            value, shown = in_unit(copy.values[source], known[source].unit), known[source].unit
-            assumed[target] = f"{value:.4g}{'' if shown == '1' else ' ' + shown} of {copy.assumed[source].known}"
+        if source in sample.assumed:
+            value, shown = in_unit(sample.values[source], known[source].unit), known[source].unit
+            assumed[target] = f"{value:.4g}{'' if shown == '1' else ' ' + shown} of {sample.assumed[source].known}"
     return Filled(name=name, values=values, uncertainties=uncertainties, assumed=assumed, taken=taken)
 
 
-def _taken(copy: Drawn[Any], source: str) -> FromCatalog:
-    known = dict(estimates(copy.entry))[source]
-    maker = getattr(copy.entry, "stands_for", "") or copy.entry.name
-    return FromCatalog(entry=maker, field=source, known=known, used=copy.values[source])
+def _taken(sample: Sample[Any], source: str) -> FromCatalog:
+    known = dict(estimates(sample.entry))[source]
+    maker = getattr(sample.entry, "stands_for", "") or sample.entry.name
+    return FromCatalog(entry=maker, field=source, known=known, used=sample.values[source])
 
 
-def _with_winding(filled: Filled, copy: Drawn[Motor]) -> Filled:
+def _with_winding(filled: Filled, sample: Sample[Motor]) -> Filled:
     """Return the motor with pole pairs, slots and the lines that it brings along."""
-    counts = {key: copy.count(key) for key in ("pole_pairs", "slots") if key in copy.values}
-    assumed = {key: f"{counts[key]} of {copy.assumed[key].known}" for key in counts if key in copy.assumed}
-    if not copy.entry.ripple.known_lines:
-        shares = {key: known for key, known in copy.assumed.items() if key.startswith("ripple.")}
-        assumed |= {key: f"{copy.values[key]:.3g} of {known.known}" for key, known in shares.items()}
-    lines = [key for key in copy.values if key.startswith("ripple.")]
-    if copy.entry.ripple.known_lines:
+    counts = {key: sample.count(key) for key in ("pole_pairs", "slots") if key in sample.values}
+    assumed = {key: f"{counts[key]} of {sample.assumed[key].known}" for key in counts if key in sample.assumed}
+    if not sample.entry.ripple.known_lines:
+        shares = {key: known for key, known in sample.assumed.items() if key.startswith("ripple.")}
+        assumed |= {key: f"{sample.values[key]:.3g} of {known.known}" for key, known in shares.items()}
+    lines = [key for key in sample.values if key.startswith("ripple.")]
+    if sample.entry.ripple.known_lines:
         lines = [key for key in lines if key.startswith("ripple.known_lines.")]
     return replace(
         filled,
-        values={**filled.values, "model": copy.entry.name, **counts},
+        values={**filled.values, "model": sample.entry.name, **counts},
         assumed={**filled.assumed, **assumed},
-        taken={**filled.taken, **{key: _taken(copy, key) for key in (*counts, *lines)}},
-        effects=motor_effects(copy, filled.name),
+        taken={**filled.taken, **{key: _taken(sample, key) for key in (*counts, *lines)}},
+        effects=motor_effects(sample, filled.name),
     )
 
 
-def _on_its_supply(filled: Filled, copy: Drawn[Motor], place: str) -> Filled:
+def _on_its_supply(filled: Filled, sample: Sample[Motor], place: str) -> Filled:
     """Return the drive of an induction motor with its pole pairs; InputError where the motor is of another kind."""
-    if copy.entry.kind != "induction":
+    if sample.entry.kind != "induction":
         raise InputError(
-            f"{place}.catalog: {copy.entry.name} is a {copy.entry.kind} motor, which has no slip; write a "
+            f"{place}.catalog: {sample.entry.name} is a {sample.entry.kind} motor, which has no slip; write a "
             "speed_controller for it"
         )
-    pairs = copy.count("pole_pairs")
-    assumed = {"pole_pairs": f"{pairs} of {copy.assumed['pole_pairs'].known}"} if "pole_pairs" in copy.assumed else {}
+    pairs = sample.count("pole_pairs")
+    assumed = (
+        {"pole_pairs": f"{pairs} of {sample.assumed['pole_pairs'].known}"} if "pole_pairs" in sample.assumed else {}
+    )
     return replace(filled, values={**filled.values, "pole_pairs": pairs}, assumed={**filled.assumed, **assumed})
 
 
 def _with_teeth(filled: Filled, gearbox: Gearbox, seed: int) -> Filled:
     """Return the gear with its ratio and, where a set is known or possible, its teeth."""
-    teeth, sets = drawn_teeth(gearbox, seed), gearbox.tooth_sets()
+    teeth, sets = sample_teeth(gearbox, seed), gearbox.tooth_sets()
     values = {**filled.values, "ratio": gearbox.ratio, "teeth": [] if teeth is None else [asdict(teeth)]}
     if teeth is None or len(sets) < 2:
         return replace(filled, values=values)
@@ -170,7 +172,7 @@ def _with_teeth(filled: Filled, gearbox: Gearbox, seed: int) -> Filled:
     return replace(filled, values=values, assumed={**filled.assumed, **chosen})
 
 
-def _with_damping(filled: Filled, copy: Drawn[Any]) -> Filled:
+def _with_damping(filled: Filled, sample: Sample[Any]) -> Filled:
     """Return the coupling with a viscous damping, where the catalog has only a damping ratio or a loss factor.
 
     ``c = 2 zeta k / w`` and ``c = eta k / w`` at the angular frequency w of ``COUPLING_MODE``: a viscous damper has
@@ -178,30 +180,30 @@ def _with_damping(filled: Filled, copy: Drawn[Any]) -> Filled:
     """
     if "damping" in filled.values:
         return filled
-    source = "damping_ratio" if "damping_ratio" in copy.values else "loss_factor"
-    loss = copy.value(source) * (2 if source == "damping_ratio" else 1)
-    damping = loss * copy.value("stiffness") / (2 * pi * COUPLING_MODE)
-    spread = dict(estimates(copy.entry))[source].spread
+    source = "damping_ratio" if "damping_ratio" in sample.values else "loss_factor"
+    loss = sample.value(source) * (2 if source == "damping_ratio" else 1)
+    damping = loss * sample.value("stiffness") / (2 * pi * COUPLING_MODE)
+    spread = dict(estimates(sample.entry))[source].spread
     text = f"{damping:.3g} N*m*s/rad, from its {source.replace('_', ' ')} at {COUPLING_MODE:g} Hz"
     return replace(
         filled,
         values={**filled.values, "damping": written_quantity(damping, "N*m*s/rad")},
         assumed={**filled.assumed, "damping": text},
         uncertainties={**filled.uncertainties, **({"damping": spread} if spread else {})},
-        taken={**filled.taken, "damping": _taken(copy, source)},
+        taken={**filled.taken, "damping": _taken(sample, source)},
     )
 
 
-def copy_of(entry: AnyEntry, seed: int) -> Drawn[AnyEntry]:
-    """Return one possible copy: stated values as they are (a spread around them is for calibration), others drawn."""
-    copy = drawn(entry, seed)
+def sample_of(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
+    """Return one possible sample: stated values as they are (a spread around them is for calibration), others drawn."""
+    sample = sample_entry(entry, seed)
     stated = {
         name: estimate.value
         for name, estimate in estimates(entry)
         if estimate.value is not None and estimate.low is None and not estimate.choices
     }
-    return Drawn(
+    return Sample(
         entry,
-        {**copy.values, **stated},
-        {name: assumed for name, assumed in copy.assumed.items() if name not in stated},
+        {**sample.values, **stated},
+        {name: assumed for name, assumed in sample.assumed.items() if name not in stated},
     )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from torquerig.catalog.drawing import Drawn
 from torquerig.catalog.entry import estimates
 from torquerig.catalog.lines import RippleLine, ripple_lines
 from torquerig.catalog.motor import Motor
+from torquerig.catalog.sampling import Sample
 from torquerig.parameter import Estimate
 from torquerig.scenario.filled import Filled
 from torquerig.units import written_quantity
@@ -24,7 +24,7 @@ GROUPS = {
 """Which share of the sensor's reading a family of lines is counted to."""
 
 
-def motor_effects(motor: Drawn[Motor], name: str) -> tuple[Filled, ...]:
+def motor_effects(motor: Sample[Motor], name: str) -> tuple[Filled, ...]:
     """Return the lines of the motor part ``name``: one effect per group, and one per line that follows the torque."""
     lines, known = ripple_lines(motor), dict(estimates(motor.entry))
     effects = []

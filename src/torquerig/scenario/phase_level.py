@@ -7,10 +7,10 @@ from typing import Any
 
 from torquerig.catalog.entry import estimates
 from torquerig.catalog.motor import Motor
-from torquerig.catalog.phases import drawn_phases
+from torquerig.catalog.phases import sample_phases
 from torquerig.errors import InputError, did_you_mean
 from torquerig.scenario.filled import Filled, FromCatalog
-from torquerig.scenario.from_catalog import copy_of
+from torquerig.scenario.from_catalog import sample_of
 from torquerig.units import written_quantity
 
 SOURCES = ("from_catalog", "from_phase_level")
@@ -49,9 +49,9 @@ def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
     if motor.kind == "induction":
         text = "lines of its class: an induction motor has no commutation"
         return replace(filled, assumed={**filled.assumed, "ripple": text})
-    copy = copy_of(motor, seed)
-    phases = drawn_phases(copy, seed)
-    pairs = copy.count("pole_pairs")
+    sample = sample_of(motor, seed)
+    phases = sample_phases(sample, seed)
+    pairs = sample.count("pole_pairs")
     values: dict[str, Any] = {field: written_quantity(value, UNITS[field]) for field, value in phases.values.items()}
     values |= {"kind": "motor_phases", "motor": filled.name, "pole_pairs": pairs}
     if "current_loop_bandwidth" in filled.values:
@@ -63,9 +63,9 @@ def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
     taken = {key: one for key, one in filled.taken.items() if key != "ripple.six_pulse_ripple"}
     known, maker = dict(estimates(motor)), motor.stands_for or motor.name
     taken |= {
-        key: FromCatalog(entry=maker, field=key, known=known[key], used=copy.values[key])
+        key: FromCatalog(entry=maker, field=key, known=known[key], used=sample.values[key])
         for key in PHASES
-        if key in copy.values
+        if key in sample.values
     }
     return replace(
         filled,
@@ -74,7 +74,7 @@ def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
         effects=(
             *kept,
             Filled(name=f"{filled.name}.phases", values=values, assumed=phases.assumed),
-            _commutation(filled.name, motor, copy.values.get("dead_time", 0.0)),
+            _commutation(filled.name, motor, sample.values.get("dead_time", 0.0)),
         ),
     )
 

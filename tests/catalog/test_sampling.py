@@ -4,10 +4,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from torquerig.catalog.drawing import drawn, drawn_teeth, nominal
 from torquerig.catalog.entry import estimates
 from torquerig.catalog.lines import ripple_lines
 from torquerig.catalog.reading import load_catalog
+from torquerig.catalog.sampling import nominal, sample_entry, sample_teeth
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.errors import InputError
 from torquerig.machines.winding import has_winding, winding_pairs
@@ -22,7 +22,7 @@ SERVOS = [name for name, motor in CATALOG.motors.items() if motor.kind != "induc
 @given(name=st.sampled_from([*CATALOG.motors]), seed=SEEDS)
 def test_every_drawn_value_lies_in_its_interval(name, seed):
     motor = CATALOG.motor(name)
-    values = drawn(motor, seed).values
+    values = sample_entry(motor, seed).values
     for field, estimate in estimates(motor):
         if estimate.low is not None:
             assert estimate.low <= values[field] <= estimate.high
@@ -33,7 +33,7 @@ def test_every_drawn_value_lies_in_its_interval(name, seed):
 @settings(max_examples=40, deadline=None)
 @given(name=st.sampled_from(SERVOS), seed=SEEDS)
 def test_drawn_pole_pairs_and_slots_have_a_winding(name, seed):
-    motor = drawn(CATALOG.motor(name), seed)
+    motor = sample_entry(CATALOG.motor(name), seed)
     assert has_winding(motor.count("pole_pairs"), motor.count("slots"))
 
 
@@ -42,7 +42,7 @@ def test_drawn_pole_pairs_and_slots_have_a_winding(name, seed):
 def test_pairs_without_a_winding_are_never_drawn(seed):
     motor = CATALOG.motor("HDS6A-0104A")
     choices = {"pole_pairs": Estimate(choices=(3.0, 4.0)), "slots": Estimate(choices=(12.0, 9.0))}
-    pair = drawn(motor.model_copy(update=choices), seed)
+    pair = sample_entry(motor.model_copy(update=choices), seed)
     assert (pair.count("pole_pairs"), pair.count("slots")) in [(3, 9), (4, 12), (4, 9)]
 
 
@@ -56,20 +56,20 @@ def test_a_winding_exists_where_the_star_of_slots_says_so():
 
 def test_the_same_seed_draws_the_same_and_another_seed_does_not():
     motor = CATALOG.motor("HDS6A-0104A")
-    assert drawn(motor, 3) == drawn(motor, 3)
-    assert drawn(motor, 3).value("rotor_inertia") != drawn(motor, 4).value("rotor_inertia")
+    assert sample_entry(motor, 3) == sample_entry(motor, 3)
+    assert sample_entry(motor, 3).value("rotor_inertia") != sample_entry(motor, 4).value("rotor_inertia")
 
 
 def test_a_draw_does_not_depend_on_what_else_the_file_states():
     motor = CATALOG.motor("HDS6A-0104A")
     fewer = motor.model_copy(update={"mass": Estimate(), "rated_current": Estimate()})
-    more, less = drawn(motor, 3).values, drawn(fewer, 3).values
+    more, less = sample_entry(motor, 3).values, sample_entry(fewer, 3).values
     assert set(more) - set(less) == {"mass", "rated_current"}
     assert all(more[field] == less[field] for field in less)
 
 
 def test_an_alias_draws_the_numbers_of_the_motor_that_it_stands_for():
-    assert drawn(CATALOG.motor("HDS5C-102A"), 5).values == drawn(CATALOG.motor("HDS6A-0102A"), 5).values
+    assert sample_entry(CATALOG.motor("HDS5C-102A"), 5).values == sample_entry(CATALOG.motor("HDS6A-0102A"), 5).values
 
 
 def test_what_is_documented_is_not_assumed_and_everything_else_is():
@@ -83,20 +83,20 @@ def test_what_is_documented_is_not_assumed_and_everything_else_is():
 def test_a_spread_is_assumed_only_where_it_was_drawn():
     motor = CATALOG.motor("bldc-12n14p")
     assert "rotor_inertia" not in nominal(motor).assumed
-    assert drawn(motor, 1).assumed["rotor_inertia"].known == "0.00015 kg*m^2 ± 8%"
+    assert sample_entry(motor, 1).assumed["rotor_inertia"].known == "0.00015 kg*m^2 ± 8%"
 
 
 def test_an_unknown_value_is_named_with_the_remedy():
-    with pytest.raises(InputError, match="GP-71M: nothing is known of torque_constant; state low and high"):
+    with pytest.raises(InputError, match="GP-71M: torque_constant is unknown; state low and high"):
         nominal(CATALOG.motor("GP-71M")).value("torque_constant")
 
 
 def test_teeth_are_drawn_among_the_possible_sets():
     box = CATALOG.gearbox("economy-5-1")
-    rings = {drawn_teeth(box, seed).mesh_order_out for seed in range(60)}
+    rings = {sample_teeth(box, seed).mesh_order_out for seed in range(60)}
     assert rings <= {stage.mesh_order_out for stage in box.tooth_sets()}
     assert len(rings) > 3
-    assert drawn_teeth(CATALOG.gearbox("reference-5-1"), 0) is None
+    assert sample_teeth(CATALOG.gearbox("reference-5-1"), 0) is None
 
 
 def test_the_rig_motor_has_the_published_lines_and_a_servo_those_of_its_class():
@@ -109,7 +109,7 @@ def test_the_rig_motor_has_the_published_lines_and_a_servo_those_of_its_class():
 
 
 def test_an_induction_motor_does_not_cog():
-    families = {line.family for line in ripple_lines(drawn(CATALOG.motor("GP-71M"), 2))}
+    families = {line.family for line in ripple_lines(sample_entry(CATALOG.motor("GP-71M"), 2))}
     assert families == {"motor", "electrical"}
 
 
@@ -117,7 +117,7 @@ def test_two_values_and_two_motors_are_drawn_independently():
     # equal quantiles would mean a shared generator: the chance of two uniform draws within 1e-9 is 2e-9
     def quantile(motor, field):
         known = getattr(motor, field)
-        return (drawn(motor, 7).value(field) - known.low) / (known.high - known.low)
+        return (sample_entry(motor, 7).value(field) - known.low) / (known.high - known.low)
 
     one, other = CATALOG.motor("HDS60-0104A"), CATALOG.motor("ESM06X-401-302")
     assert abs(quantile(one, "rated_current") - quantile(one, "torque_constant")) > 1e-9

@@ -1,4 +1,4 @@
-"""Numbers for a simulation from what the catalog knows, and a list of those that had to be assumed."""
+"""Monte Carlo samples of catalog entries: values for a simulation, with a list of the assumed ones."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ AnyEntry = TypeVar("AnyEntry", bound=Entry)
 
 @dataclass(frozen=True)
 class Assumed:
-    """A value that no document states: the one that was taken [SI], and what is known of it, as a table shows it."""
+    """A value that no document states: the sampled value [SI], and its interval as a table shows it."""
 
     value: float
     known: str
 
 
 @dataclass(frozen=True)
-class Drawn(Generic[AnyEntry]):
-    """One possible copy of a catalog entry.
+class Sample(Generic[AnyEntry]):
+    """One Monte Carlo sample of a catalog entry.
 
     Parameters
     ----------
     entry : Motor, Gearbox, Sensor or Coupling
-        Where the values come from.
+        The catalog entry.
     values : mapping of str to float
         Every value that is not unknown [SI], by dotted name: ``rotor_inertia``, ``ripple.cogging_native``.
     assumed : mapping of str to Assumed
@@ -45,42 +45,42 @@ class Drawn(Generic[AnyEntry]):
     assumed: Mapping[str, Assumed]
 
     def value(self, field: str) -> float:
-        """Return one value [SI]; InputError where the catalog knows nothing of it."""
+        """Return one value [SI]; InputError where it is unknown."""
         if field not in self.values:
             raise InputError(
-                f"{self.entry.name}: nothing is known of {field}; state low and high with their evidence in its file"
+                f"{self.entry.name}: {field} is unknown; state low and high with their evidence in its file"
             )
         return self.values[field]
 
     def count(self, field: str) -> int:
-        """Return one whole value, such as ``pole_pairs``; InputError where the catalog knows nothing of it."""
+        """Return one whole value, such as ``pole_pairs``; InputError where it is unknown."""
         return round(self.value(field))
 
 
-def drawn(entry: AnyEntry, seed: int) -> Drawn[AnyEntry]:
-    """Draw every value of ``entry`` once.
+def sample_entry(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
+    """Return one random sample of every value of ``entry``.
 
-    Each value has a random generator of its own, fixed by the seed, the entry and the name of the value: adding a
-    value to a file changes no other draw. Under an alias the same numbers come out as under the motor's own name.
-    Pole pairs and slots are drawn as a pair that has a winding.
+    Each value has a separate random generator, fixed by the seed, the entry and the name of the value: adding a value
+    to a file changes no other sample. An alias gives the same values as the motor's name. Pole pairs and slots are
+    sampled as a pair that has a winding.
     """
     values = {field: estimate.draw(random_for(seed, f"{_origin(entry)}.{field}")) for field, estimate in _known(entry)}
     if pairs := _pairs(entry):
         at = int(random_for(seed, f"{_origin(entry)}.winding").integers(len(pairs)))
         values |= _as_values(pairs[at])
-    return Drawn(entry, values, _assumed(entry, values))
+    return Sample(entry, values, _assumed(entry, values))
 
 
-def nominal(entry: AnyEntry) -> Drawn[AnyEntry]:
-    """Take the stated or middle value of everything, and the first pair of pole pairs and slots that has a winding."""
+def nominal(entry: AnyEntry) -> Sample[AnyEntry]:
+    """Return the stated or middle value of every field, and the first pole pairs and slots that have a winding."""
     values = {field: estimate.nominal() for field, estimate in _known(entry)}
     if pairs := _pairs(entry):
         values |= _as_values(pairs[0])
-    return Drawn(entry, values, _assumed(entry, values))
+    return Sample(entry, values, _assumed(entry, values))
 
 
-def drawn_teeth(gearbox: Gearbox, seed: int) -> Teeth | None:
-    """Draw one of the tooth sets that the gearbox may have; None where nothing is known of its teeth."""
+def sample_teeth(gearbox: Gearbox, seed: int) -> Teeth | None:
+    """Return one random tooth set of the gearbox; None where its teeth are unknown."""
     sets = gearbox.tooth_sets()
     return sets[int(random_for(seed, f"{gearbox.name}.teeth").integers(len(sets)))] if sets else None
 
@@ -103,11 +103,11 @@ def _as_values(pair: tuple[int, int]) -> dict[str, float]:
 
 def _assumed(entry: Entry, values: Mapping[str, float]) -> dict[str, Assumed]:
     return {
-        field: Assumed(values[field], _spoken(estimate))
+        field: Assumed(values[field], _text(estimate))
         for field, estimate in _known(entry)
         if not estimate.documented or values[field] != estimate.value
     }
 
 
-def _spoken(estimate: Estimate) -> str:
+def _text(estimate: Estimate) -> str:
     return f"{estimate.shown()} ± {estimate.rel_sd:.0%}" if estimate.rel_sd else estimate.shown()
