@@ -10,7 +10,7 @@ from torquerig.reporting.layout import Cell, Table, number, words
 from torquerig.reporting.matrix.chapters import Chapter
 
 REQUIRED = {
-    "emps": "68.6 to 5.1 with dry friction, 4.3 by direction; a ripple of 400 cycles/m left unexplained",
+    "emps": "68.6 to 5.1 with dry friction, 4.3 by direction; a ripple of 400 cycles/m stays unexplained",
     "laas": "0.1395 to 0.052 with order 72, 0.042 with 18 and 36",
     "brfd": "1.61 to 0.40 with presliding, 0.30 with backlash",
 }

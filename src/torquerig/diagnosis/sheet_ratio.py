@@ -80,7 +80,7 @@ def _not_of_this_rig(said: str, recordings: Sequence[Recording], ratio: float, *
         )
     return RecordingError(
         f"{said}, the scenario's rig has {ratio:g}, and the lines of the torque do not decide; correct the sidecar, or "
-        "use the scenario of the recorded rig"
+        "use the right scenario"
     )
 
 

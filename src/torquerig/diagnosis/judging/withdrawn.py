@@ -50,8 +50,8 @@ _COMBINED = (
     "residuals remain elsewhere"
 )
 _COMBINED_AT_MOST = (
-    "fitted, then rejected: its order is the sum or difference of two larger orders of the rig, and the held-out data "
-    "may be predicted as well without it"
+    "fitted, then rejected: its order is the sum or difference of two larger orders of the rig, and it may not "
+    "improve the prediction"
 )
 _ITS_OWN_BAND = (
     "fitted, then rejected: its resonance band is too strong in one recording and too weak in another, as with noise "
