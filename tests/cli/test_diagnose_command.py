@@ -176,7 +176,7 @@ def test_check_says_what_would_be_compared_and_writes_nothing(folder: Path, caps
     with pytest.raises(SystemExit) as stopped:
         main(("diagnose", "pressure.csv", "--scenario", WEAR_RIG, "--check"))
     assert stopped.value.code == 2
-    assert "pressure_Pa' measures is not known" in capsys.readouterr().err
+    assert "the column 'pressure_Pa' is not known" in capsys.readouterr().err
     assert sorted(path.name for path in folder.iterdir()) == before
 
 

@@ -53,13 +53,12 @@ def explanation(
         Fall of chi-square with the finding.
     """
     said = f"The model lacks {_what(mechanism, parameters)}. "
-    said += f"It explains {share:.0%} of the squared residual where it acts."
+    said += f"It explains {100 * share:.0f} % of the squared residual where it acts."
     others = [(name, other) for name, other in rivals if name != mechanism and other > 0]
     if others and gain > 0:
         name, other = others[0]
-        return (
-            f"{said} The best alternative, {name.replace('_', ' ')}, lowers chi-square by {other / gain:.0%} as much."
-        )
+        best = f"The best alternative, {name.replace('_', ' ')},"
+        return f"{said} {best} lowers chi-square by {100 * other / gain:.0f} % as much."
     return f"{said} No other mechanism of the library lowers chi-square." if rivals else said
 
 

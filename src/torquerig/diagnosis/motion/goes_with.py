@@ -56,7 +56,7 @@ def goes_with(model: FittedMotion, runs: Sequence[Moved]) -> GoesWith | None:
         domain="time", axis="s", at=0.5 * longest, width=longest, recordings=tuple(run.name for run in runs),
         excess_dB=10 * log10(1 / max(1 - fall, 1e-6)), share_of_misfit=fall, p_value=chance,
     )  # fmt: skip
-    return GoesWith(sentence=f"One effect explains {fall:.0%} of the squared residual: {said}.", mismatch=place)
+    return GoesWith(sentence=f"One effect explains {100 * fall:.0f} % of the squared residual: {said}.", mismatch=place)
 
 
 def _tried(model: FittedMotion, runs: Sequence[Moved]) -> Iterator[tuple[str, list[Floats]]]:

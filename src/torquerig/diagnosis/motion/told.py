@@ -39,6 +39,10 @@ _VARIANT = {
     "linear": "a drift of the sensor zero",
     "exponential": "a drift of the sensor zero with a time constant of {time_constant_s:.3g} s",
 }
+_SIZES = (
+    "coulomb_Nm", "coulomb_Nm_forward", "coulomb_Nm_backward", "gap_arcmin", "gap_m", "amplitude_Nm", "amplitude_V",
+    "span_V", "coefficient_Nms2", "inertia_kgm2", "frequency_Hz",
+)  # fmt: skip
 _PLAIN = {
     "stribeck_friction": "dry friction",
     "mains_interference": "mains interference",
@@ -169,14 +173,22 @@ def _sentence(kept: Tried, parameters: Mapping[str, Stated], share: float, rival
     what = _VARIANT.get(candidate.variant) or _PLAIN.get(candidate.mechanism, candidate.mechanism.replace("_", " "))
     values = {name: stated.value for name, stated in parameters.items()}
     joint = getattr(candidate.parts[0], "gear", "")
-    said = f"The model lacks {what.format(joint=joint, **values)}."
+    said = f"The model lacks {what.format(joint=joint, **values)}{_sizes(parameters)}."
     beside = f"With {kept.beside.replace('_', ' ')} in the model, it" if kept.beside else "It"
-    said += f" {beside} explains {share:.0%} of the remaining squared residual."
+    said += f" {beside} explains {100 * share:.0f} % of the remaining squared residual."
     helping = [(name, gain) for name, gain in rivals if gain > 0]
     if not helping:
         return f"{said} No other mechanism of the library reduces it."
     name, gain = helping[0]
-    return f"{said} The best alternative, {name.replace('_', ' ')}, has {gain / kept.gain:.0%} of its gain."
+    return f"{said} The best alternative, {name.replace('_', ' ')}, has {100 * gain / kept.gain:.0f} % of its gain."
+
+
+def _sizes(parameters: Mapping[str, Stated]) -> str:
+    """Return the parameters that state how large an effect is, with units, in brackets."""
+    stated = {name: parameters[name] for name in _SIZES if name in parameters}
+    ways = {name: f" {name.rpartition('_')[2]}" for name in stated if name.endswith(("_forward", "_backward"))}
+    sizes = [f"{one.value:.3g} {one.unit}{ways.get(name, '')}" for name, one in stated.items()]
+    return f" ({', '.join(sizes)})" if sizes else ""
 
 
 def relative_error(model: FittedMotion, runs: Sequence[Moved], *, held: bool = True) -> float:

@@ -20,7 +20,8 @@ LIMITS = (
     "A mechanism that is not in the library is located, but not named.",
     "The comparison ends at a tenth of the sample rate. Above it, noise dominates the acceleration.",
     "The measured motion is imposed on the model. An error of the encoder therefore appears as torque or force.",
-    f"A mean residual below {TOLERANCE:.0%} of the torque or force is not reported, nor a line that hardly reduces it.",
+    f"A mean residual below {100 * TOLERANCE:.0f} % of the torque or force is not reported.",
+    "A line that hardly reduces the residual is not reported.",
     "Held-out data are other stretches of the same runs. They show overfitting, but they do not validate other rigs.",
 )
 

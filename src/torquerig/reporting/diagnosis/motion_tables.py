@@ -58,8 +58,8 @@ def _alternatives(finding: Finding, step: Step, outcome: MotionOutcome) -> Table
         rows=(*rows, nothing), emphasised=frozenset({0}),
         note="Gain: twice the increase of the log-likelihood of the fitted data, less the penalty for further "
         "parameters. The likelihood accounts for coloured residuals. A finding needs a gain of at least "
-        f"{LEAST_GAIN:g} and a residual that falls by at least {LEAST_FALL:.0%}. Each candidate is first fitted alone; "
-        "only the best are refitted together with the model.",
+        f"{LEAST_GAIN:g} and a residual that falls by at least {100 * LEAST_FALL:.0f} %. Each candidate is "
+        "first fitted alone; only the best are refitted together with the model.",
     )  # fmt: skip
 
 
