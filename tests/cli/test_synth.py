@@ -70,7 +70,7 @@ def test_a_reading_is_taken_apart(capsys: pytest.CaptureFixture[str]) -> None:
         (("control", "--duration", "5"), "--duration: '5' has no unit; write '5 s'"),
         (("control", "--amplitude", "0 N*m"), "--amplitude: 0 is not possible; write more than 0"),
         (("control", "--ratio", "-1"), "--ratio -1 is not possible"),
-        (("control", "--out", "x.wav"), "the ending '.wav' is no format that is written"),
+        (("control", "--out", "x.wav"), "the ending '.wav' cannot be written"),
         (("sweep", "--to", "20 kHz"), "sweep: 20000 Hz is not below half the sample rate"),
         (("mixture", WEAR_RIG), "is no mixture; write synthetic: NAME"),
         (("mixture", "nope.yaml"), "nope.yaml: there is no such file"),
