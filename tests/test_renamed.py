@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from torquerig import renamed
+from torquerig.catalog.ripple import KnownLines
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli import COMMANDS, main
 from torquerig.document import parse_document
@@ -86,3 +87,12 @@ def test_the_old_option_is_hidden_and_still_read(capsys: pytest.CaptureFixture[s
     told = capsys.readouterr().out
     assert "--evaluate" in told
     assert "--judge" not in told
+
+
+def test_the_catalog_reads_an_old_key(capsys: pytest.CaptureFixture[str]) -> None:
+    line = {"value": "0.02 N*m", "evidence": "REF", "source": "a rig"}
+    old, present = (KnownLines.model_validate({key: {6: line}}) for key in ("cogging_as_published", "cogging_per_pole"))
+    assert old == present
+    assert capsys.readouterr().err.count("cogging_as_published is now named cogging_per_pole") == 1
+    with pytest.raises(ValueError, match="old and its present name"):
+        KnownLines.model_validate({"cogging_as_published": {6: line}, "cogging_per_pole": {6: line}})

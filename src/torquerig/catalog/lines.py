@@ -12,7 +12,7 @@ from torquerig.orders.kinematics.kinematic_lines import Family
 
 KNOWN_FAMILIES: dict[str, Family] = {
     "mechanical": "motor",
-    "cogging_as_published": "cogging_per_pole",
+    "cogging_per_pole": "cogging_per_pole",
     "electrical": "electrical",
 }
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Self
+from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
 from torquerig.catalog.entry import UNKNOWN, Order, Record
 from torquerig.parameter import Estimate, Parameter
+from torquerig.renamed import current_name
 
 LineTorque = Annotated[Estimate, Parameter("N*m", "zero-to-peak torque of the line", low=0)]
 Lines = dict[Order, LineTorque]
+RENAMED = {"cogging_as_published": "cogging_per_pole"}
 
 
 class KnownLines(Record):
@@ -20,15 +22,25 @@ class KnownLines(Record):
     ----------
     mechanical : dict of int to Estimate
         Imbalance and runout of the rotor and their harmonics.
-    cogging_as_published : dict of int to Estimate
-        Order LCM(slots, magnets) / magnets and its harmonics: the reference report calls this line cogging.
+    cogging_per_pole : dict of int to Estimate
+        Order LCM(slots, magnets) / magnets and its harmonics; once ``cogging_as_published``.
     electrical : dict of int to Estimate
         The electrical period (pole pairs per turn) and its harmonics.
     """
 
     mechanical: Lines = Field(default_factory=dict)
-    cogging_as_published: Lines = Field(default_factory=dict)
+    cogging_per_pole: Lines = Field(default_factory=dict)
     electrical: Lines = Field(default_factory=dict)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _under_present_keys(cls, written: Any) -> Any:
+        if not isinstance(written, dict) or not RENAMED.keys() & written.keys():
+            return written
+        present = {current_name(str(key), RENAMED, what="catalog key"): value for key, value in written.items()}
+        if len(present) < len(written):
+            raise ValueError(f"a key has its old and its present name; keep one of {', '.join(map(str, written))}")
+        return present
 
 
 class Ripple(Record):

@@ -9,6 +9,7 @@ from typing import Generic, TypeVar
 from torquerig.catalog.entry import Entry, counts_of, estimates
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Motor
+from torquerig.catalog.ripple import RENAMED
 from torquerig.errors import InputError
 from torquerig.machines.winding import winding_pairs
 from torquerig.orders.kinematics.teeth import Teeth
@@ -64,7 +65,10 @@ def sample_entry(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
     to a file changes no other sample. An alias gives the same values as the motor's name. Pole pairs and slots are
     sampled as a pair that has a winding.
     """
-    values = {field: estimate.draw(random_for(seed, f"{_origin(entry)}.{field}")) for field, estimate in _known(entry)}
+    values = {
+        field: estimate.draw(random_for(seed, f"{_origin(entry)}.{_draw_name(field)}"))
+        for field, estimate in _known(entry)
+    }
     if pairs := _pairs(entry):
         at = int(random_for(seed, f"{_origin(entry)}.winding").integers(len(pairs)))
         values |= _as_values(pairs[at])
@@ -91,6 +95,13 @@ def _known(entry: Entry) -> Iterator[tuple[str, Estimate]]:
 
 def _origin(entry: Entry) -> str:
     return (entry.stands_for if isinstance(entry, Motor) else "") or entry.name
+
+
+def _draw_name(field: str) -> str:
+    """Return the name that determines the draw of a field: its first one, so that a renamed field keeps its draw."""
+    for first, present in RENAMED.items():
+        field = field.replace(f".{present}.", f".{first}.")
+    return field
 
 
 def _pairs(entry: Entry) -> list[tuple[int, int]]:
