@@ -34,7 +34,7 @@ def refusal(path: Path, kind: type[Exception] = RecordingError) -> str:
 
 def test_missing_file_names_the_close_one(tmp_path: Path) -> None:
     made(tmp_path, {"torque_V": [1, 2]})
-    assert "the file does not exist; did you mean 'run1.parquet'?" in refusal(tmp_path / "run2.parquet", InputError)
+    assert "there is no such file; did you mean 'run1.parquet'?" in refusal(tmp_path / "run2.parquet", InputError)
     assert "check the path" in refusal(tmp_path / "no" / "run2.parquet", InputError)
 
 
