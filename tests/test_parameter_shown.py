@@ -23,7 +23,7 @@ def test_an_out_of_range_value_is_named_in_the_unit_of_the_declaration():
 
 def test_a_value_outside_its_own_interval_is_refused():
     written = {"value": "3 N*m", "low": "1 N*m", "high": "2 N*m", "evidence": "RT", "source": "x"}
-    with pytest.raises(ValueError, match="the value lies outside its own low and high"):
+    with pytest.raises(ValueError, match="the value is outside low and high"):
         Parameter("N*m", "torque").read_estimate(written)
 
 
@@ -31,8 +31,8 @@ def test_a_value_outside_its_own_interval_is_refused():
     ("broken", "sentence"),
     [
         ({"one_of": 4}, "one_of is 4; write a list"),
-        ({"value": "1 N*m", "rel_sd": -0.1}, "rel_sd is -0.1; write the one-sigma"),
-        ({"value": "1 N*m", "rel_sd": [0.1]}, r"rel_sd is \[0.1\]; write the one-sigma"),
+        ({"value": "1 N*m", "rel_sd": -0.1}, "rel_sd is -0.1; write the relative"),
+        ({"value": "1 N*m", "rel_sd": [0.1]}, r"rel_sd is \[0.1\]; write the relative"),
         ({7: 1, "valeu": "1 N*m"}, "unknown key '7'"),
     ],
 )

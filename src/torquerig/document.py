@@ -1,6 +1,6 @@
-"""Where in a YAML file a value stands: reading with line numbers, and schema errors as one sentence each.
+"""YAML files with line numbers; schema errors as one sentence each.
 
-YAML here is YAML 1.2: ``no`` is text, ``0123`` is text, ``1e5`` is a number, and a key that stands twice is refused.
+YAML here is YAML 1.2: ``no`` is text, ``0123`` is text, ``1e5`` is a number, and a duplicate key is an error.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class Document:
 
 
 def read_document(path: Path) -> Document:
-    """Read one YAML file; InputError where it is missing, is no YAML, is empty, or has a key twice."""
+    """Read one YAML file; InputError where it is missing, is no YAML, is empty, or has a duplicate key."""
     try:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
@@ -168,8 +168,8 @@ def validated(
 ) -> Model:  # fmt: skip
     """Return the document's data (or the part ``within``) as the adapter's type; InputError lists every problem.
 
-    ``data`` stands in for the part ``within`` where defaults have been filled in; places are still the document's.
-    ``context`` is what fields may ask, such as ``{"in_a_line": True}``.
+    ``data`` replaces the part ``within`` where defaults have been filled in; places are those of the document.
+    ``context`` is passed to the fields, such as ``{"in_a_line": True}``.
     """
     from pydantic import ValidationError
 
@@ -188,20 +188,20 @@ def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, ad
     keys = (*within, *detail["loc"])
     kind, last = detail["type"], str(detail["loc"][-1]) if detail["loc"] else ""
     if kind == "misspelt":
-        told = f"unknown key; did you mean {detail['meant']!r}?"
+        text = f"unknown key; did you mean {detail['meant']!r}?"
     elif kind in ("extra_forbidden", "unexpected_keyword_argument"):
-        told = f"unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
+        text = f"unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
     elif kind in ("missing", "missing_argument"):
-        told = f"the key {last!r} is missing; add it"
+        text = f"the key {last!r} is missing; add it"
     elif kind == "value_error":
-        told = str(detail["ctx"]["error"])
+        text = str(detail["ctx"]["error"])
     else:
-        told = _told(kind, detail)
-    return f"{document.place(keys)}: {told}"
+        text = _problem_text(kind, detail)
+    return f"{document.place(keys)}: {text}"
 
 
-def _told(kind: str, detail: Any) -> str:
-    """Return what is wrong with a value that stands at a known key, and what to write."""
+def _problem_text(kind: str, detail: Any) -> str:
+    """Return what is wrong with a value at a known key, and what to write."""
     written = detail.get("input")
     if kind in PLAIN_WORDS:
         return f"{written!r} is {PLAIN_WORDS[kind]}"
@@ -220,28 +220,28 @@ PLAIN_WORDS: Mapping[str, str] = {
     **dict.fromkeys(("dict_type", "model_type"), "no mapping; write key: value pairs"),
     **dict.fromkeys(("list_type", "tuple_type"), "no list; write [one, two]"),
 }
-"""What pydantic finds, in words that say what to write."""
+"""Errors of pydantic as text with the remedy."""
 BOUNDS: Mapping[str, tuple[str, str]] = {
     "greater_than_equal": ("at least", "ge"), "greater_than": ("above", "gt"),
     "less_than_equal": ("at most", "le"), "less_than": ("below", "lt"),
 }  # fmt: skip
-"""Its bounds: the word for each, and where it keeps the number."""
+"""Bounds of pydantic: the word for each, and the key of its number."""
 QUOTED = re.compile(r"'([^']*)'")
 
 
 def _without_misspelt(details: Iterable[Any]) -> list[Any]:
-    """Return the problems with an unknown key and the missing one that it is a misspelling of told as one."""
-    told = list(details)
-    missing = [detail["loc"] for detail in told if detail["type"] in ("missing", "missing_argument")]
-    for at, detail in enumerate(told):
+    """Return the problems; an unknown key that misspells a missing one counts as one problem."""
+    found = list(details)
+    missing = [detail["loc"] for detail in found if detail["type"] in ("missing", "missing_argument")]
+    for at, detail in enumerate(found):
         if detail["type"] not in ("extra_forbidden", "unexpected_keyword_argument"):
             continue
-        beside = {str(loc[-1]): loc for loc in missing if loc[:-1] == detail["loc"][:-1]}
-        for meant in get_close_matches(str(detail["loc"][-1]), beside, n=1, cutoff=0.8):
-            told[at] = {"type": "misspelt", "loc": detail["loc"], "meant": meant}
-            missing.remove(beside[meant])
+        siblings = {str(loc[-1]): loc for loc in missing if loc[:-1] == detail["loc"][:-1]}
+        for meant in get_close_matches(str(detail["loc"][-1]), siblings, n=1, cutoff=0.8):
+            found[at] = {"type": "misspelt", "loc": detail["loc"], "meant": meant}
+            missing.remove(siblings[meant])
     return [
-        detail for detail in told if detail["type"] not in ("missing", "missing_argument") or detail["loc"] in missing
+        detail for detail in found if detail["type"] not in ("missing", "missing_argument") or detail["loc"] in missing
     ]
 
 
@@ -282,7 +282,7 @@ def _refuse_doubles(node: yaml.Node, path: Path) -> None:
             line = name.start_mark.line + 1
             if name.value in seen:
                 raise InputError(
-                    f"{path}:{line}: the key {name.value!r} stands already in line {seen[name.value]}; keep one of them"
+                    f"{path}:{line}: the key {name.value!r} is already in line {seen[name.value]}; keep one of them"
                 )
             seen[name.value] = line
             _refuse_doubles(value, path)

@@ -1,4 +1,4 @@
-"""What a number in a model is: unit, bounds, meaning; and what is known of it: value, interval, evidence, source."""
+"""Parameters of a model: unit, bounds and meaning; and estimates: value, interval, evidence and source."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 EVIDENCE = {
     "DOC": "printed in the reference report, or in the maker's own table for this very product",
     "SC": "seen in a maker's table for a product of the same class",
-    "MEM": "same-class figure from general knowledge, not read again",
+    "MEM": "same-class figure from general knowledge, not checked",
     "RT": "rule of thumb",
     "CALC": "computed from tagged numbers",
     "REF": "the nominal reference rig",
@@ -28,10 +28,11 @@ EVIDENCE = {
 
 @dataclass(frozen=True)
 class Estimate:
-    """What is known of one value [SI]: documented, an interval, a choice, or a one-sigma relative spread.
+    """Knowledge of one value [SI]: documented, an interval, a choice, or a relative standard deviation.
 
     ``value`` alone is documented; ``low``..``high`` is uniform, log-uniform where high/low > 5 (the catalog's rule);
-    ``choices`` are equally likely; ``rel_sd`` is a log-normal spread around ``value``. All ``None`` is unknown.
+    ``choices`` are equally likely; ``rel_sd`` is the standard deviation of a log-normal distribution around ``value``.
+    All ``None`` is unknown.
     """
 
     value: float | None = None
@@ -46,17 +47,17 @@ class Estimate:
 
     @property
     def documented(self) -> bool:
-        """Whether the value itself is printed somewhere, so that a table may show it as a number."""
+        """Whether the value is documented, so that a table may show it as a number."""
         return self.value is not None and self.low is None and not self.choices
 
     @property
     def unknown(self) -> bool:
-        """Whether nothing at all is known, so that not even a draw is possible."""
+        """Whether nothing is known, so that the value cannot be sampled."""
         return self.value is None and self.low is None and not self.choices
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The lowest and the highest value it may have [SI]; one sigma where a spread is stated, NaN if unknown."""
+        """Lowest and highest possible value [SI]; one standard deviation around ``value`` where stated; NaN if unknown."""
         if self.choices:
             return min(self.choices), max(self.choices)
         if self.low is not None and self.high is not None:
@@ -66,11 +67,11 @@ class Estimate:
         return self.value * exp(-self.rel_sd), self.value * exp(self.rel_sd)
 
     @property
-    def spread(self) -> float:
-        """One-sigma relative spread of a real part around the value that a scenario has of it [1]; 0 if unknown.
+    def part_rel_sd(self) -> float:
+        """Relative standard deviation of a real part around the value of the scenario [1]; 0 if unknown.
 
-        ``rel_sd`` where stated; of an interval, from which that value is drawn, the rms of ``ln(one / other)`` of two
-        log-uniform draws: ``ln(high / low) / sqrt(6)``.
+        ``rel_sd`` where stated; for an interval, from which that value is sampled, the rms of ``ln(one / other)`` of
+        two log-uniform samples: ``ln(high / low) / sqrt(6)``.
         """
         if self.low is None or self.high is None or not 0 < self.low < self.high:
             return self.rel_sd
@@ -86,7 +87,7 @@ class Estimate:
         return sqrt(low * high) if low > 0 and high / low > 5 else 0.5 * (low + high)
 
     def draw(self, rng: np.random.Generator) -> float:
-        """Return one value drawn from what is known [SI]; a documented value is returned as it is."""
+        """Return one random sample [SI]; a documented value is returned unchanged."""
         if self.choices:
             return float(rng.choice(self.choices))
         if self.low is not None and self.high is not None:
@@ -121,7 +122,7 @@ class Parameter:
 
     pydantic reads such a field from text with a unit; a bare number is refused where a unit is possible. On an
     ``Estimate`` field the YAML holds a mapping with value, or low and high, or one_of, and with evidence and source.
-    With ``{"in_a_line": True}`` as pydantic's context the unit is that of something that moves in a line.
+    With ``{"in_a_line": True}`` as pydantic's context the unit is that of linear motion.
     """
 
     unit: str
@@ -132,7 +133,7 @@ class Parameter:
 
     @property
     def in_a_line(self) -> Parameter:
-        """The same number of something that moves in a line: N for N*m, kg for kg*m^2."""
+        """The same parameter for linear motion: N for N*m, kg for kg*m^2."""
         return replace(self, unit=IN_A_LINE.get(self.unit, self.unit))
 
     def read(self, written: Any) -> float:
@@ -161,7 +162,7 @@ class Parameter:
         return number
 
     def read_estimate(self, written: Any) -> Estimate:
-        """Return the Estimate that a mapping states; a documented value may not be a guess, a guess needs bounds."""
+        """Return the Estimate that a mapping states; a value without a document needs bounds."""
         if not isinstance(written, Mapping):
             raise ValueError(
                 f"{written!r} needs its evidence; write a mapping with value, or low and high, and evidence and source"
@@ -183,7 +184,7 @@ class Parameter:
         choices = tuple(self.read(choice) for choice in _listed(written.get("one_of", [])))
         value = self.read(written["value"]) if "value" in written else None
         if value is not None and low is not None and high is not None and not low <= value <= high:
-            raise ValueError("the value lies outside its own low and high; correct one of them")
+            raise ValueError("the value is outside low and high; correct one of them")
         estimate = Estimate(
             value,
             low,
@@ -224,7 +225,7 @@ def _listed(written: Any) -> list[Any]:
 
 def _spread(written: Any) -> float:
     if isinstance(written, bool) or not isinstance(written, int | float) or not 0 <= written < inf:
-        raise ValueError(f"rel_sd is {written!r}; write the one-sigma relative spread as a number, such as 0.1")
+        raise ValueError(f"rel_sd is {written!r}; write the relative standard deviation as a number, such as 0.1")
     return float(written)
 
 

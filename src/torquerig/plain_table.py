@@ -1,4 +1,4 @@
-"""Aligned columns and wrapped sentences for the terminal: no colour, nothing computed."""
+"""Aligned columns and wrapped sentences for the terminal: without colours."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""What a written quantity is in SI: a closed table of the spellings that data sheets use.
+"""Conversion of written quantities to SI, by a table of the spellings of data sheets.
 
-A table instead of a units library, because libraries read the field's spellings wrongly and in silence: ``3 Nm`` as
+A table instead of a units library, because libraries misread common spellings without an error: ``3 Nm`` as
 newton-metre of textile count, ``5,2 N*m`` as 52, ``600 rpm`` as a frequency (pint 0.25 does all three, see docs/).
 """
 

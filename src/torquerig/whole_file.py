@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all."""
+"""Files that are written completely or not at all."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from pathlib import Path
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
-    """Lend a name beside ``path`` to write to; what is complete takes its place, what fails leaves nothing behind.
+    """Yield a temporary path in the same folder; it replaces ``path`` on success and is deleted on failure.
 
-    The name has the ending of ``path``, by which some libraries choose a format, and the number of this process, so
-    that two at once do not write into each other's. What is no file, as a pipe, is written to as it is.
+    The name has the ending of ``path``, by which some libraries choose a format, and the process id, so that two
+    processes do not conflict. A pipe is written to directly.
 
     Raises
     ------
     OSError
-        Where the folder cannot be written to; what stood at ``path`` is as it was.
+        Where the folder cannot be written to; the file at ``path`` is unchanged.
     """
     if path.exists() and not path.is_file():
         yield path

@@ -49,7 +49,7 @@ def test_a_steady_duty_is_warmer_in_warmer_surroundings_by_more_than_the_differe
     warm = said(capsys, "duty", WEAR_RIG, "--ambient", "60", "--set", "load.occupancy=21")
     name = "winding, highest, settled C"
     assert float(figure_of(warm, name)[0]) > float(figure_of(cool, name)[0]) + 40
-    assert "flagged: bldc-12n14p has an rms torque of 0.857 N*m, which may be beyond its rated" in cool
+    assert "flagged: bldc-12n14p has an rms torque of 0.857 N*m, which may exceed its rated" in cool
 
 
 def test_a_motor_too_small_is_told(capsys):

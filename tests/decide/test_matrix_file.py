@@ -50,7 +50,7 @@ def test_the_shipped_example_reads_every_form_of_a_cell():
         ("    price: 400", "    price: [500, 400]", "price: the interval 500..400 must run upwards"),
         ("    price: 400", "    price: {valu: 400}", "price.valu: unknown key; did you mean 'value'"),
         ("    servo drive: no", "    servo drive: perhaps", "servo drive: 'perhaps' is no answer"),
-        ("  servo A:", "  present drive:", "the key 'present drive' stands already in line"),
+        ("  servo A:", "  present drive:", "the key 'present drive' is already in line"),
         ("better: band", "better: bend", "criteria.rotor inertia.better: 'bend' is unknown; did you mean 'band'"),
         ("weight: 0.5", "weight: heavy", "criteria.ripple at the sensor.weight: 'heavy' is no number; write one"),
         ("  servo A:\n", '  "":\n', "alternatives.: a name is empty"),

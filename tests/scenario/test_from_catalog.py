@@ -89,5 +89,5 @@ def test_the_spread_of_two_draws_is_what_their_logarithms_differ_by() -> None:
     rng = np.random.default_rng(1)
     known = Estimate(low=0.2, high=4.0)
     draws = np.log([[known.draw(rng) for _ in range(4000)] for _ in range(2)])
-    assert known.spread == pytest.approx(float(np.sqrt(np.mean((draws[0] - draws[1]) ** 2))), rel=0.03)
-    assert Estimate(1.0).spread == 0.0
+    assert known.part_rel_sd == pytest.approx(float(np.sqrt(np.mean((draws[0] - draws[1]) ** 2))), rel=0.03)
+    assert Estimate(1.0).part_rel_sd == 0.0

@@ -115,7 +115,7 @@ FAULTS: dict[str, tuple[str, str, str]] = {
         r"bench\.yaml:17: rig\.load: the rig has no part 'wear_prt'; did you mean 'wear_part'\?",
     ),
     "key twice": (
-        "    ratio: 5\n", "    ratio: 5\n    ratio: 6\n", r"bench\.yaml:11: the key 'ratio' stands already in line 10; keep one of them",
+        "    ratio: 5\n", "    ratio: 5\n    ratio: 6\n", r"bench\.yaml:11: the key 'ratio' is already in line 10; keep one of them",
     ),
     "measured part without spring": (
         "measured: sensor", "measured: wear_part", r"bench\.yaml:5: measured: 'wear_part' has no spring whose torque could be read",
@@ -135,7 +135,7 @@ FAULTS: dict[str, tuple[str, str, str]] = {
         r"bench\.yaml:16: rig\.loop: motor: 'gearbox' is no motor; name one",
     ),
     "spread that is none": (
-        "rel_sd: 0.1", "rel_sd: much", r"bench\.yaml:15: rig\.wear_part\.inertia\.rel_sd: 'much' is no spread; write",
+        "rel_sd: 0.1", "rel_sd: much", r"bench\.yaml:15: rig\.wear_part\.inertia\.rel_sd: 'much' is no standard deviation; write",
     ),
     "misspelt spread": (
         "rel_sd: 0.1", "rel_ds: 0.1", r"bench\.yaml:15: rig\.wear_part\.inertia.*: unknown key; did you mean 'rel_sd'\?",

@@ -12,7 +12,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.simulator import simulate
 from torquerig.synthetic.mixture import components_of
-from torquerig.synthetic.simulated import DIFFERENCE, STAGE, taken_apart
+from torquerig.synthetic.simulated import DIFFERENCE, STAGE, separated_contributions
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +24,7 @@ def rig() -> Rig:
 
 @pytest.fixture(scope="module")
 def apart(rig: Rig) -> Recording:
-    return taken_apart(rig, duration=0.5, seed=1)
+    return separated_contributions(rig, duration=0.5, seed=1)
 
 
 def test_the_parts_sum_to_the_reading(rig: Rig, apart: Recording) -> None:

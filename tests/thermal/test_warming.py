@@ -10,7 +10,7 @@ import pytest
 from torquerig.errors import RecordingError
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 from torquerig.thermal.motor_duty import MotorDuty, duty_of_recording, duty_of_requirement
 from torquerig.thermal.thermal_motor import ThermalMotor
 from torquerig.thermal.two_node import TwoNode
@@ -117,14 +117,14 @@ def test_friction_and_iron_warm_the_housing():
 
 
 def test_a_demand_keeps_its_heat_however_it_is_cut():
-    demand = DriveDemand(
+    requirement = DriveRequirement(
         duration=np.array([30.0, 200.0, 0.1]),
         speed=np.array([[0.0, 100.0], [100.0, 100.0], [100.0, 0.0]]),
         torque=np.array([[1.0, 2.0], [2.0, 2.0], [-2.0, 0.0]]),
         step=np.zeros(3, dtype=bool),
     )
-    made = duty_of_requirement(demand)
-    assert made.rms_torque == pytest.approx(demand.rms_torque)
+    made = duty_of_requirement(requirement)
+    assert made.rms_torque == pytest.approx(requirement.rms_torque)
     assert made.length == pytest.approx(230.1)
     assert made.mean_speed == pytest.approx((30 * 50 + 200 * 100 + 0.1 * 50) / 230.1)
     assert 25 < made.duration.size < 40

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from torquerig.api.inputs import scenario_from
 from torquerig.api.result import Result
 from torquerig.errors import InputError
-from torquerig.scenario.demand_check import check_demand, entry_of
-from torquerig.scenario.drive_demand import drive_demand
+from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.requirement_check import check_requirement, entry_of
 from torquerig.thermal.duty_temperatures import DutyTemperatures, Span, temperatures_of_duty
 from torquerig.thermal.motor_duty import MotorDuty, duty_of_requirement
 from torquerig.thermal.motor_variants import ThermalVariants, thermal_variants
@@ -123,8 +123,8 @@ def duty(
                          "name one with catalog: in the scenario, or with motor=")  # fmt: skip
     points = made.rig.run.set_points
     length = duration if points is None else points.breakpoints(top=0.0, duration=0.0).length
-    warnings = check_demand(made, made.catalog, duration=length)
-    asked = duty_of_requirement(drive_demand(made.rig, duration=length))
+    warnings = check_requirement(made, made.catalog, duration=length)
+    asked = duty_of_requirement(drive_requirement(made.rig, duration=length))
     motors = thermal_variants(entry)
     title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
     judged = temperatures_of_duty(asked, motors, ambient=ambient)

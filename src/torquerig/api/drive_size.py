@@ -120,5 +120,5 @@ def size(
     catalog = catalog_for(file, folders(catalogs))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     drive = sized_drive(made, catalog)
-    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.demand().duration.sum():g} s"
+    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
     return SizedRig(sizing=sizing(drive, ambient=ambient), title=title, ambient=ambient)

@@ -13,8 +13,8 @@ from torquerig.cli.common_options import catalog_option, edited, profile_option,
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
-from torquerig.scenario.demand_check import check_demand, entry_of
-from torquerig.scenario.drive_demand import drive_demand
+from torquerig.scenario.drive_requirement import drive_requirement
+from torquerig.scenario.requirement_check import check_requirement, entry_of
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
 from torquerig.thermal.duty_text import duty_rows, figure_rows, verdict_sentence
@@ -85,10 +85,10 @@ def command(
     else:
         points = made.rig.run.set_points
         length = _seconds(duration) if points is None else points.breakpoints(top=0.0, duration=0.0).length
-        flags = check_demand(made, catalog, duration=length)
-        demand = drive_demand(made.rig, duration=length)
+        flags = check_requirement(made, catalog, duration=length)
+        requirement = drive_requirement(made.rig, duration=length)
         title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
-        of_motor = _DutyOfMotor(duty=duty_of_requirement(demand), entry=entry, title=title, flags=flags)
+        of_motor = _DutyOfMotor(duty=duty_of_requirement(requirement), entry=entry, title=title, flags=flags)
     copies = thermal_variants(entry)
     judged = temperatures_of_duty(of_motor.duty, copies, ambient=ambient)
     _print_duty(of_motor, copies, judged, ambient=ambient)

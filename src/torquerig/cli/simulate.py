@@ -12,8 +12,8 @@ from torquerig.cli.common_options import catalog_option, edited, profile_option,
 from torquerig.errors import UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, write_recording
-from torquerig.scenario.demand_check import check_demand
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.requirement_check import check_requirement
 from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
 from torquerig.study.one_drive import scenario_or_candidate
@@ -57,7 +57,7 @@ def command(
     document = edited(scenario, (*settings, *profile_settings(profile)))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     seconds = stated or _length(made)
-    flags = check_demand(made, catalog, duration=seconds)
+    flags = check_requirement(made, catalog, duration=seconds)
     wander = made.operating_point.slow_speed_wander
     recording = simulate(made.rig, duration=seconds, seed=seed, wander=wander, scenario=made.title)
     kept = with_true_lines(recording, made.rig, seed=seed, wander=wander) if truth else recording.without_truth()

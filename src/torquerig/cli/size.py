@@ -13,7 +13,7 @@ from torquerig.document import Document
 from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
-from torquerig.scenario.demand_check import check_demand
+from torquerig.scenario.requirement_check import check_requirement
 from torquerig.study.definition import Study, open_study
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
@@ -68,10 +68,10 @@ def command(
         return
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     drive = sized_drive(made, catalog)
-    flags = check_demand(made, catalog, duration=float(drive.demand().duration.sum()))
+    flags = check_requirement(made, catalog, duration=float(drive.requirement().duration.sum()))
     study = open_study(document, catalog) if "study" in document.data else None
     sweep = ratio_sweep(drive, study) if study is not None and not _states_ratio(document) else None
-    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.demand().duration.sum():g} s"
+    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
     _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
     if study is not None:
         _print_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
@@ -131,8 +131,8 @@ def _print_all(study: Study, *, ambient: float) -> None:
     found: dict[Candidate, Sizing | str] = {}
     for one in candidates(study):
         drive = sized_candidate(one, study)
-        if drive.demand().top_speed > drive.motor.max_speed.bounds[1]:
-            found[one] = (f"needs {drive.demand().top_speed * 9.5493:.0f} rpm, reaches at most "
+        if drive.requirement().top_speed > drive.motor.max_speed.bounds[1]:
+            found[one] = (f"needs {drive.requirement().top_speed * 9.5493:.0f} rpm, reaches at most "
                           f"{drive.motor.max_speed.bounds[1] * 9.5493:.0f} rpm")  # fmt: skip
             continue
         found[one] = sizing(drive, ambient=ambient, names=IN_TABLE)

@@ -136,13 +136,13 @@ def effects(
     from torquerig.plain_table import grid
     from torquerig.scenario.reading import read_scenario
     from torquerig.synthetic.mixture import components_of
-    from torquerig.synthetic.simulated import taken_apart
+    from torquerig.synthetic.simulated import separated_contributions
 
     check_target(out, overwrite=force)
     number = 1 if seed is None else seed
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, ()), seed=number)
     wander = made.operating_point.slow_speed_wander
-    recording = taken_apart(made.rig, duration=duration, seed=number, wander=wander, scenario=made.title)
+    recording = separated_contributions(made.rig, duration=duration, seed=number, wander=wander, scenario=made.title)
     _write(recording, out, force=force)
     labels = recording.origin["components"]
     rows = [[name, f"{values.mean():.5f}", f"{values.std():.5f}", labels[name]]

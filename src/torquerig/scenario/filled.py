@@ -1,4 +1,4 @@
-"""The data of a part on its way from YAML and catalog to a validated part."""
+"""Data of a part from YAML and catalog, before it is validated."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ class FromCatalog:
     Parameters
     ----------
     entry, field : str
-        The entry, under the name by which its maker knows it, and the field in its file: ``ripple.cogging_native``.
+        The entry, by its maker's name, and the field in its file: ``ripple.cogging_native``.
     known : Estimate
-        What the file states.
+        The value in the file.
     used : float
-        What this sample of the part has [SI].
+        The value of this sample [SI].
     """
 
     entry: str
@@ -30,7 +30,7 @@ class FromCatalog:
 
     @property
     def name(self) -> str:
-        """What to ask the maker for: ``rotor inertia of HDS6A-0104A``."""
+        """Name of the value: ``rotor inertia of HDS6A-0104A``."""
         return f"{self.field.replace('_', ' ').replace('.', ': ')} of {self.entry}"
 
 
@@ -43,11 +43,11 @@ class Filled:
     values : mapping
         As YAML would state them: quantities are texts with units.
     uncertainties : mapping of str to float
-        One-sigma relative spread by field, for a calibration.
+        Relative standard deviation by field, for a calibration.
     assumed : mapping of str to str
-        What no document states: the value taken and the interval that it comes from, by field.
+        Values that no document states, with their interval, by field.
     taken : mapping of str to FromCatalog
-        Everything that the catalog gave, by field of the part; what its effects rest on by the entry's field.
+        Values from the catalog, by field of the part; values of its effects by the entry's field.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""What a catalog entry gives a part: its fields, the lines it brings along, and which values had to be assumed."""
+"""Values of a part from a catalog entry: its fields, its ripple lines, and the assumed values."""
 
 from __future__ import annotations
 
@@ -59,9 +59,9 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
 }
 
 RANGES = ("torque_limit", "rated_torque", "rated_speed", "breakdown_torque", "converter_range", "backlash")
-"""Ends of ranges, and a gap that is none where the flanks touch: nothing that a reading within them could tell."""
+"""Limits of ranges, and the backlash: a reading within the range does not depend on them."""
 
-BOUGHT_AS = {"planetary_gear": "gear", "fixed_axis_gear": "gear"}  # kinds that share a shelf and its fields
+BOUGHT_AS = {"planetary_gear": "gear", "fixed_axis_gear": "gear"}  # kinds with the same catalog folder and fields
 
 COUPLING_MODE = 130.0  # [Hz] where a damping or loss ratio is turned into a damping: the wear rig's first mode
 
@@ -114,7 +114,7 @@ def _quantities(sample: Sample[Any], kind: str, name: str) -> Filled:
             continue
         values[target] = written_quantity(sample.values[source], unit)
         taken[target] = _taken(sample, source)
-        spread = known[source].spread if target not in RANGES else known[source].rel_sd
+        spread = known[source].part_rel_sd if target not in RANGES else known[source].rel_sd
         if spread and (source in sample.assumed or known[source].rel_sd):
             uncertainties[target] = spread
         if source in sample.assumed:
@@ -130,7 +130,7 @@ def _taken(sample: Sample[Any], source: str) -> FromCatalog:
 
 
 def _with_winding(filled: Filled, sample: Sample[Motor]) -> Filled:
-    """Return the motor with pole pairs, slots and the lines that it brings along."""
+    """Return the motor with pole pairs, slots and its ripple lines."""
     counts = {key: sample.count(key) for key in ("pole_pairs", "slots") if key in sample.values}
     assumed = {key: f"{counts[key]} of {sample.assumed[key].known}" for key in counts if key in sample.assumed}
     if not sample.entry.ripple.known_lines:
@@ -183,7 +183,7 @@ def _with_damping(filled: Filled, sample: Sample[Any]) -> Filled:
     source = "damping_ratio" if "damping_ratio" in sample.values else "loss_factor"
     loss = sample.value(source) * (2 if source == "damping_ratio" else 1)
     damping = loss * sample.value("stiffness") / (2 * pi * COUPLING_MODE)
-    spread = dict(estimates(sample.entry))[source].spread
+    spread = dict(estimates(sample.entry))[source].part_rel_sd
     text = f"{damping:.3g} N*m*s/rad, from its {source.replace('_', ' ')} at {COUPLING_MODE:g} Hz"
     return replace(
         filled,
@@ -195,7 +195,7 @@ def _with_damping(filled: Filled, sample: Sample[Any]) -> Filled:
 
 
 def sample_of(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
-    """Return one possible sample: stated values as they are (a spread around them is for calibration), others drawn."""
+    """Return one sample: stated values unchanged (their standard deviation is for calibration), others random."""
     sample = sample_entry(entry, seed)
     stated = {
         name: estimate.value

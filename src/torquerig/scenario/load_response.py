@@ -1,4 +1,4 @@
-"""What the linear twin says the sensor makes of the load: the model that a load inverse takes back."""
+"""Frequency response from load to reading of the linear twin, as used by the load inverse."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def load_response(rig: Rig) -> LoadResponse:
     Raises
     ------
     InputError
-        For a rig without a load, whose reading is of nothing.
+        For a rig without a load.
     """
     twin = twin_of(rig)
     rows = [row for row, term in enumerate(twin.lowered.load_terms) if isinstance(term, Load)]

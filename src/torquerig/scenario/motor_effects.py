@@ -1,4 +1,4 @@
-"""The lines that come with a motor of the catalog, as effects of the rig."""
+"""Ripple lines of a catalog motor, as effects of the rig."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ GROUPS = {
     "electrical": "electrical",
     "six_pulse": "electrical",
 }
-"""Which share of the sensor's reading a family of lines is counted to."""
+"""The share of the reading to which each family of lines belongs."""
 
 
 def motor_effects(motor: Sample[Motor], name: str) -> tuple[Filled, ...]:
@@ -45,7 +45,7 @@ def motor_effects(motor: Sample[Motor], name: str) -> tuple[Filled, ...]:
 
 
 def _spread(field: str, known: Estimate) -> dict[str, float]:
-    return {field: known.spread} if known.spread else {}
+    return {field: known.part_rel_sd} if known.part_rel_sd else {}
 
 
 def _ripple(name: str, group: str, lines: list[RippleLine], known: Mapping[str, Estimate]) -> Filled:
@@ -59,6 +59,6 @@ def _ripple(name: str, group: str, lines: list[RippleLine], known: Mapping[str, 
             "at": name,
             "group": group,
             "amplitudes": {order: written_quantity(torque, "N*m") for order, torque in amplitudes.items()},
-            "amplitude_rel_sd": max(known[line.field].spread for line in lines),
+            "amplitude_rel_sd": max(known[line.field].part_rel_sd for line in lines),
         },
     )

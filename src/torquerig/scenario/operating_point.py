@@ -22,7 +22,7 @@ from torquerig.scenario.profile_text import DutyCycleText, TableText
 
 
 class Load(BaseModel):
-    """What the wear part works in."""
+    """The load of the wear part."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -33,8 +33,8 @@ class Load(BaseModel):
 class OperatingPoint(BaseModel):
     """Set-points of a study. One of the two speeds; the other follows from the gears.
 
-    The profiles ``duty_cycle`` and ``csv`` bring their own speeds, which go before the stated one; what they need
-    stands under the key of the same name, and may stand there while another profile is chosen.
+    The profiles ``duty_cycle`` and ``csv`` bring their own speeds, which replace the stated one; their data is
+    under the key of the same name, and may be there while another profile is selected.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -64,7 +64,7 @@ class OperatingPoint(BaseModel):
 
 
 def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
-    """Return the test sheet of the operating point on this rig; a profile's table is looked for from ``folder``."""
+    """Return the conditions of the run on this rig; the file of a profile's table is relative to ``folder``."""
     motor = next(iter(rig.parts_of(Motor)), None)
     leader = _leader(rig)
     if leader is None:
@@ -80,7 +80,9 @@ def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
     ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
-    winding = {"pole_pairs": motor.pole_pairs, "slots": motor.slots} if motor else {}  # drawn ones nobody else knows
+    winding = (
+        {"pole_pairs": motor.pole_pairs, "slots": motor.slots} if motor else {}
+    )  # sampled ones are stated nowhere else
     run = Run(motor=(motor.model or motor.name) if motor else None, gear_ratio=float(ratio), speed=speed,
               occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size,
               others={key: count for key, count in winding.items() if count is not None})  # fmt: skip

@@ -1,4 +1,4 @@
-"""What-if without editing: ``gearbox.ratio=10`` put into a scenario's data before it is read."""
+"""Settings such as ``gearbox.ratio=10`` that replace values of a scenario before it is read."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class EditedDocument(Document):
 
 
 def naming_edits(document: Document, error: TorquerigError) -> TorquerigError:
-    """Return the error with the document's settings named, where its place alone would point at an innocent line."""
+    """Return the error with the document's settings named, where its place alone would be misleading."""
     if not isinstance(document, EditedDocument) or "--set " in str(error):
         return error
     written = " ".join(f"--set {setting!r}" for _, setting in document.edits)
@@ -39,7 +39,7 @@ def naming_edits(document: Document, error: TorquerigError) -> TorquerigError:
 def overridden(document: Document, settings: Sequence[str]) -> Document:
     """Return the document with each ``path=value`` of ``settings`` put in; the value is read as YAML.
 
-    A path is the end of a dotted path that stands in the scenario once: ``load.occupancy`` finds
+    A path is the end of a dotted path that occurs in the scenario once: ``load.occupancy`` finds
     ``operating_point.load.occupancy``. A key that its mapping does not state yet may be set where the mapping is found.
     """
     if not settings:

@@ -1,4 +1,4 @@
-"""An occupancy as a scenario writes it."""
+"""The occupancy of a scenario in percent."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A catalog motor whose electrical ripple comes out of its phases: ``ripple: from_phase_level`` in a scenario."""
+"""A catalog motor with ripple calculated from its phases: ``ripple: from_phase_level`` in a scenario."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ PHASES = (
     "rated_current", "torque_constant", "phase_resistance", "phase_inductance", "emf_flat_angle", "emf_fifth",
     "dead_time", "supply_voltage",
 )  # fmt: skip
-"""What of a motor's file the phases rest on."""
+"""Fields of a motor's file that the phases depend on."""
 
 
-def asks_for_phase_level(written: object, place: str) -> bool:
-    """Say what ``ripple:`` of a motor means; InputError with ``place`` where it is neither of the two words."""
+def is_from_phase_level(written: object, place: str) -> bool:
+    """Return whether ``ripple:`` of a motor is ``from_phase_level``; InputError for another word."""
     if written not in SOURCES:
         raise InputError(f"{place}: {written!r} is no source of a ripple; {did_you_mean(str(written), SOURCES)}")
     return written == "from_phase_level"
@@ -44,7 +44,7 @@ def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
     Raises
     ------
     InputError
-        When the catalog knows nothing of resistance, inductance or torque constant.
+        When resistance, inductance or torque constant are unknown.
     """
     if motor.kind == "induction":
         text = "lines of its class: an induction motor has no commutation"
@@ -80,7 +80,7 @@ def with_phase_level(filled: Filled, motor: Motor, *, seed: int) -> Filled:
 
 
 def _commutation(name: str, motor: Motor, dead_time: float) -> Filled:
-    """Return the effect that asks the phase-level model, with its source in words."""
+    """Return the effect of the phase-level model, with its source in words."""
     if motor.kind == "bldc":
         text = "from the phase-level model at the set-point: six-step commutation, no line put in"
         return Filled(

@@ -1,4 +1,4 @@
-"""From a profile as written to set-points of this rig's motor."""
+"""Set-points of the motor from the profile of a scenario."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def planned(written: DutyCycleText | TableText, rig: Rig, *, motor_turns: float,
     motor_turns : float
         Motor turns per output turn [1].
     folder : Path
-        Where a table's file name starts from.
+        Folder of the table's file.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def planned(written: DutyCycleText | TableText, rig: Rig, *, motor_turns: float,
 
 
 def mean_of_loads(rig: Rig) -> float:
-    """Return the mean torque that the rig's loads set against the motion at its operating point [N m]."""
+    """Return the mean load torque of the rig at its operating point [N m]."""
     return sum(term.process.mean for term in rig.terms() if isinstance(term, Load))
 
 

@@ -1,4 +1,4 @@
-"""Profiles with points of their own, as a scenario writes them under ``operating_point:``."""
+"""Duty cycles and tables of a scenario's ``operating_point:``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Repeats = Annotated[int, Field(ge=1, strict=True)]
 
 
 class SegmentText(BaseModel):
-    """One stretch: how long, which speed (of which shaft), and its load as a torque or by occupancy."""
+    """One segment: duration, speed of one shaft, and load as a torque or by occupancy."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -34,7 +34,7 @@ class SegmentText(BaseModel):
 
 
 class DutyCycleText(BaseModel):
-    """Segments, and how often they come; without ``repeats`` as often as the run is long."""
+    """Segments and their repeats; without ``repeats`` they fill the run."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -49,13 +49,13 @@ class DutyCycleText(BaseModel):
         for number, one in enumerate(written, start=1):
             if not isinstance(one, dict | SegmentText):
                 raise ValueError(
-                    f"segment {number} is missing (it is {one!r}); write its duration and speed, or take its line out"
+                    f"segment {number} is missing (it is {one!r}); write its duration and speed, or delete its line"
                 )
         return written
 
 
 class TableText(BaseModel):
-    """A file with time_s and a speed, and how often it comes."""
+    """A file with time_s and a speed, and its repeats."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

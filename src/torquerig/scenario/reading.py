@@ -1,4 +1,4 @@
-"""From a scenario file to a Rig: parts in their order, catalog values filled in, uncertainties kept beside."""
+"""Scenario file to Rig: parts in their order, values from the catalog, and their uncertainties."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
-from torquerig.scenario.phase_level import asks_for_phase_level, with_phase_level
+from torquerig.scenario.phase_level import is_from_phase_level, with_phase_level
 
 KINDS: dict[str, type[Part]] = {
     word: cls
@@ -86,7 +86,7 @@ def _sections(document: Document) -> dict[str, Any]:
 
 
 def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:
-    """Return the rig at its operating point, every part asked once for its physics so that its faults have a place."""
+    """Return the rig at its operating point, the terms of every part checked so that errors have a place."""
     with _placed(document, "measured"):
         measured = rig.part(rig.measured)
         if not (measured.opens_node or isinstance(measured, parts.ImposedMotion)):
@@ -97,7 +97,7 @@ def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mappi
     for part in rig.parts:
         with _placed(document, "rig", owners[part.name]):
             part.terms(rig)
-    # a stage may ask the whole rig, so that each part has answered for its own physics before
+    # a stage may depend on the whole rig, so that the terms of all parts are checked first
     for part in rig.parts:
         with _placed(document, "rig", owners[part.name]):
             part.stages(rig)
@@ -124,23 +124,23 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
             f"{document.place(('rig', name, 'kind'))}: {written['kind']!r} is no kind of part; "
             f"{did_you_mean(str(written['kind']), KINDS)}"
         )
-    own, uncertainties = _uncertain(document, name, written)
-    if isinstance(own.get("recording"), str):  # from the folder of the scenario, wherever it is read from
-        own["recording"] = str(document.path.parent / own["recording"])
-    entry = own.pop("catalog", None)
-    by_phases = own["kind"] == "motor" and "ripple" in own and asks_for_phase_level(
-        own.pop("ripple"), document.place(("rig", name, "ripple")))  # fmt: skip
+    stated, uncertainties = _uncertain(document, name, written)
+    if isinstance(stated.get("recording"), str):  # from the folder of the scenario, wherever it is read from
+        stated["recording"] = str(document.path.parent / stated["recording"])
+    entry = stated.pop("catalog", None)
+    by_phases = stated["kind"] == "motor" and "ripple" in stated and is_from_phase_level(
+        stated.pop("ripple"), document.place(("rig", name, "ripple")))  # fmt: skip
     if entry is None and by_phases:
-        raise InputError(f"{document.place(('rig', name, 'ripple'))}: only a motor of the catalog brings its phases "
-                         "along; state parts of kind motor_phases and six_step_commutation instead")  # fmt: skip
+        raise InputError(f"{document.place(('rig', name, 'ripple'))}: only a motor of the catalog has phases; "
+                         "state parts of kind motor_phases and six_step_commutation instead")  # fmt: skip
     if entry is None:
-        return Filled(name=name, values=own, uncertainties=uncertainties)
-    filled = filled_from_catalog(catalog, str(entry), kind=own["kind"], name=name, seed=seed, place=place)
-    kept = {key: text for key, text in filled.assumed.items() if key not in own}
-    spread = {key: value for key, value in filled.uncertainties.items() if key not in own}
-    taken = {key: one for key, one in filled.taken.items() if key not in own}
-    filled = Filled(name=name, values={**filled.values, **own}, uncertainties={**spread, **uncertainties}, assumed=kept,
-                    taken=taken, effects=filled.effects)  # fmt: skip
+        return Filled(name=name, values=stated, uncertainties=uncertainties)
+    filled = filled_from_catalog(catalog, str(entry), kind=stated["kind"], name=name, seed=seed, place=place)
+    kept = {key: text for key, text in filled.assumed.items() if key not in stated}
+    spread = {key: value for key, value in filled.uncertainties.items() if key not in stated}
+    taken = {key: one for key, one in filled.taken.items() if key not in stated}
+    filled = Filled(name=name, values={**filled.values, **stated}, uncertainties={**spread, **uncertainties},
+                    assumed=kept, taken=taken, effects=filled.effects)  # fmt: skip
     if not by_phases:
         return filled
     with _placed(document, "rig", name, "ripple"):
@@ -148,7 +148,7 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
 
 
 def _uncertain(document: Document, name: str, written: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
-    """Take ``{value: ..., rel_sd: ...}`` apart: the value goes to the part, the spread to the calibration."""
+    """Return values and relative standard deviations of entries such as ``{value: ..., rel_sd: ...}``."""
     values = dict(written)
     spreads: dict[str, float] = {}
     for key, stated in written.items():
@@ -162,8 +162,8 @@ def _uncertain(document: Document, name: str, written: Mapping[str, Any]) -> tup
         values[key], spread = stated["value"], stated.get("rel_sd", 0.0)
         if isinstance(spread, bool) or not isinstance(spread, int | float) or not (isfinite(spread) and spread >= 0):
             raise InputError(
-                f"{document.place(('rig', name, key, 'rel_sd'))}: {spread!r} is no spread; write the one-sigma "
-                "relative spread as a number, such as 0.1"
+                f"{document.place(('rig', name, key, 'rel_sd'))}: {spread!r} is no standard deviation; write the "
+                "relative standard deviation as a number, such as 0.1"
             )
         spreads |= {key: float(spread)} if spread else {}
     return values, spreads
@@ -186,6 +186,6 @@ def _host(cls: type[Part], data: Mapping[str, Any]) -> Any:
 
 
 def _kind_of(document: Document, name: Any) -> type[Part]:
-    """Return the class of a part that the file states, wherever it stands there; Part of one that it does not."""
+    """Return the class of a part of the file; Part where the file does not have it."""
     entry = document.data["rig"].get(name) if isinstance(name, str) else None
     return KINDS.get(str(entry.get("kind")), Part) if isinstance(entry, dict) else Part

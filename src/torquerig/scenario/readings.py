@@ -1,4 +1,4 @@
-"""A scenario once for each rig that a catalog's open counts allow, such as pole pairs and slots."""
+"""Alternatives of a scenario for the possible counts of the catalog, such as pole pairs and slots."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _MOST = 8  # readings: each costs a calibration
 
 
 def other_readings(document: Document, catalog: Catalog, *, seed: int) -> tuple[Scenario, ...]:
-    """Return the scenario with other draws, one for each set of lines beside that which ``seed`` draws, at most seven.
+    """Return the scenario with other samples, one for each set of lines other than that of ``seed``, at most seven.
 
-    Empty where nothing that makes lines is left open.
+    Empty where no count that determines lines is open.
 
     Raises
     ------

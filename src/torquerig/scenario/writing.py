@@ -1,4 +1,4 @@
-"""A rig back into a scenario file: every part with its values and units, as ``read_scenario`` takes them."""
+"""A rig written as a scenario file: every part with its values and units, as ``read_scenario`` reads them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def written_part(
     Parameters
     ----------
     spreads : mapping of str to float, optional
-        One-sigma relative spread by field, written as ``{value: ..., rel_sd: ...}``.
+        Relative standard deviation by field, written as ``{value: ..., rel_sd: ...}``.
     in_a_line : bool
         Whether it sits on something that moves in a line, so that N stands for N*m.
     """
@@ -61,7 +61,7 @@ def scenario_text(
 
 
 def write_scenario(path: Path, text: str, *, overwrite: bool) -> None:
-    """Write a scenario file whole or not at all; InputError where one stands there and may not be replaced."""
+    """Write a scenario file completely or not at all; InputError where one exists and must not be replaced."""
     if path.exists() and not overwrite:
         raise InputError(f"{path} exists already; choose another name, or add --force to replace it")
     with whole_file(path) as partial:

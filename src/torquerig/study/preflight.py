@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from torquerig.errors import InputError
-from torquerig.scenario.demand_check import demand_faults
-from torquerig.scenario.drive_demand import drive_demand
+from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.requirement_check import requirement_faults
 from torquerig.study.candidates import Candidate
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.definition import Study
@@ -42,9 +42,9 @@ def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:
 
 def out_of_reach(candidate: Candidate, scenario: Scenario, study: Study) -> str:
     """Return why a drive cannot reach the speed, torque or voltage of its run; empty where it can."""
-    demand = drive_demand(scenario.rig, duration=study.settings.duration)
-    faults = demand_faults(demand, scenario.rig, study.catalog.motor(candidate.motor))
-    return next((fault.told for fault in faults if fault.impossible), "")
+    demand = drive_requirement(scenario.rig, duration=study.settings.duration)
+    faults = requirement_faults(demand, scenario.rig, study.catalog.motor(candidate.motor))
+    return next((fault.text for fault in faults if fault.impossible), "")
 
 
 def _refuse_cycles(study: Study, scenario: Scenario) -> None:

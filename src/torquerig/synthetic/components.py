@@ -1,4 +1,4 @@
-"""What a mixture is made of: each component is one class, written in YAML by its type and its values."""
+"""Components of a mixture: one class for each type in YAML."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Component(BaseModel, ABC):
 
 
 class Constant(Component):
-    """The same torque all the time."""
+    """A constant torque."""
 
     type: Literal["constant"]
     torque: Annotated[float, Parameter("N*m", "the torque")]
@@ -85,7 +85,7 @@ class OrderLine(Component):
 
 
 class WhiteNoise(Component):
-    """Gaussian noise, equally strong at all frequencies."""
+    """White Gaussian noise."""
 
     type: Literal["white_noise"]
     rms: Torque
@@ -96,7 +96,7 @@ class WhiteNoise(Component):
 
 
 class ColouredNoise(Component):
-    """Gaussian noise through a second-order low-pass: the slow course of a load."""
+    """Gaussian noise through a second-order low-pass: slow variation of a load."""
 
     type: Literal["coloured_noise"]
     rms: Torque
@@ -109,7 +109,7 @@ class ColouredNoise(Component):
 
 
 class Hits(Component):
-    """Particles that hit and are carried away: jumps at random moments that decay."""
+    """Impacts of particles: jumps at random times with exponential decay."""
 
     type: Literal["hits"]
     rate: Annotated[float, Parameter("1/s", "mean number per second", above=0)]
@@ -127,7 +127,7 @@ class Hits(Component):
 
 
 class Sweep(Component):
-    """A sine that runs through a span of frequencies over the whole recording."""
+    """A sine whose frequency varies over the whole recording."""
 
     type: Literal["sweep"]
     start: Frequency

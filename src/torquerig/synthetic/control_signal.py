@@ -11,9 +11,9 @@ from torquerig.errors import InputError
 def control_signal(samples: int, *, amplitude: float, rng: np.random.Generator) -> NDArray[np.float64]:
     """Return a signal whose spectrum has ``amplitude`` on every bin, the mean and half the sample rate included.
 
-    What a filter cuts shows at once in the spectrum behind it, and what it should keep must still stand at the same
-    height. The phases are drawn, so that the energy is spread over the recording; a window mixes neighbours of
-    different phase, so look at it without one (``amplitude_spectrum``).
+    The spectrum behind a filter then shows its gain directly. The phases are random, so that the energy is distributed
+    over the recording. A window mixes adjacent bins of different phase; use the spectrum without one
+    (``amplitude_spectrum``).
 
     Parameters
     ----------
@@ -30,11 +30,11 @@ def control_signal(samples: int, *, amplitude: float, rng: np.random.Generator) 
     equal amplitude).
     """
     if samples < 2:
-        raise InputError(f"a control signal of {samples} samples has no spectrum; ask for a longer one")
+        raise InputError(f"a control signal of {samples} samples has no spectrum; use a longer one")
     bins = samples // 2 + 1
     spectrum = 0.5 * samples * amplitude * np.exp(1j * rng.uniform(0, 2 * np.pi, bins))
     spectrum[0] = samples * amplitude
     if samples % 2 == 0:
-        # half the sample rate has no mirror image and no phase
+        # the bin at half the sample rate has no conjugate and no phase
         spectrum[-1] = samples * amplitude
     return np.asarray(np.fft.irfft(spectrum, n=samples))

@@ -1,4 +1,4 @@
-"""Rounding to a grid on which sums and differences lose nothing."""
+"""Rounding to a grid on which sums and differences are exact."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A labelled mixture: a torque whose every component stands beside it as a channel of its own."""
+"""A labelled mixture: a torque together with a channel for every component."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _named(written: object) -> object:
 
 
 class Mixture(BaseModel):
-    """What a mixture is made of; the same description and seed give the same samples."""
+    """Description of a mixture; the same description and random seed give the same samples."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
     synthetic: str = "mixture"
@@ -42,7 +42,7 @@ class Mixture(BaseModel):
     motor: str | None = None
     gear_ratio: Annotated[float, Field(gt=0)] | None = None
     motor_speed: Annotated[float, Parameter("rad/s", "set-point of the motor")] | None = None
-    speed_error: Annotated[float, Parameter("1", "share by which the real speed is off the set-point")] = 0.0
+    speed_error: Annotated[float, Parameter("1", "relative error of the real speed against the set-point")] = 0.0
     speed_wander: Annotated[float, Parameter("1", "rms of the slow wander as a share of the speed", low=0)] = 0.0
     counts_per_rev: Annotated[int, Field(ge=1)] | None = None
     components: Annotated[dict[str, AnyComponent], BeforeValidator(_named)]
@@ -86,7 +86,7 @@ def component_name(name: str) -> str:
 
 
 def truth(values: NDArray[np.float64]) -> Channel:
-    """Return a torque that only the maker of the recording knows."""
+    """Return the channel of a true torque, which a measurement does not have."""
     return Channel(values=values, quantity="torque", unit="N*m", truth=True)
 
 

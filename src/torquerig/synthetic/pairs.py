@@ -10,12 +10,12 @@ from torquerig.synthetic.mixture import TRUE_LOAD, TRUE_NOISE, volts
 
 
 def load_only(mixture: Recording) -> Recording:
-    """Return what the sensor would read if there were no noise; the encoder and the true load stay."""
+    """Return the reading without noise, with encoder and true load."""
     return _alone(mixture, TRUE_LOAD, "load only")
 
 
 def noise_only(mixture: Recording) -> Recording:
-    """Return what the sensor would read if there were no load; its true load is nothing."""
+    """Return the reading without load; its true load is zero."""
     alone = _alone(mixture, TRUE_NOISE, "noise only")
     name = TRUE_LOAD
     return alone.with_values(name, 0.0 * alone.channels[name].values)
@@ -23,7 +23,7 @@ def noise_only(mixture: Recording) -> Recording:
 
 def _alone(mixture: Recording, name: str, word: str) -> Recording:
     if name not in mixture.channels:
-        raise RecordingError(f"{mixture.name}: what of it is load is not known; there is no channel {name}")
+        raise RecordingError(f"{mixture.name}: its load is not known; there is no channel {name}")
     values = mixture.channels[name].values
     measured = {key: one for key, one in mixture.channels.items() if not one.truth}
     torque = mixture.torque_name()

@@ -1,4 +1,4 @@
-"""What each stage of the sensor and each mechanism of a rig adds to its reading: a labelled mixture from a scenario."""
+"""Contribution of each sensor stage and each mechanism of a rig to its reading, as a labelled mixture."""
 
 from __future__ import annotations
 
@@ -23,14 +23,16 @@ STAGE = "stage of the sensor"
 BARE = "run of the bare rig"
 
 
-def taken_apart(rig: Rig, *, duration: float, seed: int, wander: float = 0.0, scenario: str = "") -> Recording:
-    """Return a rig's reading with what each effect adds as a channel ``component_..._Nm`` [N m].
+def separated_contributions(
+    rig: Rig, *, duration: float, seed: int, wander: float = 0.0, scenario: str = ""
+) -> Recording:
+    """Return a rig's reading with the contribution of each effect as a channel ``component_..._Nm`` [N m].
 
     A stage of the sensor adds its output minus its input. The mechanisms on the shafts are switched on one after the
     other, the loads first: each adds its run minus the run before it, labelled ``difference of runs`` in the origin.
-    It is what the mechanism adds to those before it; in another order it would be another, because mechanisms act on
-    each other. ``bare`` is the run without any. All components sum to the reading to the last bit (the reading is
-    rounded to a grid of 1e-12 for that).
+    This is the contribution in addition to those before it. It depends on the order, because mechanisms interact.
+    ``bare`` is the run without any. All components sum to the reading to the last bit (the reading is rounded to a grid
+    of 1e-12 for that).
 
     Parameters
     ----------
@@ -74,7 +76,7 @@ def _is_effect(part: Part) -> bool:
 
 
 def _stage_shares(rig: Rig, full: Recording, torque: NDArray[np.float64]) -> Iterator[tuple[str, NDArray[np.float64]]]:
-    """Give what each stage adds to the torque [N m], in the order of the measuring chain."""
+    """Yield the contribution of each stage to the torque [N m], in the order of the measuring chain."""
     name = full.torque_name()
     sensor = rig.part(rig.measured)
     sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor) else 1.0

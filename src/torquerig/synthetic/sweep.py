@@ -1,4 +1,4 @@
-"""A sine that runs through a span of frequencies."""
+"""A sine with a varying frequency."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def sweep(
     duration : float
         [s], > 0.
     logarithmic : bool
-        Whether each octave takes equally long; else each hertz.
+        Whether the time per octave is constant; else the time per hertz.
 
     Notes
     -----

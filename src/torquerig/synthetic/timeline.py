@@ -1,4 +1,4 @@
-"""When, and at what angle of the motor, the samples of a synthetic recording are taken."""
+"""Time and motor angle of the samples of a synthetic recording."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torquerig.recordings.recording import random_for
 from torquerig.sensor_stages.coloured_noise import low_passed_noise
 
-WANDER_CUTOFF = 0.3  # [Hz] how fast a speed wanders; as in the simulated rig
+WANDER_CUTOFF = 0.3  # [Hz] bandwidth of the speed variation; as in the simulated rig
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,7 +23,7 @@ class Timeline:
     rate : float
         [Hz].
     seed : int
-        Every component draws its own numbers from it, by its name.
+        Random seed; every component has a separate generator by its name.
     motor_angle : ndarray, shape (samples,)
         [rad]; zeros where the motor has no speed.
     """

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 
 Floats = NDArray[np.float64]
 SHORTEST = 0.5  # [s] winding temperatures move in tens of seconds
@@ -54,15 +54,15 @@ class MotorDuty:
         return float(np.sum(self.speed * self.duration) / self.length)
 
 
-def duty_of_requirement(demand: DriveDemand) -> MotorDuty:
+def duty_of_requirement(requirement: DriveRequirement) -> MotorDuty:
     """Return the duty of a required motion; pieces are cut or joined to stretches of ``grain`` [s].
 
     The mean squares of each stretch are exact. The heat is taken as constant within a stretch, which changes a
     temperature by less than the heat of half a stretch.
     """
     rows: list[tuple[float, float, float, float]] = []
-    longest = grain(float(demand.duration.sum()))
-    for span, torque, speed in zip(demand.duration, demand.torque, demand.speed, strict=True):
+    longest = grain(float(requirement.duration.sum()))
+    for span, torque, speed in zip(requirement.duration, requirement.torque, requirement.speed, strict=True):
         even = torque[0] == torque[1] and speed[0] == speed[1]
         count = 1 if even else max(1, round(span / longest))
         ends = np.linspace(0.0, 1.0, count + 1)
@@ -73,7 +73,7 @@ def duty_of_requirement(demand: DriveDemand) -> MotorDuty:
                          _mean_square(speeds[part])))  # fmt: skip
     duration, torque_square, speeds, speed_square = _joined(np.array(rows), longest).T
     return MotorDuty(duration=duration, torque_square=torque_square, speed=speeds, speed_square=speed_square,
-                     peak_torque=float(np.abs(demand.torque).max()))  # fmt: skip
+                     peak_torque=float(np.abs(requirement.torque).max()))  # fmt: skip
 
 
 def grain(length: float) -> float:

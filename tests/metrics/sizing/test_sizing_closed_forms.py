@@ -36,7 +36,7 @@ from torquerig.metrics.sizing.sensor_use import sensor_use
 from torquerig.metrics.sizing.sized_drive import sized_drive
 from torquerig.metrics.sizing.speed_torque import continuous_torque, speed_torque, voltage_torque
 from torquerig.parameter import Estimate
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 from torquerig.scenario.reading import read_scenario
 
 CATALOG = load_catalog(shipped_folder())
@@ -91,14 +91,14 @@ def test_braking_gives_back_all_kinetic_energy_and_copper_takes_its_share():
 
 @pytest.mark.parametrize("copper", [0.0, 3.0, 40.0])
 def test_given_back_agrees_with_a_fine_sum(copper):
-    demand = DriveDemand(duration=np.array([2.0, 1.0]), speed=np.array([[10.0, 2.0], [5.0, 5.0]]),
+    requirement = DriveRequirement(duration=np.array([2.0, 1.0]), speed=np.array([[10.0, 2.0], [5.0, 5.0]]),
                          torque=np.array([[1.0, -1.5], [-0.1, 0.2]]), step=np.array([False, False]))  # fmt: skip
     share = (np.arange(200_000) + 0.5) / 200_000
     total = 0.0
-    for span, torque, speed in zip(demand.duration, demand.torque, demand.speed, strict=True):
+    for span, torque, speed in zip(requirement.duration, requirement.torque, requirement.speed, strict=True):
         moment, turned = (one[0] + share * (one[1] - one[0]) for one in (torque, speed))
         total += span * float(np.mean(np.maximum(0.0, -(moment * turned + copper * moment**2))))
-    assert regenerated(demand, copper=copper) == pytest.approx(total, rel=1e-6, abs=1e-9)
+    assert regenerated(requirement, copper=copper) == pytest.approx(total, rel=1e-6, abs=1e-9)
 
 
 def test_alpha_beta_of_an_inertia_is_the_matched_one():
@@ -134,7 +134,7 @@ def test_the_task_of_the_trapezoid_and_its_own_ratio():
     sized = drive()
     task = alpha_beta(sized)
     assert task.best == pytest.approx(sqrt(BODY / ROTOR))
-    assert task.rms_torque(RATIO) == pytest.approx(sized.demand().rms_torque)
+    assert task.rms_torque(RATIO) == pytest.approx(sized.requirement().rms_torque)
 
 
 def test_behind_the_gear_stands_what_turns_the_load():

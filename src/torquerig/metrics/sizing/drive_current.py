@@ -22,10 +22,10 @@ def drive_current(drive: SizedDrive) -> Mapping[str, Figure]:
     limit = drive.part.torque_limit
     return {
         "rms_current": over_intervals(
-            data, lambda v: drive.demand(v).rms_torque / v[constant], unit="A", source="T / Kt"
+            data, lambda v: drive.requirement(v).rms_torque / v[constant], unit="A", source="T / Kt"
         ),
         "peak_current": over_intervals(
-            data, lambda v: peak_torque(drive.demand(v)) / v[constant], unit="A", source="T / Kt"
+            data, lambda v: peak_torque(drive.requirement(v)) / v[constant], unit="A", source="T / Kt"
         ),
         "limit_current": over_intervals(
             {constant: drive.motor.torque_constant},
@@ -35,10 +35,10 @@ def drive_current(drive: SizedDrive) -> Mapping[str, Figure]:
         ),
         "rms_current_use": over_intervals(
             {**data, rated: drive.motor.rated_current},
-            lambda v: drive.demand(v).rms_torque / v[constant] / v[rated],
+            lambda v: drive.requirement(v).rms_torque / v[constant] / v[rated],
             source="rms current / rated current",
         ),
         "peak_current_use": over_intervals(
-            drive.data, lambda v: peak_torque(drive.demand(v)) / limit, source="peak torque / drive's torque limit"
+            drive.data, lambda v: peak_torque(drive.requirement(v)) / limit, source="peak torque / drive's torque limit"
         ),
     }

@@ -87,7 +87,7 @@ def sizing(drive: SizedDrive, *, ambient: float = 40.0, names: Collection[str] =
         if not set(units) & set(names):
             continue
         figures |= thermal_use(drive, ambient=ambient) if found is thermal_use else found(drive)
-    return Sizing(drive=drive, figures=figures, late=drive.demand().late)
+    return Sizing(drive=drive, figures=figures, late=drive.requirement().late)
 
 
 def limit_word(figure: Figure) -> str:

@@ -35,7 +35,7 @@ def gearbox_use(drive: SizedDrive) -> Mapping[str, Figure]:
     life, peak = f"nominal torque (T2N) of {box.name}", f"peak torque (T2a) of {box.name}"
     speed, hours = f"largest input speed of {box.name}", "hours of running a day (service factor)"
     idle, rated = f"no load torque of {box.name}", f"rated torque of {drive.motor_name}"
-    demand, motor = drive.demand(), drive.motor
+    requirement, motor = drive.requirement(), drive.motor
     return {
         "gearbox_life_use": over_intervals(
             {**drive.data, life: box.nominal_torque, hours: service_factor(drive)},
@@ -51,7 +51,7 @@ def gearbox_use(drive: SizedDrive) -> Mapping[str, Figure]:
             source="drive's limit x ratio x efficiency / T2a",
         ),
         "gearbox_speed_use": over_intervals(
-            {speed: box.max_input_speed}, lambda v: demand.top_speed / v[speed], source="top speed / largest"
+            {speed: box.max_input_speed}, lambda v: requirement.top_speed / v[speed], source="top speed / largest"
         ),
         "gearbox_no_load_use": over_intervals(
             {idle: box.no_load_torque, rated: motor.rated_torque}, lambda v: v[idle] / v[rated],
@@ -62,7 +62,7 @@ def gearbox_use(drive: SizedDrive) -> Mapping[str, Figure]:
 
 def service_factor(drive: SizedDrive) -> Estimate:
     """Return the service factor of the life torque, from the reversals and steps of the cycle [1]."""
-    behind, steps = behind_gear(drive, {}), bool(drive.demand().step.any())
+    behind, steps = behind_gear(drive, {}), bool(drive.requirement().step.any())
     if behind.alternates or behind.reverses:
         return BOTH_WAYS_STEPS if steps else BOTH_WAYS
     return ONE_WAY_STEPS if steps else ONE_WAY
@@ -74,4 +74,4 @@ def behind_gear(drive: SizedDrive, values: Values) -> OutputTorque:
     motor = rig.part(drive.part.name)
     gears = tuple(part for gear in drive.gears if isinstance(part := rig.part(gear.name), Gear))
     assert isinstance(motor, Motor)
-    return output_torque(drive.demand(values), rig, motor=motor, gears=gears)
+    return output_torque(drive.requirement(values), rig, motor=motor, gears=gears)

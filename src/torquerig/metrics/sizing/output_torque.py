@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Gear, Motor
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 
 Floats = NDArray[np.float64]
 
@@ -66,7 +66,7 @@ class OutputTorque:
         return float((np.sum(turns * np.abs(self.torque).mean(axis=1) ** 3) / turns.sum()) ** (1 / 3))
 
 
-def output_torque(demand: DriveDemand, rig: Rig, *, motor: Motor, gears: tuple[Gear, ...]) -> OutputTorque:
+def output_torque(requirement: DriveRequirement, rig: Rig, *, motor: Motor, gears: tuple[Gear, ...]) -> OutputTorque:
     """Return torque and speed of the output shaft.
 
     The motor's torque minus the torque for rotor inertia and friction, times ratio and efficiency where power flows
@@ -74,14 +74,14 @@ def output_torque(demand: DriveDemand, rig: Rig, *, motor: Motor, gears: tuple[G
     """
     ratio = float(np.prod([abs(gear.ratio) for gear in gears])) if gears else 1.0
     efficiency = float(np.prod([gear.efficiency for gear in gears])) if gears else 1.0
-    slope = np.diff(demand.speed, axis=1)[:, 0] / demand.duration
-    direction = np.sign(demand.speed.sum(axis=1))[:, None]
-    lost = direction * motor.coulomb + motor.viscous * demand.speed
-    net = demand.torque - motor.inertia * slope[:, None] - lost
+    slope = np.diff(requirement.speed, axis=1)[:, 0] / requirement.duration
+    direction = np.sign(requirement.speed.sum(axis=1))[:, None]
+    lost = direction * motor.coulomb + motor.viscous * requirement.speed
+    net = requirement.torque - motor.inertia * slope[:, None] - lost
     forwards = net * np.where(direction == 0, np.sign(net), direction) >= 0
     torque = net * ratio * np.where(forwards, efficiency, 1 / efficiency)
     geared = sum(gear.input_inertia for gear in gears) * ratio**2
     return OutputTorque(
-        duration=demand.duration, speed=demand.speed / ratio, acceleration=slope / ratio,
+        duration=requirement.duration, speed=requirement.speed / ratio, acceleration=slope / ratio,
         torque=torque - geared * slope[:, None] / ratio,
     )  # fmt: skip

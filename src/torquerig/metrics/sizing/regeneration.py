@@ -12,7 +12,7 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 from torquerig.thermal.motor_variants import copper_bounds
 
 
@@ -24,7 +24,7 @@ def regeneration(drive: SizedDrive) -> Mapping[str, Figure]:
     torque constant are not known, it is between zero and the braking energy.
     """
     braking = over_intervals(
-        drive.data, lambda v: regenerated(drive.demand(v)), unit="J", source="rigid body, at the shaft"
+        drive.data, lambda v: regenerated(drive.requirement(v)), unit="J", source="rigid body, at the shaft"
     )
     bounds, name = copper_bounds(drive.motor), f"phase resistance and torque constant of {drive.motor_name}"
     if bounds is None:
@@ -37,7 +37,7 @@ def regeneration(drive: SizedDrive) -> Mapping[str, Figure]:
     copper = Estimate(bounds[0]) if exact else Estimate(low=bounds[0], high=bounds[1])
 
     def to_dc_link(values: Values) -> float:
-        return regenerated(drive.demand(values), copper=values[name])
+        return regenerated(drive.requirement(values), copper=values[name])
 
     return {
         "braking_energy": braking,
@@ -47,14 +47,14 @@ def regeneration(drive: SizedDrive) -> Mapping[str, Figure]:
     }
 
 
-def regenerated(demand: DriveDemand, *, copper: float = 0.0) -> float:
+def regenerated(requirement: DriveRequirement, *, copper: float = 0.0) -> float:
     """Return the energy [J] of all moments at which ``T w + copper T^2`` [W] is negative.
 
     Torque and speed are linear within a piece, so that the power is a parabola and its negative part is integrated
     exactly. ``copper`` [W/(N m)^2].
     """
     total = 0.0
-    for span, torque, speed in zip(demand.duration, demand.torque, demand.speed, strict=True):
+    for span, torque, speed in zip(requirement.duration, requirement.torque, requirement.speed, strict=True):
         (t0, t1), (w0, w1) = torque, speed
         bend = (t1 - t0) * (w1 - w0) + copper * (t1 - t0) ** 2
         slope = t0 * (w1 - w0) + w0 * (t1 - t0) + 2 * copper * t0 * (t1 - t0)

@@ -16,7 +16,7 @@ from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
 from torquerig.rig.parts import Gear, Motor
-from torquerig.scenario.drive_demand import DriveDemand, drive_demand
+from torquerig.scenario.drive_requirement import DriveRequirement, drive_requirement
 from torquerig.scenario.kinematics import gears_to_sensor, torque_gain
 from torquerig.scenario.model import Scenario
 
@@ -54,7 +54,7 @@ class SizedDrive:
     data: Mapping[str, Estimate]
     places: Mapping[str, tuple[str, str]]
     duration: float
-    _demands: dict[tuple[float, ...], DriveDemand] = field(default_factory=dict, repr=False, compare=False)
+    _requirements: dict[tuple[float, ...], DriveRequirement] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def motor_name(self) -> str:
@@ -88,18 +88,18 @@ class SizedDrive:
                 rig = rig.changed(replace(rig.part(part), **changed))
         return rig
 
-    def demand(self, values: Values | None = None) -> DriveDemand:
+    def requirement(self, values: Values | None = None) -> DriveRequirement:
         """Return what the run requires of the motor with these values, other values in the middle."""
         chosen = {name: known.nominal() for name, known in self.data.items()}
         chosen |= {name: one for name, one in (values or {}).items() if name in chosen}
         key = tuple(chosen.values())
-        if key not in self._demands:
-            self._demands[key] = drive_demand(self.with_values(chosen), duration=self.duration)
-        return self._demands[key]
+        if key not in self._requirements:
+            self._requirements[key] = drive_requirement(self.with_values(chosen), duration=self.duration)
+        return self._requirements[key]
 
-    def requirements_made(self) -> tuple[DriveDemand, ...]:
+    def requirements_made(self) -> tuple[DriveRequirement, ...]:
         """Return all requirements that have been calculated, one per set of values."""
-        return tuple(self._demands.values())
+        return tuple(self._requirements.values())
 
     def gain(self, values: Values) -> float:
         """Return the sensor's steady torque per torque of the motor [1]."""

@@ -16,7 +16,7 @@ from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.required_torque import mean_speed
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 
 Floats = NDArray[np.float64]
 POINTS = 240
@@ -86,16 +86,16 @@ def region_use(drive: SizedDrive) -> Mapping[str, Figure]:
     data = {**drive.data, **dict(zip(keys, (stall, motor.rated_torque, motor.rated_speed), strict=True))}
 
     def continuous(values: Values) -> float:
-        demand = drive.demand(values)
-        at = np.array([mean_speed(demand)])
+        requirement = drive.requirement(values)
+        at = np.array([mean_speed(requirement)])
         still, rated, knee = (values[key] for key in keys)
-        return demand.rms_torque / float(continuous_torque(at, still, rated, knee, np.inf)[0])
+        return requirement.rms_torque / float(continuous_torque(at, still, rated, knee, np.inf)[0])
 
     return {
         "continuous_use": over_intervals(data, continuous, source="rms torque / continuous torque at the mean speed"),
         "intermittent_use": _intermittent_use(drive),
         "speed_limit_use": over_intervals(
-            {top: motor.max_speed}, lambda v: drive.demand().top_speed / v[top], source="top speed / maximum speed"
+            {top: motor.max_speed}, lambda v: drive.requirement().top_speed / v[top], source="top speed / maximum speed"
         ),
     }
 
@@ -152,13 +152,13 @@ def _intermittent_use(drive: SizedDrive) -> Figure:
     """Return the largest share over all ends of pieces, from the smallest and the largest region."""
     name, peak = drive.motor_name, f"peak torque of {drive.motor_name}"
 
-    def share(demand: DriveDemand, side: int) -> float:
-        allowed = _intermittent(drive.motor, np.abs(demand.speed).ravel())[:, side]
-        torque = np.abs(demand.torque).ravel()
+    def share(requirement: DriveRequirement, side: int) -> float:
+        allowed = _intermittent(drive.motor, np.abs(requirement.speed).ravel())[:, side]
+        torque = np.abs(requirement.torque).ravel()
         return float(np.max(np.where(torque > 0, torque / np.maximum(allowed, 1e-3 * torque), 0.0)))
 
-    low = over_intervals(drive.data, lambda v: share(drive.demand(v), 1))
-    high = over_intervals(drive.data, lambda v: share(drive.demand(v), 0))
+    low = over_intervals(drive.data, lambda v: share(drive.requirement(v), 1))
+    high = over_intervals(drive.data, lambda v: share(drive.requirement(v), 0))
     ends = [one.value if bound is None else bound for one, bound in ((low, low.low), (high, high.high))]
     source = "torque / intermittent torque at its speed, the largest share"
     curve = {peak: drive.motor.peak_torque, f"maximum speed of {name}": drive.motor.max_speed,
@@ -169,7 +169,7 @@ def _intermittent_use(drive: SizedDrive) -> Figure:
         return Figure(value=ends[0], source=source, rests_on=rests_on)
     open_facts = [] if drive.motor.peak_torque.documented else [peak]
     unknown = [key for key, one in voltage_data(drive.motor).items() if one.unknown]
-    above = drive.demand().top_speed > drive.motor.rated_speed.bounds[0]
+    above = drive.requirement().top_speed > drive.motor.rated_speed.bounds[0]
     open_facts += [f"{key} of {name}" for key in unknown] if above else []
     missing = ", ".join([*open_facts, *([high.missing] if high.missing else [])])
     return Figure(low=ends[0], high=ends[1], source=source, missing=missing, rests_on=rests_on)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.open_data import over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
 from torquerig.thermal.motor_duty import duty_of_requirement
 from torquerig.thermal.motor_variants import thermal_variants
@@ -41,10 +41,10 @@ def thermal_use(drive: SizedDrive, *, ambient: float = 40.0) -> Mapping[str, Fig
     return {name: replace(figure, rests_on=rests_on) for name, figure in found.items()}
 
 
-def _extremes(drive: SizedDrive) -> tuple[DriveDemand, DriveDemand, DriveDemand]:
+def _extremes(drive: SizedDrive) -> tuple[DriveRequirement, DriveRequirement, DriveRequirement]:
     """Return the requirement at the middle values, and those of the least and the largest rms torque."""
-    rms = over_intervals(drive.data, lambda v: drive.demand(v).rms_torque)
-    middle = drive.demand()
+    rms = over_intervals(drive.data, lambda v: drive.requirement(v).rms_torque)
+    middle = drive.requirement()
     if rms.low is None:
         return middle, middle, middle
     ordered = sorted(drive.requirements_made(), key=lambda one: one.rms_torque)  # all corners of the figure

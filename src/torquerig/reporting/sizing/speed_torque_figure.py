@@ -10,7 +10,7 @@ from torquerig.metrics.sizing.required_torque import mean_speed
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.metrics.sizing.speed_torque import SpeedTorque, speed_torque
 from torquerig.reporting.figures.picture import new_figure
-from torquerig.scenario.drive_demand import DriveDemand
+from torquerig.scenario.drive_requirement import DriveRequirement
 from torquerig.study.ratio_sweep import RatioSweep, SweptGearbox, middle
 
 CONTINUOUS, INTERMITTENT, CYCLE, LIMIT, BARRED = "#2a9d8f", "#e9a23b", "#1f4e79", "#d1495b", "#9aa5b1"
@@ -22,13 +22,13 @@ def sizing_figure(drive: SizedDrive, sweep: RatioSweep | None, *, title: str) ->
     figure = new_figure(13.0 if sweep else 7.6, 6.2)
     figure.suptitle(title, x=0.01, ha="left")
     panels = figure.subplots(1, 2 if sweep else 1, squeeze=False)[0]
-    draw_regions(panels[0], speed_torque(drive), drive.demand())
+    draw_regions(panels[0], speed_torque(drive), drive.requirement())
     if sweep is not None:
         draw_ratios(panels[1], sweep)
     return figure
 
 
-def draw_regions(axes: Axes, regions: SpeedTorque, demand: DriveDemand) -> None:
+def draw_regions(axes: Axes, regions: SpeedTorque, requirement: DriveRequirement) -> None:
     """Draw both regions with what the catalog leaves open hatched, and the operating points of the cycle."""
     speed = regions.speed * RPM
     low, high = regions.intermittent.T
@@ -42,12 +42,14 @@ def draw_regions(axes: Axes, regions: SpeedTorque, demand: DriveDemand) -> None:
     axes.axhline(regions.drive_limit, color=LIMIT, linewidth=1.1, linestyle="--")
     axes.annotate(f"drive's limit {regions.drive_limit:.3g} N m", (speed[-1], regions.drive_limit), ha="right",
                   va="bottom", color=LIMIT, fontsize=8)  # fmt: skip
-    for row, (turned, torque) in enumerate(zip(np.abs(demand.speed) * RPM, np.abs(demand.torque), strict=True)):
+    for row, (turned, torque) in enumerate(
+        zip(np.abs(requirement.speed) * RPM, np.abs(requirement.torque), strict=True)
+    ):
         axes.plot(
             turned, torque, color=CYCLE, linewidth=1.4, marker="o", markersize=4, label="" if row else "the cycle"
         )
-    axes.plot([mean_speed(demand) * RPM], [demand.rms_torque], color=CYCLE, marker="D", markersize=8, linestyle="",
-              markerfacecolor="white", label=f"rms {demand.rms_torque:.3g} N m at the mean speed")  # fmt: skip
+    axes.plot([mean_speed(requirement) * RPM], [requirement.rms_torque], color=CYCLE, marker="D", markersize=8,
+              linestyle="", markerfacecolor="white", label=f"rms {requirement.rms_torque:.3g} N m at the mean speed")  # fmt: skip
     axes.set(xlabel="motor speed [rpm]", ylabel="motor torque [N m]", xlim=(0, speed[-1]), ylim=(0, None))
     axes.grid(color="#e3e7eb", linewidth=0.6)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, fontsize=8, frameon=False)
@@ -85,7 +87,7 @@ def draw_ratios(axes: Axes, sweep: RatioSweep) -> None:
 
 
 def _speed_bound(axes: Axes, sweep: RatioSweep, edge: float) -> None:
-    top = sweep.drive.demand().top_speed / sweep.drive.ratio
+    top = sweep.drive.requirement().top_speed / sweep.drive.ratio
     low, high = (end / top for end in sweep.drive.motor.max_speed.bounds)
     if low < edge:
         axes.axvspan(low, edge, color=LIMIT, alpha=0.10, linewidth=0)

@@ -1,4 +1,4 @@
-"""What a run asks of the motor: speed and torque over time, before anything is simulated."""
+"""Speed and torque over time that a run requires of the motor, calculated without simulation."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
-class DriveDemand:
-    """The run, or one cycle of what repeats, in pieces between whose ends speed and torque go straight.
+class DriveRequirement:
+    """Required speed and torque of a run, or of one cycle of it, in pieces within which both are linear.
 
     Parameters
     ----------
@@ -27,9 +27,9 @@ class DriveDemand:
     speed, torque : ndarray, shape (pieces, 2)
         Of the motor at start and end of each piece [rad/s], [N m].
     step : ndarray of bool, shape (pieces,)
-        Pieces that are not in the profile: the drive at its torque limit, catching up with a step of the set-point.
+        Pieces that are not in the profile: the drive at its torque limit after a step of the set-point.
     late : tuple of str
-        Steps that the drive cannot follow before the next piece begins, each told in a sentence.
+        Steps that the drive cannot complete before the next piece begins, a sentence each.
     """
 
     duration: Floats
@@ -40,7 +40,7 @@ class DriveDemand:
 
     @property
     def start(self) -> Floats:
-        """When each piece begins [s], shape (pieces,)."""
+        """Start time of each piece [s], shape (pieces,)."""
         return np.concatenate([[0.0], np.cumsum(self.duration)[:-1]])
 
     @property
@@ -50,28 +50,28 @@ class DriveDemand:
 
     @property
     def rms_torque(self) -> float:
-        """The root of the mean square of the torque [N m]; of a straight piece (a^2 + a b + b^2) / 3."""
+        """The root of the mean square of the torque [N m]; of a linear piece (a^2 + a b + b^2) / 3."""
         first, last = self.torque[:, 0], self.torque[:, 1]
         squares = (first**2 + first * last + last**2) / 3
         return float(np.sqrt(np.sum(self.duration * squares) / np.sum(self.duration)))
 
     def at_worst(self) -> tuple[float, float]:
-        """Return the largest torque that the profile itself asks for [N m], and when [s]; steps do not count."""
-        asked = np.where(self.step[:, None], 0.0, np.abs(self.torque))
-        row, end = np.unravel_index(int(np.argmax(asked)), asked.shape)
-        return float(asked[row, end]), float(self.start[row] + end * self.duration[row])
+        """Return the largest torque of the profile without steps [N m], and its time [s]."""
+        torque = np.where(self.step[:, None], 0.0, np.abs(self.torque))
+        row, end = np.unravel_index(int(np.argmax(torque)), torque.shape)
+        return float(torque[row, end]), float(self.start[row] + end * self.duration[row])
 
 
-def drive_demand(rig: Rig, *, duration: float) -> DriveDemand:
-    """Return what the rig's profile asks of its motor, from inertias, loads, friction and gears, all stiff.
+def drive_requirement(rig: Rig, *, duration: float) -> DriveRequirement:
+    """Return the required speed and torque of the motor, from inertias, loads, friction and gears, all rigid.
 
-    A step of the set-point is taken at the drive's torque limit, from the piece behind it. Ripple, the twist of the
-    shafts and the speed loop's overshoot are not in it: the demand is that of the profile and not of one controller.
+    A step of the set-point is performed at the drive's torque limit, within the following piece. Ripple, torsion of the
+    shafts and overshoot of the speed loop are not included: the requirement does not depend on the controller.
 
     Parameters
     ----------
     duration : float
-        Length of the recording [s]; a profile with a length of its own counts once, as a cycle.
+        Length of the recording [s]; a profile with a stated length counts once, as a cycle.
 
     Raises
     ------
@@ -80,7 +80,7 @@ def drive_demand(rig: Rig, *, duration: float) -> DriveDemand:
     """
     motor = driven_motor(rig)
     if motor is None or rig.run.speed is None:
-        raise InputError("no motor with a speed is in the rig, so that nothing is asked of one; add a speed_controller "
+        raise InputError("the rig has no motor with a speed; add a speed_controller "
                          "and a speed")  # fmt: skip
     train, course = drive_train(rig, rig.node(motor.name)), rig.run.speed_profile()
     corners = _split_at_rest(course.breakpoints(top=rig.run.speed, duration=duration))
@@ -98,7 +98,7 @@ def drive_demand(rig: Rig, *, duration: float) -> DriveDemand:
 
 
 class _Pieces:
-    """Pieces as they are collected."""
+    """Collects the pieces of a requirement."""
 
     def __init__(self, *, train: DriveTrain, limit: float) -> None:
         self.train, self.limit = train, limit
@@ -108,7 +108,7 @@ class _Pieces:
     def add(
         self, span: float, speed: tuple[float, float], load: tuple[float | None, float | None], before: float, at: float
     ) -> None:
-        """Add one straight piece; where it does not start at the speed ``before``, the step before it."""
+        """Add one linear piece; where it does not start at the speed ``before``, add the step first."""
         slope = (speed[1] - speed[0]) / span
         if abs(speed[0] - before) > 1e-9 * max(1.0, abs(before)):
             taken = self._step(before, speed[0], load[0], at, span)
@@ -123,22 +123,22 @@ class _Pieces:
         """Add the drive at its limit from one speed to the other and return how long that takes [s]."""
         way = float(np.sign(after - before))
         steady = self.train.torque(0.5 * (before + after), 0.0, load=load, way=np.sign(before + after))
-        left = self.limit - way * steady
-        told = f"the step from {_rpm(before)} to {_rpm(after)} rpm of the motor at {at:g} s"
-        if left <= 0:
-            self.late.append(f"{told}: the load alone asks for more than the drive's {self.limit:.3g} N*m")
+        available = self.limit - way * steady
+        step = f"the step from {_rpm(before)} to {_rpm(after)} rpm of the motor at {at:g} s"
+        if available <= 0:
+            self.late.append(f"{step}: the load alone requires more than the drive's {self.limit:.3g} N*m")
             return 0.0
-        needed = self.train.inertia * abs(after - before) / left
+        needed = self.train.inertia * abs(after - before) / available
         if needed > span:
             self.late.append(
-                f"{told}: it takes {needed:.3g} s at the drive's limit, and the next piece begins {span:.3g} s later"
+                f"{step}: it takes {needed:.3g} s at the drive's limit, and the next piece begins {span:.3g} s later"
             )
         needed = min(needed, span)
         self.rows.append((needed, (before, after), (way * self.limit, way * self.limit), True))
         return needed
 
-    def made(self) -> DriveDemand:
-        return DriveDemand(
+    def made(self) -> DriveRequirement:
+        return DriveRequirement(
             duration=np.array([row[0] for row in self.rows]),
             speed=np.array([row[1] for row in self.rows]),
             torque=np.array([row[2] for row in self.rows]),
@@ -152,7 +152,7 @@ def _rpm(speed: float) -> str:
 
 
 def _split_at_rest(corners: Breakpoints) -> Breakpoints:
-    """Return the same lines with a point where the speed passes zero: friction and load turn round there."""
+    """Return the same corners with a point at each zero of the speed, where friction and load change sign."""
     time, speed = list(corners.time), list(corners.speed)
     load = None if corners.load is None else list(corners.load)
     for row in reversed(range(len(time) - 1)):
