@@ -57,7 +57,7 @@ class Estimate:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """Lowest and highest possible value [SI]; one standard deviation around ``value`` where stated; NaN if unknown."""
+        """Lowest and highest possible value [SI]; one standard deviation around it where stated; NaN if unknown."""
         if self.choices:
             return min(self.choices), max(self.choices)
         if self.low is not None and self.high is not None:

@@ -133,8 +133,8 @@ def test_a_supply_too_low_for_the_speed_is_refused_and_near_it_flagged():
 
     def told(volts: float) -> tuple[bool, str]:
         low = entry.model_copy(update={"supply_voltage": replace(entry.supply_voltage, value=volts)})
-        faults = [one for one in requirement_faults(requirement, made.rig, low) if "supply" in one.told]
-        return (faults[0].impossible, faults[0].told) if faults else (False, "")
+        faults = [one for one in requirement_faults(requirement, made.rig, low) if "supply" in one.text]
+        return (faults[0].impossible, faults[0].text) if faults else (False, "")
 
     assert told(180)[0]
     assert "has a back-EMF of 181 V or more at 6000 rpm, above its supply of 180 V" in told(180)[1]

@@ -48,8 +48,9 @@ def draw_regions(axes: Axes, regions: SpeedTorque, requirement: DriveRequirement
         axes.plot(
             turned, torque, color=CYCLE, linewidth=1.4, marker="o", markersize=4, label="" if row else "the cycle"
         )
-    axes.plot([mean_speed(requirement) * RPM], [requirement.rms_torque], color=CYCLE, marker="D", markersize=8,
-              linestyle="", markerfacecolor="white", label=f"rms {requirement.rms_torque:.3g} N m at the mean speed")  # fmt: skip
+    rms = requirement.rms_torque
+    axes.plot([mean_speed(requirement) * RPM], [rms], color=CYCLE, marker="D", markersize=8,
+              linestyle="", markerfacecolor="white", label=f"rms {rms:.3g} N m at the mean speed")  # fmt: skip
     axes.set(xlabel="motor speed [rpm]", ylabel="motor torque [N m]", xlim=(0, speed[-1]), ylim=(0, None))
     axes.grid(color="#e3e7eb", linewidth=0.6)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, fontsize=8, frameon=False)
