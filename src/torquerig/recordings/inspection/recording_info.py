@@ -13,47 +13,17 @@ from numpy.typing import NDArray
 from torquerig.recordings.files.blocks import Block, Blocking
 from torquerig.recordings.files.gaps import Gap, gaps_in
 from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.inspection.channel_info import POSITIONS, ChannelInfo, channel_info
 from torquerig.recordings.inspection.channel_summary import LONGEST_DROPOUT, ChannelSummary, joined_summaries, summarise
-from torquerig.recordings.inspection.extremes import Extreme
 from torquerig.recordings.inspection.outliers import MARGIN
 from torquerig.recordings.inspection.runs import Run as SampleRun
-from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.dropout_search import DropoutSearch
 from torquerig.recordings.run import Run
 
-# these may stay at their highest or lowest value without clipping, and jump where they overflow
-_POSITIONS = ("motor_angle", "angle", "position", "tacho")
+# dropouts behind a low-pass are searched in these
+_MEASURED = ("torque", "motor_torque", "force")
 _NAMED = 5  # most places that are named in a sentence
-
-
-@dataclass(frozen=True, kw_only=True)
-class ChannelInfo:
-    """Figures of one channel, in its unit.
-
-    ``clipped_low`` and ``clipped_high`` count the samples on the lowest and highest value where that looks like
-    clipping, else 0. ``longest_repeat`` is the length of the longest run of one value, which starts at sample
-    ``repeat_from``. ``stuck``: it is far longer than expected of independent repeats; ``stuck_runs`` lists all such
-    runs. ``not_numbers`` are runs of NaN or infinity, ``spikes`` single outliers, ``dropouts`` stretches that jump to a
-    level and back.
-    """
-
-    quantity: str
-    unit: str
-    si_per_unit: float
-    truth: bool
-    minimum: float
-    mean: float
-    maximum: float
-    std: float
-    constant: bool
-    clipped_low: int
-    clipped_high: int
-    longest_repeat: int
-    repeat_from: int
-    stuck: bool
-    stuck_runs: tuple[SampleRun, ...] = ()
-    not_numbers: tuple[SampleRun, ...] = ()
-    spikes: tuple[int, ...] = ()
-    dropouts: tuple[SampleRun, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,6 +80,8 @@ class RecordingInfo:
                 found.append(f"{name} looks clipped at {limit:.6g} {one.unit} ({count} samples)")
         if one.dropouts:
             found.append(self._dropped(name, one))
+        if one.rounded_dropouts is not None:
+            found.append(one.rounded_dropouts.sentence(name, one.unit))
         if one.spikes:
             runs = [SampleRun(first=sample, length=1) for sample in one.spikes]
             found.append(f"{name} has {_counted(len(runs), 'spike')}: {_places(runs)}")
@@ -140,11 +112,14 @@ def recording_info(recording: Recording) -> RecordingInfo:
     whole = slice(0, recording.samples)
     summaries = {
         name: summarise(
-            channel.values, whole, first=0, rate=recording.sample_rate, judged=channel.quantity not in _POSITIONS
+            channel.values, whole, first=0, rate=recording.sample_rate, judged=channel.quantity not in POSITIONS
         )
         for name, channel in recording.channels.items()
     }
-    return _info(recording, summaries, samples=recording.samples)
+    searches = _searches(recording)
+    for name, search in searches.items():
+        search.add(recording.channels[name].values)
+    return _info(recording, summaries, samples=recording.samples, searches=searches)
 
 
 def stream_info(stream: RecordingStream) -> RecordingInfo:
@@ -153,24 +128,40 @@ def stream_info(stream: RecordingStream) -> RecordingInfo:
     gaps: list[Gap] = []
     samples, last_time = 0, None
     recording = None
+    searches: dict[str, DropoutSearch] = {}
     margin = max(MARGIN, round(LONGEST_DROPOUT * stream.sample_rate) + 8)
     for block in Blocking(samples=2**20, overlap=margin).cut(stream):
         recording = block.recording
         summaries = _joined(summaries, block)
+        searches = searches or _searches(recording)
+        for name, search in searches.items():
+            search.add(recording.channels[name].values[block.kept])
         samples = block.first + block.kept.stop - block.kept.start
         if block.times is not None:
             gaps += gaps_in(block.times, stream.sample_rate, first=block.first, before=last_time)
             last_time = float(block.times[-1])
     if recording is None:  # a stream without blocks raises before
         recording = stream.of({name: np.empty(0) for name in stream.entries})
-    return _info(recording, summaries, samples=samples, gaps=tuple(gaps), time_name=stream.table.time_name() or "time")
+    return _info(
+        recording, summaries, samples=samples, gaps=tuple(gaps), time_name=stream.table.time_name() or "time",
+        searches=searches,
+    )  # fmt: skip
+
+
+def _searches(recording: Recording) -> dict[str, DropoutSearch]:
+    channels = recording.channels.items()
+    return {
+        name: DropoutSearch(recording.sample_rate)
+        for name, one in channels
+        if one.quantity in _MEASURED and not one.truth
+    }
 
 
 def _joined(summaries: Mapping[str, ChannelSummary], block: Block) -> dict[str, ChannelSummary]:
     joined = {}
     for name, channel in block.recording.channels.items():
         before = summaries.get(name)
-        judged = channel.quantity not in _POSITIONS
+        judged = channel.quantity not in POSITIONS
         summary = summarise(
             channel.values,
             block.kept,
@@ -190,67 +181,23 @@ def _info(
     samples: int,
     gaps: tuple[Gap, ...] = (),
     time_name: str = "time",
+    searches: Mapping[str, DropoutSearch] | None = None,
 ) -> RecordingInfo:
+    rounded = {name: search.found() for name, search in (searches or {}).items()}
     return RecordingInfo(
         name=recording.name,
         sample_rate=recording.sample_rate,
         samples=samples,
         duration=samples / recording.sample_rate,
         run=recording.run,
-        channels={name: channel_info(channel, summaries[name]) for name, channel in recording.channels.items()},
+        channels={
+            name: channel_info(channel, summaries[name], rounded=rounded.get(name))
+            for name, channel in recording.channels.items()
+        },
         gaps=gaps,
         time_name=time_name,
         summaries=summaries,
     )
-
-
-def channel_info(channel: Channel, summary: ChannelSummary) -> ChannelInfo:
-    """Return the figures and suspicious findings of one channel.
-
-    Clipping: see :class:`Extreme`. Stuck: runs of one value longer than 8 samples and than three times the longest
-    expected run of independent repeats. Spikes and dropouts: see ``inspection.outliers``. All are suspicions: a square
-    wave looks clipped, and a rig at rest stuck. Angles, positions and tachos are not tested.
-    """
-    levels = summary.levels
-    judged = channel.quantity not in _POSITIONS and levels.minimum < levels.maximum
-    dropouts = summary.dropouts if judged else ()
-    clipped_low, clipped_high = (
-        _clipped(one, sign, dropouts) if judged else 0 for one, sign in ((summary.low, -1.0), (summary.high, 1.0))
-    )
-    limits = [limit for limit, count in ((levels.minimum, clipped_low), (levels.maximum, clipped_high)) if count]
-    dropped = {run.first for run in dropouts} | {run.first - 1 for run in dropouts}
-    # a run at the limit is reported as clipping, a run in a dropout as a dropout
-    runs = [run for run in summary.repeats.stuck() if run.first not in dropped and run.value not in limits]
-    stuck = tuple(runs) if judged else ()
-    longest = max(stuck, key=lambda run: run.length, default=summary.repeats.longest)
-    return ChannelInfo(
-        quantity=channel.quantity,
-        unit=channel.unit,
-        si_per_unit=channel.si_per_unit,
-        truth=channel.truth,
-        minimum=levels.minimum,
-        mean=levels.mean,
-        maximum=levels.maximum,
-        std=levels.std,
-        constant=levels.count > 0 and levels.minimum == levels.maximum,
-        clipped_low=clipped_low,
-        clipped_high=clipped_high,
-        longest_repeat=longest.length,
-        repeat_from=longest.first,
-        stuck=bool(stuck),
-        stuck_runs=stuck,
-        not_numbers=summary.gone,
-        spikes=summary.spikes if judged else (),
-        dropouts=dropouts,
-    )
-
-
-def _clipped(extreme: Extreme | None, sign: float, dropouts: Sequence[SampleRun]) -> int:
-    """Return the number of samples at the limit, 0 where most of them belong to dropouts to that level."""
-    if extreme is None:
-        return 0
-    lost = sum(run.length for run in dropouts if run.value == sign * extreme.value)
-    return extreme.clipped if extreme.count > 2 * lost else 0
 
 
 def longest_run(values: NDArray[np.float64]) -> tuple[int, int]:

@@ -4,6 +4,9 @@
 ``held_samples``            samples renewed more seldom than they are written
 ``coarse_codes``            values on multiples of a step wider than the converter's
 ``sharp_dropouts``          the signal jumps to a level, rests there and jumps back
+``rounded_dropouts``        the same behind a low-pass, its edges rounded and noise going on; ``dropout_search``: in
+                            blocks, ``common_dropouts``: in several recordings, ``lost_moments``: what is known of
+                            them, ``pulse_behind_low_pass`` and ``short_departures``: how they are fitted and found
 ``flat_tops``               a reading that stops at a limit; ``clipping_under_hum`` and ``clipping_under_noise``: the
                             same where a hum, an alias or noise was added behind the limit
 ``samples_at_limit``        what a limit cut off, rebuilt

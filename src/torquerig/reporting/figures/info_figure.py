@@ -9,8 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
+from torquerig.recordings.inspection.channel_info import ChannelInfo
 from torquerig.recordings.inspection.channel_summary import ChannelSummary
-from torquerig.recordings.inspection.recording_info import ChannelInfo, RecordingInfo
+from torquerig.recordings.inspection.recording_info import RecordingInfo
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER
