@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate
 from torquerig.diagnosis.outcome import Mismatch
@@ -12,12 +14,14 @@ from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.clipping_under_hum import flat_under_hum
 from torquerig.recordings.repair.clipping_under_noise import flat_under_noise
 from torquerig.recordings.repair.coarse_codes import coarse_codes
+from torquerig.recordings.repair.common_dropouts import common_dropouts
 from torquerig.recordings.repair.faults import Fault
 from torquerig.recordings.repair.flat_tops import FlatTops, flat_tops
 from torquerig.recordings.repair.held_samples import on_straight_lines, renewed_every
+from torquerig.recordings.repair.lost_moments import RoundedDropouts
 from torquerig.recordings.repair.moments import Moments, bridged
 from torquerig.recordings.repair.samples_at_limit import rebuilt
-from torquerig.recordings.repair.sharp_dropouts import dropouts, moments_lost
+from torquerig.recordings.repair.sharp_dropouts import Dropouts, dropouts, moments_lost
 from torquerig.recordings.repair.time_base import broken_time
 from torquerig.recordings.repair.untrue_samples import without_untrue
 from torquerig.rig.assembly import Rig
@@ -101,12 +105,9 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     if codes is not None:
         add("quantization", "Quantization", step=codes.step)
     held = [every is not None for every in renewed]  # such a run stands still by itself
-    lost = dropouts([each for each, by_itself in zip(recordings, held, strict=True) if not by_itself])
+    lost, lost_of_each, mended = _without_dropouts(recordings, held)
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
-    still = zip(recordings, held, strict=True)
-    lost_of_each: tuple[Moments, ...] = tuple([] if by_itself else moments_lost(each) for each, by_itself in still)
-    mended = tuple(map(bridged, recordings, lost_of_each))
     code = codes.step if codes else step or 1e-12
     flat = flat_tops(mended, full_range=full, code=code, coarse=codes is not None)
     behind = None if flat is not None or codes is not None else _cut_before_noise(mended, full_range=full)
@@ -146,3 +147,37 @@ def _located(fault: Fault) -> Untrue:
         domain=place.domain, axis="s" if place.domain == "time" else "Hz", at=place.at, width=place.width,
         recordings=(fault.recording,), excess_dB=place.excess, share_of_misfit=0.0, p_value=0.0,
     )  # fmt: skip
+
+
+def _without_dropouts(
+    recordings: Sequence[Recording], held: Sequence[bool]
+) -> tuple[Dropouts | None, tuple[Moments, ...], tuple[Recording, ...]]:
+    """Return the dropouts, sharp or rounded, the moments of each recording, and the recordings with these bridged.
+
+    Sharp ones are not looked for in recordings that are ``held``, for they stand still by themselves.
+    """
+    found = dropouts([each for each, by_itself in zip(recordings, held, strict=True) if not by_itself])
+    still = zip(recordings, held, strict=True)
+    sharp = [[] if by_itself else moments_lost(each) for each, by_itself in still]
+    mended = list(map(bridged, recordings, sharp))
+    rounded = common_dropouts(mended)
+    more = [
+        [] if own is None else own.moments(each.sample_rate, each.samples)
+        for each, own in zip(recordings, rounded, strict=True)
+    ]
+    lost: tuple[Moments, ...] = tuple([*some, *others] for some, others in zip(sharp, more, strict=True))
+    return _more_of(found, rounded, recordings), lost, tuple(map(bridged, mended, more))
+
+
+def _more_of(
+    sharp: Dropouts | None, rounded: Sequence[RoundedDropouts | None], recordings: Sequence[Recording]
+) -> Dropouts | None:
+    """Return the sharp or the rounded dropouts, of which there are more."""
+    found = [own for own in rounded if own is not None]
+    count = sum(len(own.starts) for own in found)
+    if not found or (sharp is not None and sharp.count >= count):
+        return sharp
+    lengths = [length for own in found for length in own.lengths]
+    names = tuple(each.name for each, own in zip(recordings, rounded, strict=True) if own is not None)
+    seconds = sum(each.duration for each in recordings)
+    return Dropouts(found[0].level, float(np.median(lengths)), count, count / seconds, names)

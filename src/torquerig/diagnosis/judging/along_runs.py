@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.recordings.repair.sharp_dropouts import moments_lost
+from torquerig.recordings.repair.common_dropouts import moments_without_signal
 
 PARTS = 10  # of each run
 SHORTEST = 0.4  # [s] a part
@@ -21,7 +21,7 @@ def unbroken(runs: Sequence[Observed]) -> list[Observed]:
     return [
         run
         for run in runs
-        if run.steady and not run.rebuilt and not moments_lost(run.recording)
+        if run.steady and not run.rebuilt and not moments_without_signal(run.recording)
         and run.torque.size >= PARTS * int(SHORTEST * run.rate)
     ]  # fmt: skip
 

@@ -24,7 +24,7 @@ from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.kept import kept
 from torquerig.diagnosis.outcome import Mismatch
-from torquerig.recordings.repair.sharp_dropouts import moments_lost
+from torquerig.recordings.repair.common_dropouts import moments_without_signal
 
 Floats = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ def load_contradictions(case: Case, total: float) -> Iterator[Mismatch]:
 
 @kept
 def _loses_moments(seen: Features) -> bool:
-    return bool(moments_lost(seen.observed.recording))
+    return bool(moments_without_signal(seen.observed.recording))
 
 
 def _of_the_load(run: BandExcess) -> BandExcess:

@@ -17,7 +17,7 @@ from torquerig.diagnosis.judging.chance import by_chance
 from torquerig.diagnosis.looking.observed import Observed
 from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import SimulationError
-from torquerig.recordings.repair.sharp_dropouts import moments_lost
+from torquerig.recordings.repair.common_dropouts import moments_without_signal
 from torquerig.recordings.repair.short_spectra import short_spectra
 from torquerig.rig.assembly import Rig
 
@@ -69,7 +69,7 @@ def _largest(run: Observed, step: float) -> _Passing | None:
     """
     if not run.steady:
         return None
-    without = [*moments_lost(run.recording), *run.struck]
+    without = [*moments_without_signal(run.recording), *run.struck]
     spectra = short_spectra(_rounded_evenly(run, step), run.rate, without=without)
     if spectra is None:
         return None
