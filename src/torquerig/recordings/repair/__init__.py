@@ -1,6 +1,7 @@
 """Faults of samples: found by the samples alone, described in a sentence, and repaired; no rig is known here.
 
 =========================== ====================================================================================
+``detectors``               the detectors in their order, one list for all commands; ``examination``: what they pass on
 ``held_samples``            samples renewed more seldom than they are written
 ``coarse_codes``            values on multiples of a step wider than the converter's
 ``sharp_dropouts``          the signal jumps to a level, rests there and jumps back
@@ -19,7 +20,7 @@
 ``mean_steps``              a mean that steps and stays
 ``sample_jumps``            jumps from one sample to the next
 ``sweeps``                  lines that sweep at a steady speed; ``sweep_course``: their ends, and a run without them
-``untrue_samples``          the detectors from ``slips`` on, in their order
+``untrue_samples``          the detectors from ``slips`` on
 ``faults``                  what a fault says, and where it is
 ``moments``                 moments of a recording: from flags, about jumps, bridged
 ``strong_tone``             a tone that hides faults; ``mains_hum``: a hum that does

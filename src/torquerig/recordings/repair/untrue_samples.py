@@ -1,13 +1,14 @@
-"""What no rig does, in words and as places: jumps, levels, another gain, steps, a sweep."""
+"""What no rig does, as detectors: blows of what slips, levels, another gain, steps and jumps, a sweep."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
 from torquerig.recordings.repair.faults import Fault, fault_in_frequency, fault_in_time, in_words
 from torquerig.recordings.repair.gain_changes import GainMoment, gain_moments, with_one_gain
 from torquerig.recordings.repair.mean_steps import MeanStep, edges, mean_steps, without_steps
@@ -25,67 +26,62 @@ _FEWEST_JUMPS = 3  # of a sample, in one recording: one may be a switch of the l
 _FEW_STEPS = 3  # of a recording: a mean that steps to and fro is not put right by taking out those that are seen
 
 
-@dataclass(frozen=True)
-class Mended:
-    """Recordings without what no rig does, the lost moments of each, and what was told of them.
-
-    ``stepping`` is whether the mean torque of one steps, ``swept`` the frequencies [Hz], lowest and highest, over which
-    a line swept that was taken out, ``to_the_other`` what leads each recording to the other level of its telegraph
-    noise [V], ``struck`` the moments of each that what slips took.
-    """
-
-    recordings: tuple[Recording, ...]
-    lost: tuple[Moments, ...]
-    told: tuple[Fault, ...]
-    stepping: bool
-    swept: tuple[tuple[float, float], ...]
-    to_the_other: tuple[float, ...]
-    struck: tuple[Moments, ...]
+def without_strikes(seen: Examination) -> Examination:
+    """Bridge the blows of what slips under load and grips again."""
+    struck = slips(seen.recordings)
+    recordings, lost = without_slips(seen.recordings, seen.lost, struck)
+    found = replace(seen, recordings=tuple(recordings), lost=tuple(lost), struck=moments_of_slips(struck))
+    return found.with_faults(*slips_told(recordings, struck))
 
 
-def without_untrue(
-    recordings: Sequence[Recording], lost: Sequence[Moments], *, standing: Collection[str], resolution: float = 0.0
-) -> Mended:
-    """Return the recordings at one level and gain, without steps and sweeping lines, what is lost, and what was told.
+def one_level(seen: Examination) -> Examination:
+    """Remove telegraph noise."""
+    levels = telegraph_noise(seen.recordings, seen.lost, resolution=2 * seen.resolution)
+    told = [_telegraph(each, own) for each, own in zip(seen.recordings, levels, strict=True) if own is not None]
+    level = without_telegraph(seen.recordings, levels)
+    lost = tuple([*some, *more] for some, more in zip(seen.lost, level.moments, strict=True))
+    stepping = seen.stepping or any(level.to_the_other)
+    return replace(
+        seen, recordings=level.recordings, lost=lost, to_the_other=level.to_the_other, stepping=stepping
+    ).with_faults(*told)
 
-    Parameters
-    ----------
-    recordings : sequence of Recording
-        Moments without signal bridged.
-    lost : sequence of Moments
-        Those moments.
-    standing : collection of str
-        Recordings with flat tops or coarse codes: where their signal stands still, that is no gain.
-    resolution : float
-        Half a code [V], 0 where it is not known.
-    """
-    struck = slips(recordings)
-    recordings, lost = without_slips(recordings, lost, struck)
-    levels = telegraph_noise(recordings, lost, resolution=2 * resolution)
-    told = slips_told(recordings, struck)
-    told += [_telegraph(each, own) for each, own in zip(recordings, levels, strict=True) if own is not None]
-    level = without_telegraph(recordings, levels)
-    answer, lost = list(level.recordings), [[*some, *more] for some, more in zip(lost, level.moments, strict=True)]
-    for index, (recording, moments) in enumerate(zip(level.recordings, lost, strict=True)):
-        gains = () if recording.name in standing else gain_moments(recording, without=moments)
+
+def one_gain(seen: Examination) -> Examination:
+    """Scale moments of another gain back."""
+    answer, told = list(seen.recordings), list[Fault]()
+    for index, (recording, moments) in enumerate(zip(seen.recordings, seen.lost, strict=True)):
+        gains = () if recording.name in seen.standing else gain_moments(recording, without=moments)
         if gains:
             answer[index] = with_one_gain(recording, gains)
             told.append(_gain_change(recording, gains))
-    steps_of_each = mean_steps(answer, lost, resolution=resolution)
-    free = [not steps and each.name not in standing for each, steps in zip(answer, steps_of_each, strict=True)]
+    return replace(seen, recordings=tuple(answer)).with_faults(*told)
+
+
+def without_steps_and_jumps(seen: Examination) -> Examination:
+    """Remove steps of the mean where they are few, and bridge jumps from one sample to the next."""
+    answer = list(seen.recordings)
+    steps_of_each = mean_steps(answer, seen.lost, resolution=seen.resolution)
+    free = [not steps and each.name not in seen.standing for each, steps in zip(answer, steps_of_each, strict=True)]
     jumps = [
-        _jumps_of(recording, moments, resolution=2 * resolution) if may else []
-        for recording, moments, may in zip(answer, lost, free, strict=True)
+        _jumps_of(recording, moments, resolution=2 * seen.resolution) if may else []
+        for recording, moments, may in zip(answer, seen.lost, free, strict=True)
     ]
-    told += [_jumping_values(recording, own) for recording, own in zip(answer, jumps, strict=True) if own]
-    moments_of_each = [[*some, *seams(own, each)] for some, own, each in zip(lost, jumps, answer, strict=True)]
+    told = [_jumping_values(recording, own) for recording, own in zip(answer, jumps, strict=True) if own]
+    lost = [[*some, *seams(own, each)] for some, own, each in zip(seen.lost, jumps, answer, strict=True)]
     few = max(map(len, steps_of_each), default=0) <= _FEW_STEPS
     for index, steps in enumerate(steps_of_each):
         if steps:
             told.append(_stepping(answer[index], steps, taken_out=few))
         if steps and few:
-            moments_of_each[index] += edges(answer[index], steps)
+            lost[index] += edges(answer[index], steps)
             answer[index] = without_steps(answer[index], steps)
+    stepping = seen.stepping or any(steps_of_each)
+    return replace(seen, recordings=tuple(answer), lost=tuple(lost), stepping=stepping).with_faults(*told)
+
+
+def without_sweeps(seen: Examination) -> Examination:
+    """Remove lines that sweep while the speed is steady, and the same from runs whose speed changes."""
+    answer, told = list(seen.recordings), list[Fault]()
     volts = [(each.torque_values(), each.sample_rate) for each in answer]
     steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
     sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
@@ -96,11 +92,7 @@ def without_untrue(
         if sweep is not None:
             answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
             told.append(_sweeping(recording, sweep))
-    return Mended(
-        tuple(answer), tuple(moments_of_each), tuple(told), swept=swept,
-        stepping=any(steps_of_each) or any(level.to_the_other), to_the_other=level.to_the_other,
-        struck=moments_of_slips(struck),
-    )  # fmt: skip
+    return replace(seen, recordings=tuple(answer), swept=swept).with_faults(*told)
 
 
 def _telegraph(recording: Recording, own: Telegraph) -> Fault:
