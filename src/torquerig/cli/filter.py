@@ -24,6 +24,7 @@ from torquerig.recordings.files import check_target, open_stream, read_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.common_dropouts import lost_signal_sentences
 from torquerig.renamed import current_name
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
@@ -111,6 +112,8 @@ def _filtered_whole(
 ) -> tuple[Recording, Recording]:
     """Filter, print and write; return the recording before and after the first chain."""
     before = read_recording(path)
+    for sentence in lost_signal_sentences(before):
+        click.echo(f"suspicious: {sentence}; these moments are filtered like the rest")
     results = [chain.apply(before) for chain in chains]
     effects = [
         chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines)

@@ -24,6 +24,7 @@ from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematic
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.common_dropouts import lost_signal_sentences
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
@@ -79,6 +80,8 @@ def command(
     click.echo(_found_table(found))
     for sentence in _sentences(found, kinematics):
         click.echo(wrapped(sentence))
+    for sentence in lost_signal_sentences(read):
+        click.echo(f"suspicious: {sentence}; the lines are those of the samples as they are")
     if picture is not None:
         from torquerig.reporting.figures.order_figure import order_figure, order_picture
         from torquerig.reporting.figures.picture import write_picture

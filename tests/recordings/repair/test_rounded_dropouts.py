@@ -9,6 +9,7 @@ from tests.recordings.repair.drawn_losses import CLEAN, Drawn, clean, lossy
 from tests.recordings.repair.drawn_rig import RATE
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.repair.common_dropouts import lost_signal_sentences
 from torquerig.recordings.repair.dropout_search import DropoutSearch
 from torquerig.recordings.repair.lost_moments import RoundedDropouts
 from torquerig.recordings.run import Run
@@ -74,3 +75,16 @@ def test_of_a_hundred_at_least_ninety_five_are_found() -> None:
 @pytest.mark.long
 def test_of_a_hundred_clean_ones_none_is_lost() -> None:
     assert [number for number in range(1000, 1100) if found_in(clean(number)) is not None] == []
+
+
+def test_orders_and_filters_name_the_losses() -> None:
+    drawn = lossy(3, duration=SHORT)
+    channel = Channel(values=drawn.values, quantity="torque", unit=drawn.unit, si_per_unit=drawn.nm_per_unit)
+    recording = Recording(name="lost", sample_rate=RATE, channels={"torque": channel}, run=Run())
+    (sentence,) = lost_signal_sentences(recording)
+    assert "falls to" in sentence
+    quiet = clean(13, duration=SHORT)
+    channel = Channel(values=quiet.values, quantity="torque", unit=quiet.unit, si_per_unit=quiet.nm_per_unit)
+    assert (
+        lost_signal_sentences(Recording(name="whole", sample_rate=RATE, channels={"torque": channel}, run=Run())) == []
+    )

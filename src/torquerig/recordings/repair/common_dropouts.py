@@ -11,7 +11,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.lost_moments import RoundedDropouts
 from torquerig.recordings.repair.moments import bridged
 from torquerig.recordings.repair.rounded_dropouts import averaged, rounded_dropouts
-from torquerig.recordings.repair.sharp_dropouts import moments_lost
+from torquerig.recordings.repair.sharp_dropouts import dropouts, moments_lost
 
 
 def common_dropouts(recordings: Sequence[Recording]) -> tuple[RoundedDropouts | None, ...]:
@@ -45,3 +45,17 @@ def moments_without_signal(recording: Recording) -> list[tuple[int, int]]:
     sharp = moments_lost(recording)
     (rounded,) = common_dropouts([bridged(recording, sharp)])
     return sharp if rounded is None else [*sharp, *rounded.moments(recording.sample_rate, recording.samples)]
+
+
+def lost_signal_sentences(recording: Recording) -> list[str]:
+    """Return a sentence on sharp and one on rounded dropouts of the torque, as far as there are some."""
+    name = recording.torque_name()
+    unit, sharp = recording.channels[name].unit, dropouts([recording])
+    sentences: list[str] = []
+    if sharp is not None:
+        sentences.append(
+            f"{name} drops to {sharp.level:.4g} {unit} and comes back {sharp.count} time{'s' * (sharp.count != 1)}, "
+            f"for {1e3 * sharp.duration:.3g} ms in the median"
+        )
+    (rounded,) = common_dropouts([bridged(recording, moments_lost(recording))])
+    return sentences if rounded is None else [*sentences, rounded.sentence(name, unit)]
