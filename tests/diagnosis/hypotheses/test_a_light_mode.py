@@ -15,6 +15,7 @@ from torquerig.rig.parts import Body
 from torquerig.scenario.model import Scenario
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("share", "frequency"), [(0.04, 97.8), (0.04, 140.0), (0.5, 140.0)])
 def test_one_of_those_tried_stands_where_it_is(
     share: float, frequency: float, known_rig: Scenario, three_runs: Callable[..., list[Recording]]
@@ -33,6 +34,7 @@ def test_one_of_those_tried_stands_where_it_is(
     assert min(abs(one.inertia / hidden.inertia - 1) for one in near) < 0.7
 
 
+@pytest.mark.long
 def test_where_a_line_swept_a_mode_must_gain_more(
     known_rig: Scenario, three_runs: Callable[..., list[Recording]]
 ) -> None:

@@ -15,6 +15,7 @@ from torquerig.rig.parts import Body
 from torquerig.scenario.model import Scenario
 
 
+@pytest.mark.long
 def test_it_is_found_in_the_notch_and_pays_for_no_other_place(
     known_rig: Scenario, three_runs: Callable[..., list[Recording]]
 ) -> None:
@@ -35,6 +36,7 @@ def test_it_is_found_in_the_notch_and_pays_for_no_other_place(
     assert any(one.parts[0].inertia == pytest.approx(hidden.inertia, rel=0.7) for one in own)  # type: ignore[attr-defined]
 
 
+@pytest.mark.long
 def test_without_a_notch_none_is_sought_there(known_rig: Scenario, three_runs: Callable[..., list[Recording]]) -> None:
     case = begun(known_rig, (), three_runs(known_rig.rig, 3), lambda _: None).before
     assert not any(run.notches for run in case.runs)

@@ -48,6 +48,7 @@ def line(at: float, mechanism: str = "gear_mesh", price: float = 0.0) -> Candida
     return Candidate(mechanism=mechanism, parts=(), knobs=(), place=order(at), price=price)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("at", "size", "combined"),
     [
@@ -61,12 +62,14 @@ def test_a_small_line_where_two_meet(seen: Case, at: float, size: float, combine
     assert may_be_combined(with_line(seen, order(at), size), BENT, [line(at)]) is combined
 
 
+@pytest.mark.long
 def test_all_that_was_found_must_be_such_lines(seen: Case) -> None:
     both = with_line(with_line(seen, order(13.0), 1e-4), order(16.8), 1e-4)
     assert not may_be_combined(both, BENT, [line(13.0), line(16.8)])
     assert not may_be_combined(seen, BENT, [])
 
 
+@pytest.mark.long
 def test_where_the_motor_has_lines_they_are_its_own(seen: Case) -> None:
     """Order 42 is twice 21, and the sixth of seven pole pairs."""
     case = with_line(seen, order(42.0), 1e-4)
@@ -74,6 +77,7 @@ def test_where_the_motor_has_lines_they_are_its_own(seen: Case) -> None:
     assert may_be_combined(case, BENT, [line(42.0, "commutation_ripple", price=23.0)])
 
 
+@pytest.mark.long
 def test_what_bends_is_wrong_in_the_spectrum(seen: Case) -> None:
     case = with_line(seen, order(13.0), 1e-4)
     assert not may_be_combined(case, [replace(BENT[0], domain="time")], [line(13.0)])

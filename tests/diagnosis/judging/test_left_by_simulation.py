@@ -63,6 +63,7 @@ def at_twice_the_order(left: tuple[Mismatch, ...]) -> list[Mismatch]:
     return [mismatch for mismatch in left if mismatch.domain == "order" and mismatch.at in {112.0, 560.0}]
 
 
+@pytest.mark.long
 def test_a_line_that_a_strong_ripple_makes_at_twice_its_order(wear_rig: Scenario, recording: Recording) -> None:
     case = case_of(wear_rig.rig + STRONG, recording)
     twin = mismatches(case)
@@ -70,12 +71,14 @@ def test_a_line_that_a_strong_ripple_makes_at_twice_its_order(wear_rig: Scenario
     assert not at_twice_the_order(left_by_simulation(case, twin))
 
 
+@pytest.mark.long
 def test_what_the_rig_lacks_stays_left(wear_rig: Scenario, recording: Recording) -> None:
     case = case_of(wear_rig.rig, recording)
     twin = mismatches(case)
     assert at_twice_the_order(left_by_simulation(case, twin)) == at_twice_the_order(twin) != []
 
 
+@pytest.mark.long
 def test_where_nothing_can_be_simulated_all_stays(
     wear_rig: Scenario, recording: Recording, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -89,6 +92,7 @@ def test_where_nothing_can_be_simulated_all_stays(
     assert left_and_fall(case, twin, wear_rig.rig) == (twin, 0.0)
 
 
+@pytest.mark.long
 def test_what_takes_up_but_the_line_of_a_simulation_gains_nothing_beside_it(
     wear_rig: Scenario, recording: Recording
 ) -> None:
@@ -103,6 +107,7 @@ def test_what_takes_up_but_the_line_of_a_simulation_gains_nothing_beside_it(
     assert fall(without, wear_rig.rig + STRONG) > 100.0
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("occupancy", [0.0, 5.0])
 def test_the_chance_of_a_load_speaks_for_no_rig(
     occupancy: float, wear_rig: Scenario, record: Callable[..., Recording], monkeypatch: pytest.MonkeyPatch
@@ -118,6 +123,7 @@ def test_the_chance_of_a_load_speaks_for_no_rig(
     assert (fall(case, other) == pytest.approx(by_twin)) is bool(occupancy)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("made", "stays"), [(0, True), (4, False)])
 def test_flights_that_lines_make_in_a_simulation_too_are_none(
     made: int, stays: bool, wear_rig: Scenario, recording: Recording, monkeypatch: pytest.MonkeyPatch
@@ -153,6 +159,7 @@ def test_a_run_misses_its_mean_torque_once(domain: str, axis: str, same: bool) -
     assert by_simulation._same(at(-10.0), at(-11.0))
 
 
+@pytest.mark.long
 def test_a_few_of_a_bearings_rings_look_like_flights(
     wear_rig: Scenario, record: Callable[..., Recording], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -167,6 +174,7 @@ def test_a_few_of_a_bearings_rings_look_like_flights(
     assert not by_simulation._flies_more(struck, copies)
 
 
+@pytest.mark.long
 def test_flights_behind_a_drift_are_more_than_its_simulations_make(
     wear_rig: Scenario, record: Callable[..., Recording]
 ) -> None:

@@ -79,6 +79,7 @@ def test_where_nothing_can_be_told_nothing_is_asked() -> None:
     assert [*scattered_levels(case_of(jumping), 100.0)] != []
 
 
+@pytest.mark.long
 def test_a_zero_that_jumps_in_an_idle_ramp_is_left(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
     """0.3 V for half a second at a time; without it nothing is left."""
     runs = [record(wear_rig.rig, 3, occupancy=5.0, duration=8.0)]
