@@ -7,7 +7,6 @@ import subprocess
 import sys
 from dataclasses import FrozenInstanceError, fields
 from importlib import import_module
-from pathlib import Path
 from pkgutil import iter_modules
 
 import pytest
@@ -60,12 +59,6 @@ def _run_examples(name):
 def test_no_public_name_is_a_package_or_module():
     modules = {found.name for found in iter_modules(tr.__path__)}
     assert modules & set(FUNCTIONS) == set()
-
-
-def test_no_module_has_the_name_of_its_package():
-    root = Path(tr.__file__).parent
-    same = [path for path in root.rglob("*.py") if path.stem == path.parent.name]
-    assert same == []
 
 
 def test_an_unknown_name_lists_what_there_is():

@@ -8,7 +8,7 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from torquerig.reporting.notebook import notebook_html
+from torquerig.shown import notebook_html
 from torquerig.whole_file import whole_file
 
 if TYPE_CHECKING:

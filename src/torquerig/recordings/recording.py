@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError, did_you_mean
 from torquerig.recordings.run import Run
+from torquerig.shown import figure, notebook_html
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -180,14 +181,10 @@ class Recording:
 
     def plot(self) -> Figure:
         """Return the channels over time, with the spectrum and the levels of the torque."""
-        from torquerig.reporting.figures.recording_figure import recording_figure
-
-        return recording_figure(self)
+        return figure("recording_figure", self)
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows."""
-        from torquerig.reporting.notebook import notebook_html
-
         return notebook_html(self.summary(), self.levels())
 
     def random(self, purpose: str) -> np.random.Generator:

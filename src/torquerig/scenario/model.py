@@ -15,6 +15,7 @@ from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.filled import FromCatalog
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
+from torquerig.shown import figure, notebook_html
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -114,12 +115,8 @@ class Scenario:
 
     def plot(self) -> Figure:
         """Return a drawing of the parts along the shaft, with the effects at the parts that they act on."""
-        from torquerig.reporting.figures.rig_figure import rig_figure
-
-        return rig_figure(self.rig, title=self.title)
+        return figure("rig_figure", self.rig, title=self.title)
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows."""
-        from torquerig.reporting.notebook import notebook_html
-
         return notebook_html(self.summary(), self.to_frame())
