@@ -83,3 +83,17 @@ def test_every_name_of_the_reference_exists() -> None:
             gone.append(home)
     assert gone == []
     assert len(names) > 200
+
+
+def test_the_architecture_names_every_package_and_only_what_exists() -> None:
+    page = (DOCS / "architecture.md").read_text(encoding="utf-8")
+    package = ROOT / "src" / "torquerig"
+    folders = [one.name for one in package.iterdir() if (one / "__init__.py").exists()]
+    assert [name for name in folders if f"| `{name}/` |" not in page] == []
+    modules = [one.stem for one in package.glob("*.py") if not one.stem.startswith("__")]
+    assert [name for name in modules if f"`{name}`" not in page] == []
+    texts = [page, *(record.read_text(encoding="utf-8") for record in RECORDS)]
+    named = {name for text in texts for name in re.findall(r"`([a-z_]+/[a-z_/]*(?:\.py|\.yaml)?)`", text)}
+    former = {"signals/"}  # what record 0011 divided
+    gone = [one for one in named - former if not ((package / one).exists() or (ROOT / one).exists())]
+    assert [one for one in gone if not list(package.glob(f"*/{one.rstrip('/')}"))] == []
