@@ -16,7 +16,7 @@ from typing import Literal
 
 import numpy as np
 
-from torquerig.filters.chains.chain_form import StageForm
+from torquerig.filters.chains.stage_form import StageForm
 from torquerig.mechanisms.mains_interference import MainsInterference
 from torquerig.recordings.files.number_table import Table
 

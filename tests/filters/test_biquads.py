@@ -9,7 +9,7 @@ from scipy.signal import butter, iirnotch, sosfilt, sosfiltfilt
 from torquerig.errors import RecordingError
 from torquerig.filters.biquad_stream import causal_pieces, zero_phase_pieces
 from torquerig.filters.biquads import cascaded, time_constants, zero_phase, zero_phase_notched
-from torquerig.filters.edge_lines import steady_states
+from torquerig.filters.edge_states import steady_states
 
 RATE = 2500.0
 CENTRES = (10 / 3, 20 / 3, 10.0, 40 / 3, 16.7, 33.4, 50.1, 66.8, 100.3, 116.7)

@@ -126,7 +126,7 @@ filters:
     - {type: notch_bank, lines: {motor: 1..2}, causal: true}
     - {type: order_bandstop, lines: {shaft: 1..4}, half_width: 0.1 1/rev}
     - {type: vold_kalman, lines: {shaft: 1..4}}
-    - {type: weighed_lines, lines: {electrical: 1..4}, block: 20 s}
+    - {type: weighted_lines, lines: {electrical: 1..4}, block: 20 s}
     - {type: adaptive_canceller, lines: {motor: 1..4}, half_width: 0.2 Hz}
     - {type: comb, lines: {shaft: 1}, periods: 3}
     - {type: comb, lines: {shaft: 1}, periods: 3, causal: true}

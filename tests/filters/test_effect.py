@@ -7,7 +7,7 @@ import pytest
 
 from torquerig.errors import RecordingError
 from torquerig.filters.chains.filter_chain import report_filter_code_chain
-from torquerig.filters.effect import chain_effect
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run

@@ -8,7 +8,7 @@ import pytest
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.block_regression import block_amplitudes, blocks_of
 from torquerig.filters.order_bandstop import OrderBandstop
-from torquerig.filters.weighed_lines import WeighedLines
+from torquerig.filters.weighted_lines import WeightedLines
 from torquerig.orders.analysis.order_envelope import hop_sums, hops_of, resolved_orders, without_lines
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
@@ -42,7 +42,7 @@ def rms(values):
     return float(np.sqrt(np.mean(values**2)))
 
 
-@pytest.mark.parametrize("stage", [OrderBandstop(lines=LINES), WeighedLines(lines=LINES)])
+@pytest.mark.parametrize("stage", [OrderBandstop(lines=LINES), WeightedLines(lines=LINES)])
 def test_lines_under_two_per_cent_wander_fall_by_45_db(stage):
     # issue: 45 dB; the load's own noise is left out here, so that what is left is of the lines alone
     angle = turned(0.02)
@@ -51,7 +51,7 @@ def test_lines_under_two_per_cent_wander_fall_by_45_db(stage):
     assert 20 * np.log10(rms(left) / rms(lines)) < -45
 
 
-@pytest.mark.parametrize("stage", [OrderBandstop(lines=LINES), WeighedLines(lines=LINES)])
+@pytest.mark.parametrize("stage", [OrderBandstop(lines=LINES), WeightedLines(lines=LINES)])
 def test_noise_elsewhere_is_left_to_a_tenth(stage):
     angle = turned(0.02)
     noise = 0.1 * np.random.default_rng(5).normal(size=AT.size)
@@ -64,7 +64,7 @@ def test_weak_lines_stay_and_no_load_is_taken_for_them():
     angle = turned(0.002)
     load = 1.0 + np.cumsum(np.random.default_rng(6).normal(size=AT.size)) * 0.002  # red: most where the low lines stand
     source = recording(load, angle)
-    plain, weighed = OrderBandstop(lines=LINES).apply(source).torque(), WeighedLines(lines=LINES).apply(source).torque()
+    plain, weighed = OrderBandstop(lines=LINES).apply(source).torque(), WeightedLines(lines=LINES).apply(source).torque()
     assert rms(weighed - load) < 0.5 * rms(plain - load)
 
 
@@ -72,7 +72,7 @@ def test_a_ramp_is_followed():
     speed = SPEED * np.minimum(0.1 + AT / AT[-1], 1.0)
     angle = np.cumsum(speed) / RATE
     lines = disturbance(angle)
-    for stage in (OrderBandstop(lines=LINES), WeighedLines(lines=LINES)):
+    for stage in (OrderBandstop(lines=LINES), WeightedLines(lines=LINES)):
         left = stage.apply(recording(1.0 + lines, angle, profile="ramp")).torque() - 1.0
         assert 20 * np.log10(rms(left) / rms(lines)) < -35
 
@@ -114,7 +114,7 @@ def test_what_cannot_be_is_refused():
     with pytest.raises(InputError, match="cut nothing"):
         OrderBandstop(lines=LINES, half_width=0.0)
     with pytest.raises(InputError, match="write for example 30 s"):
-        WeighedLines(lines=LINES, block=0.0)
-    for stage in (OrderBandstop(lines=LINES), WeighedLines(lines=LINES)):
+        WeightedLines(lines=LINES, block=0.0)
+    for stage in (OrderBandstop(lines=LINES), WeightedLines(lines=LINES)):
         with pytest.raises(RecordingError, match="does not turn"):
             stage.apply(recording(np.ones(1000), np.zeros(1000)))

@@ -9,7 +9,7 @@ import pytest
 
 from torquerig.catalog.reading import load_catalog
 from torquerig.document import read_document
-from torquerig.filters.effect import chain_effect
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.shares import Shares
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error

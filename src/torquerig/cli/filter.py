@@ -16,7 +16,7 @@ from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.chain_file import read_chains
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
-from torquerig.filters.effect import FilterEffect, chain_effect
+from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import grid

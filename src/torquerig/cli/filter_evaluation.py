@@ -9,7 +9,7 @@ import click
 
 from torquerig.errors import InputError
 from torquerig.filters.chains.filter_chain import Chain
-from torquerig.filters.evaluation.inserted import HIT_DECAY, StepShown
+from torquerig.filters.evaluation.step_response import HIT_DECAY, StepResponse
 from torquerig.filters.evaluation.placebo import Placebo
 from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.metrics.load_error import LoadError
@@ -84,13 +84,13 @@ def placebo_text(made: FilterEvaluation) -> str:
     )
 
 
-def step_text(step: StepShown | None) -> str:
+def step_text(step: StepResponse | None) -> str:
     """Return the text of the chain's response to a step and to a hit that are added to the recording."""
     if step is None:
         return "No step or hit could be added: the torque is constant or the recording too short."
     return wrapped(
         f"Step response: rise time {_milli(step.rise)} (10 to 90 %), delay {_milli(step.late)}, overshoot "
-        f"{100 * step.overshoot:.1f} %, pre-ringing {100 * step.foreseen:.1f} %. A hit with {1e3 * HIT_DECAY:g} ms "
+        f"{100 * step.overshoot:.1f} %, pre-ringing {100 * step.pre_ringing:.1f} %. A hit with {1e3 * HIT_DECAY:g} ms "
         f"decay keeps {100 * step.hit_peak:.1f} % of its peak."
     )
 

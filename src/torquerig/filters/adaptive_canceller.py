@@ -1,4 +1,4 @@
-"""What is left when adaptive sines, whose references turn with the motor, are subtracted sample by sample: causal."""
+"""Adaptive cancelling of lines (LMS) with references that follow the motor's angle; causal."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ class AdaptiveCanceller:
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to take out. The angle is that of an encoder, speed or tacho channel, else of the set-point: what
-        the torque itself tells of the angle is known only afterwards.
+        The lines to remove. The angle is that of an encoder, speed or tacho channel, else of the set-point; an angle
+        estimated from the torque is not causal.
     half_width : float
-        Half the width of each notch at -3 dB [Hz], > 0; it learns a line within 1 / (2 pi half_width).
+        Half the width of each notch at -3 dB [Hz], > 0; it adapts to a line within 1 / (2 pi half_width).
 
     Notes
     -----
     Source: Widrow et al. 1975, Proc. IEEE 63(12), 1692-1716, section on notches: a step mu
-    gives a notch of half-width mu rate / (4 pi) and a time constant of 2 / mu samples. No sample waits for a
-    later one but those by which a counter is smoothed (2 ms at most). Slow load is delayed by :meth:`delay`.
+    gives a notch of half-width mu rate / (4 pi) and a time constant of 2 / mu samples. The output depends on later
+    samples only through the smoothing of a counter (2 ms at most). Slow load is delayed by :meth:`delay`.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -46,7 +46,7 @@ class AdaptiveCanceller:
 
     def __post_init__(self) -> None:
         if not self.half_width > 0:
-            raise InputError(f"an adaptive notch of half-width {self.half_width} Hz learns nothing; write above 0 Hz")
+            raise InputError(f"an adaptive notch of half-width {self.half_width} Hz does not adapt; write above 0 Hz")
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` without the lines; RecordingError where no speed is known."""
@@ -59,7 +59,7 @@ class AdaptiveCanceller:
         orders = resolved_orders([line.motor_order for line in self.lines], fastest)
         if not values.size:
             return recording
-        first = values[0]  # the mean is no line: from rest it would ring
+        first = values[0]  # subtracted, because a step at the start would ring
         step = 4 * pi * self.half_width / recording.sample_rate
         if step * orders.size >= 1:
             raise RecordingError(
@@ -69,13 +69,13 @@ class AdaptiveCanceller:
         return recording.with_values(name, adaptively_cancelled(values - first, turns, orders, step) + first)
 
     def delay(self, recording: Recording) -> float:
-        """Return by how much slow load is late [s]: 2 half_width / (2 pi f^2) of each line, narrow notches."""
+        """Return the delay of slow load [s]: 2 half_width / (2 pi f^2) of each line, for narrow notches."""
         speed = set_point_speed(recording, "adaptive notches")
         frequencies = {line.frequency(speed) for line in self.lines}
         return sum(2 * self.half_width / (2 * pi * frequency**2) for frequency in frequencies)
 
     def reach(self, head: Recording) -> float:
-        """Return how long it remembers [s]."""
+        """Return the length of the impulse response [s]."""
         return min(14.0 / (2 * pi * self.half_width), max(head.duration, 1.0))
 
 

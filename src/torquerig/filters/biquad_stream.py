@@ -1,4 +1,4 @@
-"""A cascade of notches over a signal that comes in pieces: memory stays flat whatever the length."""
+"""A cascade of notches over a signal in pieces, so that memory does not grow with its length."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ if TYPE_CHECKING:
 
 
 def causal_pieces(pieces: Iterable[Floats], sections: Floats) -> Iterator[Floats]:
-    """Yield what the cascade makes of each piece, its states carried on: the same numbers as in one go, to the bit."""
+    """Yield the filtered pieces with the states carried over: bit-identical to filtering the whole signal."""
     states = None
     for piece in pieces:
-        answer, states = cascaded(piece, sections, states=states)
-        yield answer
+        filtered, states = cascaded(piece, sections, states=states)
+        yield filtered
 
 
 def zero_phase_pieces(pieces: Iterable[Floats], sections: Floats, *, spans: float = 14.0) -> Iterator[Floats]:
-    """Yield the notched signal without delay, piece by piece; the pieces need not be those that came in.
+    """Yield the zero-phase notched signal piece by piece; the pieces may differ from those that came in.
 
-    The pass forwards carries its states on and is exact. The pass backwards over a piece begins ``spans`` time
-    constants of the longest-ringing notch behind its end, as if its lines went on beyond: what is wrong with that
-    state has fallen to e^-spans (8e-7 at 14) of itself where the piece ends, and no other error is made.
+    The forward pass carries its states over and is exact. The backward pass over a piece starts ``spans`` time
+    constants of the longest-ringing notch after its end, with states as if the lines continued. The error of these
+    states has decayed to e^-spans (8e-7 at 14) at the end of the piece; there is no other error.
 
     Parameters
     ----------
@@ -37,15 +37,15 @@ def zero_phase_pieces(pieces: Iterable[Floats], sections: Floats, *, spans: floa
     sections : ndarray, shape (sections, 6)
         Notches; see :func:`~torquerig.filters.biquads.zero_phase_notched`.
     spans : float
-        Memory is about twice as many time constants of samples as this, and one piece.
+        Length of the overlap in time constants [1]; memory is about twice the overlap and one piece.
     """
     overlap = max(int(np.ceil(spans * time_constants(sections).max(initial=0.0))), 1)
     states: Floats | None = None
     held = np.zeros(0)
     for piece in _gathered(pieces, overlap):
         states = quiet_start(piece, sections) if states is None else states
-        answer, states = cascaded(piece, sections, states=states)
-        held = np.concatenate([held, answer])
+        filtered, states = cascaded(piece, sections, states=states)
+        held = np.concatenate([held, filtered])
         ready = held.size - overlap
         if ready >= overlap:
             yield _backwards(held, sections)[:ready]
@@ -60,7 +60,7 @@ def _backwards(values: Floats, sections: Floats) -> Floats:
 
 
 def _gathered(pieces: Iterable[Floats], least: int) -> Iterator[Floats]:
-    """Yield the same samples in pieces of ``least`` or more, but for the last."""
+    """Yield the same samples in pieces of ``least`` samples or more; the last may be shorter."""
     held: list[Floats] = []
     for piece in pieces:
         held.append(piece)

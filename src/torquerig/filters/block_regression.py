@@ -1,4 +1,4 @@
-"""Least-squares amplitudes of order lines in long blocks, from sums over hops: no basis of a block is ever held."""
+"""Least-squares amplitudes of order lines in long blocks, from sums over hops, without a design matrix in memory."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Blocks:
 
 
 def blocks_of(hops: Hops, *, length: int) -> Blocks:
-    """Return blocks of about ``length`` samples, cut at hops, as equal as they can be; a shorter record is one."""
+    """Return blocks of about ``length`` samples, cut at hops, as equal as possible; a shorter record is one block."""
     halves = max(2, round(2 * int(hops.edges[-1]) / length))
     cuts = np.searchsorted(hops.edges, np.linspace(0, hops.edges[-1], halves + 1))
     pairs = {(int(first), int(last)) for first, last in zip(cuts[:-2], cuts[2:], strict=True) if last > first}
@@ -37,29 +37,29 @@ def blocks_of(hops: Hops, *, length: int) -> Blocks:
 def block_amplitudes(values: Floats, hops: Hops, orders: Floats, blocks: Blocks) -> Floats:
     """Return the cosine and sine amplitudes of each order in each block, shape (2, orders, blocks), fitted jointly.
 
-    A constant is fitted beside them. An order that passes fewer than two periods in a block has none there.
+    A constant is fitted with them. The amplitudes are 0 in a block with fewer than two periods of the order.
 
     Notes
     -----
-    The normal equations need sums of cos and sin of all sums and differences of orders; a hop of an eighth of a turn
-    is taken as turned through evenly, which its sum then has in closed form (sinc).
+    The normal equations need sums of cos and sin of all sums and differences of orders. The speed is taken as constant
+    within a hop of an eighth of a turn, whose sum then has a closed form (sinc).
     """
     if not orders.size:
         return np.zeros((2, 0, len(blocks.spans)))
     with_constant = np.concatenate([[0.0], orders])
     moments = hop_sums(values, hops, with_constant)
-    answer = np.zeros((2, orders.size, len(blocks.spans)))
+    amplitudes = np.zeros((2, orders.size, len(blocks.spans)))
     for index, (first, last) in enumerate(blocks.spans):
         turned = abs(hops.turns[hops.edges[last] - 1] - hops.turns[hops.edges[first]])
         rows = np.concatenate([[0], 1 + np.flatnonzero(orders * turned >= _FEWEST_PERIODS)])
         moment = moments[:, rows, first:last].sum(axis=2)
         solved = _solved(gram_of(hops.turns, with_constant[rows], hops.edges[first : last + 1]), moment)
-        answer[:, rows[1:] - 1, index] = solved[:, 1:]
-    return answer
+        amplitudes[:, rows[1:] - 1, index] = solved[:, 1:]
+    return amplitudes
 
 
 def at_edges(amplitudes: Floats, hops: Hops, blocks: Blocks) -> Floats:
-    """Return the amplitudes at the edges of the hops: straight from one block's middle to the next."""
+    """Return the amplitudes at the edges of the hops: linear from one block's middle to the next."""
     middles = [0.5 * (hops.edges[first] + hops.edges[last]) for first, last in blocks.spans]
     return np.array([[np.interp(hops.edges, middles, row) for row in part] for part in amplitudes]).reshape(
         2, amplitudes.shape[1], hops.edges.size
@@ -71,6 +71,6 @@ def _solved(gram: Floats, moment: Floats) -> Floats:
     kept = np.delete(np.arange(2 * count), count)  # the sine of the constant is zero everywhere
     part = gram[np.ix_(kept, kept)]
     part = part + _RIDGE * np.trace(part) / kept.size * np.eye(kept.size)
-    answer = np.zeros(2 * count)
-    answer[kept] = np.linalg.solve(part, moment.ravel()[kept])
-    return answer.reshape(2, count)
+    solution = np.zeros(2 * count)
+    solution[kept] = np.linalg.solve(part, moment.ravel()[kept])
+    return solution.reshape(2, count)

@@ -1,4 +1,4 @@
-"""What is left below a cutoff frequency, without delay or causal."""
+"""Butterworth low-pass, zero-phase or causal."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ class ButterworthLowPass:
     Notes
     -----
     Source: Oppenheim & Schafer, Discrete-Time Signal Processing (forward-backward filtering). Near half the sample
-    rate the bilinear transform bends the frequency axis; the first and last 1/cutoff seconds lean on a mirrored end.
+    rate the bilinear transform distorts the frequency axis; the first and last 1/cutoff seconds depend on the mirrored
+    ends.
     """
 
     cutoff: float
@@ -39,7 +40,7 @@ class ButterworthLowPass:
     def __post_init__(self) -> None:
         if not self.cutoff > 0 or not 1 <= self.order <= 10:
             raise InputError(
-                f"a low-pass with a cutoff of {self.cutoff} Hz and order {self.order} cannot be; "
+                f"a low-pass with a cutoff of {self.cutoff} Hz and order {self.order} is not possible; "
                 "the cutoff must be above 0 Hz, the order 1 to 10"
             )
 
@@ -67,7 +68,7 @@ class ButterworthLowPass:
 
 @dataclass(frozen=True, kw_only=True)
 class CausalButterworthLowPass:
-    """A Butterworth low-pass run forwards only: gain 1 / sqrt(1 + (f/fc)^2n), slow load late by :meth:`delay`.
+    """A causal Butterworth low-pass: gain 1 / sqrt(1 + (f/fc)^2n), slow load delayed by :meth:`delay`.
 
     Parameters
     ----------
@@ -84,7 +85,7 @@ class CausalButterworthLowPass:
         ButterworthLowPass(cutoff=self.cutoff, order=self.order)
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` low-passed sample by sample; before it, the first value is taken to have stood."""
+        """Return ``recording`` low-passed sample by sample; the signal before it is taken as its first value."""
         from scipy.signal import sosfilt_zi
 
         name = recording.torque_name()
@@ -94,11 +95,11 @@ class CausalButterworthLowPass:
         return recording.with_values(name, cascaded(values, sections, states=sosfilt_zi(sections) * values[0])[0])
 
     def delay(self, recording: Recording) -> float:
-        """Return by how much slow load is late [s]: the group delay at 0 Hz."""
+        """Return the delay of slow load [s]: the group delay at 0 Hz."""
         return slow_delay(self._sections(recording)) / recording.sample_rate
 
     def reach(self, head: Recording) -> float:
-        """Return how far back a sample still rings [s]."""
+        """Return the length of the impulse response [s]."""
         return max(10 / self.cutoff, 1 / head.sample_rate)
 
     def _sections(self, recording: Recording) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""What is left when everything that repeats after one period of a line is subtracted, its mean kept: a comb."""
+"""Comb filter: subtracts everything periodic with a line's period, but keeps the mean; zero-phase or causal."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Comb:
-    """Subtracts, for each line, the mean of ``2 periods + 1`` periods around each sample, less its own slow mean.
+    """Subtracts, for each line, the mean over ``2 periods + 1`` periods around each sample, less its slow mean.
 
-    Each line named is a fundamental: all its harmonics go with it, and 0 Hz stays (an IIR comb takes the mean along,
-    and needs a rate that is a whole multiple of the line).
+    Each line is a fundamental whose harmonics are all removed; 0 Hz is kept. (An IIR comb removes the mean too, and
+    needs a sample rate that is a whole multiple of the line.)
 
     Parameters
     ----------
     lines : tuple of KinematicLine
         The fundamentals, at the run's mean speed.
     periods : int
-        To either side, >= 1; a tooth of the comb is about 1 / (2 periods + 1) of the fundamental wide.
+        On either side, >= 1; a tooth of the comb is about 1 / (2 periods + 1) of the fundamental wide.
 
     Notes
     -----
-    Source: the averaging comb of Braun 1975 with the mean put back. A period is no whole number of samples: values
-    between samples are taken on straight lines, which costs high harmonics (f / rate)^2 pi^2 / 6 of themselves.
+    Source: the averaging comb of Braun 1975 with the mean added again. A period is not a whole number of samples;
+    linear interpolation between samples attenuates high harmonics by (f / rate)^2 pi^2 / 6.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -52,14 +52,14 @@ class Comb:
         return _applied(self, recording, best_motor_speed(recording, self.lines).value if self.lines else 0.0)
 
     def reach(self, head: Recording) -> float:
-        """Return how far it looks to either side [s]."""
+        """Return the length of the window on either side of a sample [s]."""
         speed = abs(set_point_speed(head, "combs"))
         return sum((self.periods + 1) / line.frequency(speed) for line in self.lines)
 
 
 @dataclass(frozen=True, kw_only=True)
 class CausalComb:
-    """The same over ``2 periods + 1`` periods past, at the set-point: no sample waits for a later one.
+    """The causal form: the mean over the last ``2 periods + 1`` periods, at the set-point of the speed.
 
     Parameters
     ----------
@@ -80,18 +80,18 @@ class CausalComb:
         return _applied(self, recording, abs(set_point_speed(recording, "combs")) if self.lines else 0.0)
 
     def delay(self, recording: Recording) -> float:
-        """Return by how much slow load is late [s]."""
+        """Return the delay of slow load [s]."""
         speed = abs(set_point_speed(recording, "combs"))
         return sum(0.5 / line.frequency(speed) for line in self.lines)
 
     def reach(self, head: Recording) -> float:
-        """Return how far back it looks [s]."""
+        """Return the length of the window before a sample [s]."""
         speed = abs(set_point_speed(head, "combs"))
         return sum((2 * self.periods + 1) / line.frequency(speed) for line in self.lines)
 
 
 def without_repeats(values: Floats, period: float, shifts: range, *, centred: bool) -> Floats:
-    """Return the values less the mean over whole ``period`` shifts, which keeps its own mean over one period.
+    """Return the values less their mean over shifts by whole periods; the mean over one period is kept.
 
     Parameters
     ----------
@@ -100,9 +100,9 @@ def without_repeats(values: Floats, period: float, shifts: range, *, centred: bo
     period : float
         [samples], not necessarily whole.
     shifts : range
-        Which whole periods are averaged; those beyond the ends count for nothing.
+        The shifts in whole periods; samples beyond the ends are not counted.
     centred : bool
-        Whether the mean over one period lies around a sample or before it.
+        Whether the mean over one period is centred on a sample or ends there.
     """
     at = np.arange(values.size, dtype=np.float64)
     total, count = np.zeros(values.size), np.zeros(values.size)
@@ -116,8 +116,8 @@ def without_repeats(values: Floats, period: float, shifts: range, *, centred: bo
     last = np.clip(at + (0.5 * period if centred else 0.0), min(period, at[-1]), at[-1])
     slow = (np.interp(last, at, sums) - np.interp(np.maximum(last - period, 0.0), at, sums)) / period
     if not centred:
-        begun = at < period  # no whole period has passed: nothing can be told from the mean yet
-        slow[begun] = repeated[begun]
+        first_period = at < period  # the mean over one period is not yet known
+        slow[first_period] = repeated[first_period]
     return np.asarray(values - (repeated - slow))
 
 
@@ -137,4 +137,4 @@ def _applied(stage: Comb | CausalComb, recording: Recording, speed: float) -> Re
 
 def _check_periods(periods: int) -> None:
     if periods < 1:
-        raise InputError(f"a comb over {periods} periods cannot be; write at least 1")
+        raise InputError(f"a comb over {periods} periods is not possible; write at least 1")

@@ -1,4 +1,4 @@
-"""What is left below a cutoff when a finite window does it: the same delay at every frequency, or none."""
+"""FIR low-pass (Kaiser window), zero-phase or causal with the same delay at all frequencies."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _STOP_DB = 80.0
 
 @dataclass(frozen=True, kw_only=True)
 class FirLowPass:
-    """A Kaiser-windowed low-pass, centred on each sample: a half at the cutoff, 80 dB down from the transition on.
+    """A Kaiser-windowed low-pass centred on each sample: gain 1/2 at the cutoff, -80 dB above the transition.
 
     Parameters
     ----------
     cutoff : float
         Gain 1/2 [Hz], > 0 and below half the rate.
     transition : float
-        From pass to stop [Hz], > 0, centred on the cutoff; the window is 5 / transition long.
+        Width from pass band to stop band [Hz], > 0, centred on the cutoff; the window is 5 / transition long.
 
     Notes
     -----
@@ -56,7 +56,7 @@ class FirLowPass:
 
 @dataclass(frozen=True, kw_only=True)
 class CausalFirLowPass:
-    """The same window over the past alone: every frequency is late by half of it (:meth:`delay`).
+    """The causal form: the window ends at each sample, and all frequencies are delayed by half of it (:meth:`delay`).
 
     Parameters
     ----------
@@ -108,13 +108,13 @@ def _taps(recording: Recording, cutoff: float, transition: float) -> Floats:
 def _convolved(values: Floats, taps: Floats) -> Floats:
     from scipy.signal import oaconvolve
 
-    offset = values[0]  # transforms of small numbers lose fewer digits
+    offset = values[0]  # subtracted to reduce rounding errors of the transform
     return np.asarray(oaconvolve(values - offset, taps, mode="valid") + offset)
 
 
 def _check(cutoff: float, transition: float) -> None:
     if not (cutoff > 0 and 0 < transition <= 2 * cutoff):
         raise InputError(
-            f"a low-pass with a cutoff of {cutoff} Hz and a transition of {transition} Hz cannot be; "
+            f"a low-pass with a cutoff of {cutoff} Hz and a transition of {transition} Hz is not possible; "
             "both must be above 0 Hz, the transition at most twice the cutoff"
         )

@@ -1,4 +1,4 @@
-"""What is left when spikes are replaced by the median around them."""
+"""Hampel filter: spikes are replaced by the median of their neighbours."""
 
 from __future__ import annotations
 
@@ -17,21 +17,20 @@ _DEVIATIONS_PER_MAD = 1.4826  # of a normal distribution
 
 @dataclass(frozen=True, kw_only=True)
 class Hampel:
-    """Replaces a sample by the median of its neighbours where it lies too far from it; all others stay untouched.
+    """Replaces a sample by the median of its neighbours where it deviates too far; other samples are not changed.
 
     Parameters
     ----------
     half_window : int
-        Neighbours to either side, >= 1; spikes of up to so many samples are seen.
+        Neighbours on either side, >= 1; also the longest spike that is detected [samples].
     deviations : float
-        How far is too far, in robust standard deviations of the neighbours, > 0.
+        Threshold in robust standard deviations of the neighbours [1], > 0.
 
     Notes
     -----
     Source: Hampel 1974, J. Am. Stat. Assoc. 69, 383-393; Pearson et al. 2016, EURASIP J. Adv. Signal Process. 2016:87.
-    Where it stops being true: hits of the load that are as short as the window are spikes to it; where more than half
-    of the neighbours are equal (a coarse converter) a deviation of nothing would make each change a spike, so that at
-    least the smallest step of the recording is allowed.
+    Limits: load hits as short as the window are treated as spikes. Where more than half of the neighbours are equal (a
+    coarse converter), the robust deviation is 0; the smallest step of the recording is then used instead.
     """
 
     half_window: int = 10
@@ -40,7 +39,7 @@ class Hampel:
     def __post_init__(self) -> None:
         if self.half_window < 1 or not self.deviations > 0:
             raise InputError(
-                f"a spike remover over {self.half_window} neighbours and {self.deviations} deviations cannot be; "
+                f"a Hampel filter over {self.half_window} neighbours and {self.deviations} deviations is not possible; "
                 "write at least 1, and more than 0"
             )
 
@@ -55,10 +54,10 @@ class Hampel:
         median, distance = medians(np.ascontiguousarray(values), self.half_window)
         steps = np.abs(np.diff(values))
         least = float(steps[steps > 0].min()) if steps.any() else 0.0
-        spread = np.maximum(_DEVIATIONS_PER_MAD * distance, least)
-        away = np.abs(values - median)
-        return recording.with_values(name, np.where(away > self.deviations * spread, median, values))
+        scale = np.maximum(_DEVIATIONS_PER_MAD * distance, least)
+        deviation = np.abs(values - median)
+        return recording.with_values(name, np.where(deviation > self.deviations * scale, median, values))
 
     def reach(self, head: Recording) -> float:
-        """Return how far it looks to either side [s]."""
+        """Return twice the half window [s]."""
         return 2 * self.half_window / head.sample_rate

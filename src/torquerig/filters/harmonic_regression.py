@@ -1,4 +1,4 @@
-"""What is left when fitted sines of the known lines, following the motor's angle, are subtracted."""
+"""Harmonic regression: least-squares sines of the known lines over the motor's angle, subtracted."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class HarmonicRegression:
-    """Subtracts the least-squares sines of ``lines`` from the torque and keeps everything else, the mean included.
+    """Subtracts the least-squares sines of ``lines`` from the torque; the mean is kept.
 
-    The angle is the best that the recording has (:func:`~torquerig.orders.angle.best_angle.best_motor_angle`).
+    The angle is the recording's best one (:func:`~torquerig.orders.angle.best_angle.best_motor_angle`).
 
     Parameters
     ----------
     lines : tuple of KinematicLine
         The lines to subtract.
     block : float
-        Length over which a line's amplitude and phase are taken as one [s], > 0; blocks overlap by half, and a
-        shorter recording is one block.
+        Length over which a line's amplitude and phase are constant [s], > 0; blocks overlap by half, and a shorter
+        recording is one block.
 
     Notes
     -----
-    Source: handbook 0 (order-locked lines need order tracking; Fyfe & Munck 1997). Where it stops being true:
-    load within about 1 / block of a line is subtracted with it, and an amplitude that changes faster than a block is
-    followed only in part. Without an encoder nothing follows faster than some tenths of a second.
+    Source: handbook 0 (order-locked lines need order tracking; Fyfe & Munck 1997). Limits: load within about 1 / block
+    of a line is subtracted with it; an amplitude that changes faster than a block is followed only in part; without an
+    encoder, changes of the angle within some tenths of a second are not followed.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -45,7 +45,7 @@ class HarmonicRegression:
             raise InputError(f"blocks of {self.block} s cannot be fitted; write for example 4 s")
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` without the lines; RecordingError where it is too short or no angle can be had."""
+        """Return ``recording`` without the lines; RecordingError where it is too short or has no angle."""
         if not self.lines:
             return recording
         name = recording.torque_name()
@@ -55,7 +55,7 @@ class HarmonicRegression:
         turns = np.abs(np.diff(angle.values)).sum() / (2 * np.pi)
         if turns * max(orders) < FEWEST_PERIODS:
             raise RecordingError(
-                f"{recording.name}: no line passes {FEWEST_PERIODS:g} periods in the {turns:.3g} motor turns of this "
+                f"{recording.name}: no line has {FEWEST_PERIODS:g} periods in the {turns:.3g} motor turns of this "
                 "recording; take a longer one"
             )
         block = max(round(self.block * rate), 4)

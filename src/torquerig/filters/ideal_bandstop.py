@@ -1,4 +1,4 @@
-"""What is left when narrow bands around the lines are cut out of the spectrum: the reference report's filter."""
+"""Ideal band-stop: narrow bands around the lines are set to zero in the spectrum (the reference report's filter)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError
-from torquerig.filters.few_bins import bins_at, bins_within, signal_of
+from torquerig.filters.selected_bins import bins_at, bins_within, signal_of
 from torquerig.recordings.set_point import set_point_speed
 
 if TYPE_CHECKING:
@@ -23,12 +23,12 @@ Bands = tuple[tuple[float, float], ...]
 
 @dataclass(frozen=True, kw_only=True)
 class IdealBandstop:
-    """Cuts the bins within ``half_width`` of each line's frequency at the set-point speed, and keeps the mean.
+    """Removes the bins within ``half_width`` of each line's frequency at the set-point speed; the mean is kept.
 
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to cut; their frequencies follow from the motor's set-point in the recording's run.
+        The lines to remove; their frequencies follow from the motor's set-point in the recording's run.
     half_width : float
         Half of each band [Hz], > 0; the reference report takes 0.5 Hz.
 
@@ -45,7 +45,7 @@ class IdealBandstop:
 
     def __post_init__(self) -> None:
         if not self.half_width > 0:
-            raise InputError(f"a band-stop of half-width {self.half_width} Hz cuts nothing; write more than 0 Hz")
+            raise InputError(f"a band-stop of half-width {self.half_width} Hz removes nothing; write more than 0 Hz")
 
     def bands(self, motor_speed: float) -> Bands:
         """Return the bands (low, high) [Hz] at a motor speed [rad/s], line by line."""
@@ -53,7 +53,7 @@ class IdealBandstop:
         return tuple((centre - self.half_width, centre + self.half_width) for centre in centres)
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` with the bands cut from its torque; RecordingError where the run states no speed."""
+        """Return ``recording`` without the bands; RecordingError where the run states no speed."""
         if not self.lines:
             return recording
         bands = self.bands(set_point_speed(recording, "the band-stops"))
@@ -64,7 +64,7 @@ class IdealBandstop:
 def without_bands(
     values: NDArray[np.float64], rate: float, bands: Iterable[tuple[float, float]]
 ) -> NDArray[np.float64]:
-    """Return ``values`` without every bin of its transform from low to high, edges included; the mean is kept.
+    """Return ``values`` without the bins of its transform from low to high, edges included; the mean is kept.
 
     Parameters
     ----------
@@ -73,11 +73,11 @@ def without_bands(
     rate : float
         Sample rate [Hz].
     bands : iterable of (low, high)
-        [Hz]; what lies above half the rate has no bin and is left out.
+        [Hz]; the part above half the rate is ignored.
     """
     if values.size == 0:
         return values
     wanted = bins_within(values.size, rate, bands)
     cut = signal_of(bins_at(values, wanted), wanted, values.size)
-    # long recordings: no more copies than needed
+    # in place, for long recordings
     return np.subtract(values, cut, out=cut)

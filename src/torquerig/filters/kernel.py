@@ -1,8 +1,8 @@
 """The compiled loops of the filters: cascades of biquads, the lines at their edges, medians.
 
-A cascade is run as a wavefront: section k works ``SKEW`` samples behind section k - 1, so that all sections of a step
-are independent and fill the vector lanes; the buffers stay in the first-level cache. The operations and their order are
-those of scipy's ``sosfilt`` and no two are contracted, so the sums round alike and the answers agree to the last bit.
+A cascade is computed as a wavefront: section k works ``SKEW`` samples behind section k - 1, so that all sections of a
+step are independent and vectorised; the buffers fit into the first-level cache. Operations and their order are those
+of scipy's ``sosfilt`` without contraction, so that the results agree to the last bit.
 """
 
 from __future__ import annotations
@@ -10,14 +10,14 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-LANES = 24  # sections of one run; three vectors of eight, fewer are filled up with sections that do nothing
-SKEW = 32  # samples between neighbouring sections: long enough that a store is done before it is read
+LANES = 24  # sections of one run: three vectors of eight; unused lanes are filled with zeros
+SKEW = 32  # samples between neighbouring sections, long enough for a store to finish before it is read
 _ROW = LANES + 8
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _wavefront(before, after, w):
-    """One block of ``SKEW`` steps of all lanes; ``w`` holds b0, b1, b2, a1, a2 and both states, ``LANES`` each."""
+    """Compute ``SKEW`` steps of all lanes; ``w`` holds b0, b1, b2, a1, a2 and both states, ``LANES`` each."""
     for j in range(SKEW):
         for k in range(LANES):
             x = before[j * _ROW + k]
@@ -29,9 +29,9 @@ def _wavefront(before, after, w):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def cascade(values, out, coefficients, states, backwards):
-    """Run up to ``LANES`` sections over ``values`` into ``out`` (may be the same); ``states`` (2, sections) change.
+    """Filter ``values`` into ``out`` (may be the same) by up to ``LANES`` sections; ``states`` (2, sections) change.
 
-    ``coefficients`` (5, sections) are b0, b1, b2, a1, a2; backwards starts at the last sample.
+    ``coefficients`` (5, sections) are b0, b1, b2, a1, a2; ``backwards`` starts at the last sample.
     """
     sections, size = coefficients.shape[1], values.size
     w = np.zeros(7 * LANES)
@@ -42,7 +42,7 @@ def cascade(values, out, coefficients, states, backwards):
     start, step = (size - 1, -1) if backwards else (0, 1)
     blocks = size // SKEW
     for block in range(blocks + sections - 1 if blocks else 0):
-        if block < sections:  # lane `block` meets its first sample now
+        if block < sections:  # lane `block` gets its first sample here
             w[5 * LANES + block], w[6 * LANES + block] = states[0, block], states[1, block]
         if block < blocks:
             at = start + step * block * SKEW
@@ -55,7 +55,7 @@ def cascade(values, out, coefficients, states, backwards):
             for j in range(SKEW):
                 out[at + step * j] = after[j * _ROW + sections]
         ended = block - blocks + 1
-        if ended >= 0:  # lane `ended` has had its last whole block
+        if ended >= 0:  # lane `ended` has finished its last complete block
             states[0, ended], states[1, ended] = w[5 * LANES + ended], w[6 * LANES + ended]
         before, after = after, before
     for i in range(blocks * SKEW, size):
@@ -70,9 +70,9 @@ def cascade(values, out, coefficients, states, backwards):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def turned_back(values, first, size, angle):
-    """Return the mean of ``size`` values from ``first`` under a Hann window, turned back by ``angle`` each, doubled.
+    """Return twice the Hann-weighted mean of ``size`` values from ``first``, demodulated by ``angle`` [rad/sample].
 
-    A line cos(angle n + phase) gives its complex amplitude at the sample 0.
+    A line cos(angle n + phase) gives its complex amplitude at sample 0.
     """
     total = 0.0 + 0.0j
     unit, turn = np.exp(-1j * angle * first), np.exp(-1j * angle)
@@ -95,7 +95,7 @@ def take_line(values, size, amplitude, angle):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def add_free_response(values, a1, a2, last, second_last):
-    """Add to ``values`` how one section rings on after its last two samples."""
+    """Add to ``values`` the free response of one section after its last two samples."""
     for i in range(values.size):
         y = -a1 * last - a2 * second_last
         values[i] += y

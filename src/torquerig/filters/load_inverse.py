@@ -1,4 +1,4 @@
-"""What load the sensor's reading came from: the rig's own response taken back, as far as noise allows."""
+"""The load at the wear part from the sensor's reading, by the inverse of the rig's response (Wiener filter)."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_LOWEST, _HIGHEST_SHARE = 5.0, 0.2  # Hz and share of the rate between which the spectra are fitted
-_SEGMENT = 2.0  # s of each periodogram that is averaged
-_MARGIN = 1.0  # s by which both ends are continued point-symmetrically
-_TRIALS = 15  # stretches that are tried
+_LOWEST, _HIGHEST_SHARE = 5.0, 0.2  # [Hz] and share of the rate: range in which the spectra are fitted
+_SEGMENT = 2.0  # [s] length of each averaged periodogram
+_MARGIN = 1.0  # [s] length of the point-symmetric continuation of both ends
+_TRIALS = 15  # number of stretches of the frequency axis that are tried
 
 
 class Spectra(NamedTuple):
-    """What a reading is made of: load ``level / (1 + (f / corner)^2)`` seen through the rig, and white noise.
+    """Spectra of a reading: load ``level / (1 + (f / corner)^2)`` times the rig's response, and white noise.
 
-    ``level`` and ``noise`` are power densities [unit^2/Hz], ``corner`` is in Hz; ``stretch`` is by how much the rig's
-    frequencies differ from the model's [1].
+    ``level`` and ``noise`` are power densities [unit^2/Hz], ``corner`` is in Hz; ``stretch`` is the ratio of the rig's
+    frequencies to the model's [1].
     """
 
     level: float
@@ -45,23 +45,23 @@ class Spectra(NamedTuple):
 class LoadInverse:
     """Wiener's estimate of the load: ``conj(H) S_load / (|H|^2 S_load + S_noise)`` times the reading's transform.
 
-    The rig's ringing under the load is taken back, and what stands below the noise is left out. The spectra of load
-    and noise are fitted to the recording itself.
+    It removes the rig's ringing caused by the load, and suppresses frequencies where noise dominates. The spectra of
+    load and noise are fitted to the recording.
 
     Parameters
     ----------
     response : LoadResponse
         H: the reading per true load, from a linear model of the rig.
     retune : float
-        By how much the rig's frequencies may differ from the model's [share], 0 to 0.5; the stretch under which the
-        model explains the reading's spectrum best is used. 0 trusts the model.
+        Largest relative difference of the rig's frequencies from the model's [1], 0 to 0.5; the stretch with the best
+        fit of the reading's spectrum is used. 0: the model is not changed.
 
     Notes
     -----
     Source: Wiener 1949, Extrapolation, Interpolation, and Smoothing of Stationary Time Series, ch. 3; spectra by
-    Whittle 1953 (Ark. Mat. 2, 423-434). Take the lines out first: it takes what stands at a line for load. Where it
-    stops being true: load that is not broad (the fit takes a peak of the load for the rig's), backlash and other
-    things that a linear model does not have, a response that is wrong in more than its frequencies.
+    Whittle 1953 (Ark. Mat. 2, 423-434). Remove the lines first, because a line counts as load here. Limits: narrow-band
+    load (its peak is fitted as one of the rig), backlash and other nonlinearities, a response that is wrong in more
+    than its frequencies.
     """
 
     response: LoadResponse = field(compare=False)
@@ -77,7 +77,7 @@ class LoadInverse:
         values = recording.channels[name].values
         if values.size < 4 * _SEGMENT * rate or _HIGHEST_SHARE * rate <= _LOWEST:
             raise RecordingError(
-                f"{recording.name}: {values.size} samples at {rate:g} Hz are too few to tell load from noise; "
+                f"{recording.name}: {values.size} samples at {rate:g} Hz are too few to separate load and noise; "
                 f"take {4 * _SEGMENT:g} s or more, at more than {_LOWEST / _HIGHEST_SHARE:g} Hz"
             )
         spectra = fitted_spectra(values, rate, self.response, retune=self.retune)
@@ -85,7 +85,7 @@ class LoadInverse:
 
 
 def fitted_spectra(values: Floats, rate: float, response: LoadResponse, *, retune: float) -> Spectra:
-    """Return the spectra of load and noise, and the stretch of the model, that explain the signal's spectrum best."""
+    """Return the spectra of load and noise and the stretch of the model that fit the signal's spectrum best."""
     from scipy.signal import welch
 
     frequencies, power = welch(values, fs=rate, nperseg=round(_SEGMENT * rate))
@@ -94,32 +94,33 @@ def fitted_spectra(values: Floats, rate: float, response: LoadResponse, *, retun
     start = np.array([log(float(np.median(power[frequencies < 6 * _LOWEST]))), log(8 * _LOWEST),
                       log(float(np.median(power[-power.size // 4 :])))])  # fmt: skip
     stretches = np.linspace(1 - retune, 1 + retune, _TRIALS) if retune else np.ones(1)
-    trials = [_explained(start, frequencies, power, response, stretch) for stretch in stretches]
+    trials = [_best_fit(start, frequencies, power, response, stretch) for stretch in stretches]
     best = int(np.argmin([cost for cost, _ in trials]))
     stretch, (_, logarithms) = stretches[best], trials[best]
     if retune:
         finer = stretch + (stretches[1] - stretches[0]) * np.linspace(-1, 1, _TRIALS)
-        closer = [_explained(logarithms, frequencies, power, response, one) for one in finer]
+        closer = [_best_fit(logarithms, frequencies, power, response, one) for one in finer]
         best = int(np.argmin([cost for cost, _ in closer]))
         stretch, (_, logarithms) = finer[best], closer[best]
     level, corner, noise = np.exp(logarithms)
     return Spectra(float(level), float(corner), float(noise), float(stretch))
 
 
-def _explained(
+def _best_fit(
     start: Floats, frequencies: Floats, power: Floats, response: LoadResponse, stretch: float
 ) -> tuple[float, Floats]:
-    """Return Whittle's misfit of the best level, corner and noise (as logarithms), and these."""
+    """Return Whittle's negative log-likelihood of the best level, corner and noise, and their logarithms."""
     from scipy.optimize import minimize
 
     gain = np.abs(response.at(frequencies, stretch=stretch)) ** 2
 
-    def misfit(guess: Floats) -> float:
+    def negative_log_likelihood(guess: Floats) -> float:
         level, corner, noise = np.exp(np.clip(guess, -200, 200))
         expected = gain * level / (1 + (frequencies / corner) ** 2) + noise
         return float(np.mean(np.log(expected) + power / expected))
 
-    found = minimize(misfit, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-7, "maxiter": 400})
+    options = {"xatol": 1e-3, "fatol": 1e-7, "maxiter": 400}
+    found = minimize(negative_log_likelihood, start, method="Nelder-Mead", options=options)
     return float(found.fun), np.asarray(found.x)
 
 
@@ -130,11 +131,11 @@ def _filtered(values: Floats, rate: float, response: LoadResponse, spectra: Spec
     head, tail = 2 * values[0] - values[margin:0:-1], 2 * values[-1] - values[-2 : -margin - 2 : -1]
     longer = np.concatenate([head, values, tail])
     size = next_fast_len(longer.size, real=True)
-    # what is added up to a fast length leads from the last value back to the first: no jump where the ends meet
+    # the padding leads from the last value back to the first, so that the periodic continuation has no step
     bridge = np.linspace(longer[-1], longer[0], size - longer.size + 2)[1:-1]
     transform = rfft(np.concatenate([longer, bridge]))
     frequencies = np.arange(transform.size) * rate / size
     gain, load = response.at(frequencies, stretch=spectra.stretch), spectra.load(frequencies)
     wiener = gain.conj() * load / (np.abs(gain) ** 2 * load + spectra.noise)
-    wiener[0] = 1 / gain[0].real  # the mean is no random process: it stays
+    wiener[0] = 1 / gain[0].real  # the mean is not attenuated
     return np.asarray(irfft(transform * wiener, n=size)[margin : margin + values.size])

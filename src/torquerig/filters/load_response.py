@@ -1,4 +1,4 @@
-"""What a rig's sensor makes of the load at the wear part: a frequency response, as values."""
+"""The frequency response of a rig from the load at the wear part to the sensor's reading."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class LoadResponse:
-    """The reading per true load, both in N m, at some frequencies; it comes from a linear model of the rig.
+    """The reading per load, both in N m, at given frequencies, from a linear model of the rig.
 
     Parameters
     ----------
     frequencies : ndarray, shape (frequencies,)
-        Rising [Hz], > 0, dense enough that a straight line between two of them will do.
+        Rising [Hz], > 0, dense enough for linear interpolation.
     values : ndarray, shape (frequencies,), complex
-        The reading per load [1]. Below the first frequency and above the last they are as there.
+        The reading per load [1]; constant below the first frequency and above the last.
     origin : str
-        Where it comes from, in words.
+        The source in words.
     """
 
     frequencies: NDArray[np.float64]
@@ -38,6 +38,6 @@ class LoadResponse:
 
     def at(self, frequencies: NDArray[np.float64], *, stretch: float = 1.0) -> NDArray[np.complex128]:
         """Return the response of a rig whose frequencies are ``stretch`` times the model's, shape (frequencies,)."""
-        asked = frequencies / stretch
-        real = np.interp(asked, self.frequencies, self.values.real)
-        return np.asarray(real + 1j * np.interp(asked, self.frequencies, self.values.imag))
+        unstretched = frequencies / stretch
+        real = np.interp(unstretched, self.frequencies, self.values.real)
+        return np.asarray(real + 1j * np.interp(unstretched, self.frequencies, self.values.imag))

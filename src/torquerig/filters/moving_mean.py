@@ -1,4 +1,4 @@
-"""What moves slowly is kept aside while other stages work on the rest, and then put back."""
+"""Moving mean: other stages are applied to the deviation from it, and it is added again."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class MovingMeanKept:
-    """Takes the centred moving mean off, lets ``around`` work on what remains, and puts the moving mean back.
+    """Subtracts the centred moving mean, applies ``around`` to the deviation, and adds the moving mean again.
 
     Parameters
     ----------
     samples : int
         Length of the mean [samples], >= 1; the reference report takes 1000 (40 ms at 25 kHz).
     around : tuple of Stage
-        What works on the rest, in order.
+        The stages that are applied to the deviation, in order.
 
     Notes
     -----
     Source: the text of the reference report (its code computes the mean and does not use it). A line at f is kept by
-    sin(pi f n / rate) / (n sin(pi f / rate)): 97 % of the shaft line at 3.33 Hz comes back (report audit B3).
+    sin(pi f n / rate) / (n sin(pi f / rate)): 97 % of the shaft line at 3.33 Hz are kept (report audit B3).
     """
 
     samples: int
@@ -38,7 +38,7 @@ class MovingMeanKept:
 
     def __post_init__(self) -> None:
         if self.samples < 1:
-            raise InputError(f"a moving mean over {self.samples} samples cannot be; write at least 1")
+            raise InputError(f"a moving mean over {self.samples} samples is not possible; write at least 1")
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` with ``around`` applied to its torque less the moving mean."""
@@ -50,10 +50,10 @@ class MovingMeanKept:
                 "take a longer recording or a shorter mean"
             )
         slow = moving_mean(values, self.samples)
-        rest = recording.with_values(name, values - slow)
+        deviation = recording.with_values(name, values - slow)
         for stage in self.around:
-            rest = stage.apply(rest)
-        return rest.with_values(name, rest.channels[name].values + slow)
+            deviation = stage.apply(deviation)
+        return deviation.with_values(name, deviation.channels[name].values + slow)
 
 
 def moving_mean(values: NDArray[np.float64], samples: int) -> NDArray[np.float64]:
@@ -65,19 +65,19 @@ def moving_mean(values: NDArray[np.float64], samples: int) -> NDArray[np.float64
     if size == 0:
         return values
     back, ahead = min(samples // 2, size), min((samples - 1) // 2 + 1, size)
-    offset = values.mean()  # sums of small numbers lose fewer digits
+    offset = values.mean()  # subtracted to reduce rounding errors of the sums
     sums = np.empty(size + 1)
     sums[0] = 0.0
     np.cumsum(values - offset, out=sums[1:])
     # sums up to the last sample of each window, less those before its first; windows are cut at the ends
-    answer = np.empty(size)
-    answer[: size - ahead] = sums[ahead:size]
-    answer[size - ahead :] = sums[size]
-    answer[back:] -= sums[: size - back]
-    answer[:back] /= np.minimum(np.arange(back) + ahead, size)
+    means = np.empty(size)
+    means[: size - ahead] = sums[ahead:size]
+    means[size - ahead :] = sums[size]
+    means[back:] -= sums[: size - back]
+    means[:back] /= np.minimum(np.arange(back) + ahead, size)
     if size - back > 0:
         later = np.arange(max(size - ahead, back), size)
-        answer[back : later[0] if later.size else size] /= samples
-        answer[later] /= size - later + back
-    answer += offset
-    return answer
+        means[back : later[0] if later.size else size] /= samples
+        means[later] /= size - later + back
+    means += offset
+    return means

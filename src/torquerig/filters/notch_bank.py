@@ -1,4 +1,4 @@
-"""What is left when a narrow notch stands at each line: a bank of second-order filters, without delay or causal."""
+"""Notch bank: a second-order notch at each line, zero-phase or causal."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 _HIGHEST_SHARE_OF_RATE = 0.45
-_REACH = 14.0  # time constants after which e^-14, 8e-7, of a line's ringing is left
-_WIDEST = 1 / 3  # of a line's frequency, so that the mean is not shaped
+_REACH = 14.0  # time constants after which ringing has decayed to e^-14, 8e-7
+_WIDEST = 1 / 3  # width of a notch as a share of its frequency, at most, so that the mean is not changed
 
 
 @dataclass(frozen=True, kw_only=True)
 class NotchBank:
-    """Notches at the lines' frequencies, run forwards and backwards: no delay, the mean is kept.
+    """Notches at the lines' frequencies, applied forwards and backwards: no delay, the mean is kept.
 
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to take out, at the run's mean speed: of an encoder, tacho or speed channel, else by the comb of the
+        The lines to remove, at the run's mean speed: from an encoder, tacho or speed channel, else from the comb of the
         lines in the torque.
     half_width : float
         Half the width of each notch at -3 dB of one pass [Hz], > 0; a notch rings for 1 / (2 pi half_width).
@@ -40,8 +40,8 @@ class NotchBank:
     Notes
     -----
     Source: Oppenheim & Schafer, Discrete-Time Signal Processing, on second-order notches and forward-backward
-    filtering; edges by :func:`~torquerig.filters.biquads.zero_phase_notched`. Where it stops being true: a
-    speed that wanders by more than half_width / frequency, and notches wider than their spacing.
+    filtering; edges by :func:`~torquerig.filters.biquads.zero_phase_notched`. Limits: a speed that varies by more than
+    half_width / frequency, and notches wider than their spacing.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -51,7 +51,7 @@ class NotchBank:
         _check_width(self.half_width)
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` with the lines notched out; RecordingError where no speed can be had."""
+        """Return ``recording`` without the lines; RecordingError where no speed is known."""
         if not self.lines:
             return recording
         speed = best_motor_speed(recording, self.lines).value
@@ -65,25 +65,25 @@ class NotchBank:
         return recording.with_values(name, zero_phase_notched(values, sections))
 
     def reach(self, head: Recording) -> float:
-        """Return how far a sample still rings to either side [s]."""
+        """Return the length of the impulse response on either side [s]."""
         return _REACH / (2 * pi * min(self.half_width, _slowest(self.lines, head)))
 
 
 @dataclass(frozen=True, kw_only=True)
 class CausalNotchBank:
-    """Notches at the lines' frequencies at the set-point, run forwards only, as a live display would.
+    """Causal notches at the lines' frequencies at the set-point, as for a live display.
 
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to take out, at the set-point of the run: a causal filter cannot know the mean of what is to come.
+        The lines to remove, at the set-point of the run, because the mean speed is known only at the end.
     half_width : float
         Half the width of each notch at -3 dB [Hz], > 0.
 
     Notes
     -----
-    Slow load is delayed by :meth:`delay`; load just below a line by more, just above it it comes early. The lines ring
-    in over 1 / (2 pi half_width).
+    Slow load is delayed by :meth:`delay`. Load just below a line is delayed more; just above it the delay is negative.
+    The time constant at the start is 1 / (2 pi half_width).
     """
 
     lines: tuple[KinematicLine, ...]
@@ -101,16 +101,16 @@ class CausalNotchBank:
         values = recording.channels[name].values
         if not values.size or not len(sections):
             return recording
-        # at rest on the first sample: the only state that a causal filter can know
+        # steady state for the first sample: later samples are not known to a causal filter
         states = quiet_start(values[:1], sections)
         return recording.with_values(name, cascaded(values, sections, states=states)[0])
 
     def reach(self, head: Recording) -> float:
-        """Return how far back a sample still rings [s]."""
+        """Return the length of the impulse response [s]."""
         return _REACH / (2 * pi * min(self.half_width, _slowest(self.lines, head)))
 
     def delay(self, recording: Recording) -> float:
-        """Return by how much slow load is late [s]: the sum of the notches' group delays at 0 Hz."""
+        """Return the delay of slow load [s]: the sum of the notches' group delays at 0 Hz."""
         speed = set_point_speed(recording, "the notches")
         sections = notches(self.lines, speed, self.half_width, recording.sample_rate)
         return slow_delay(sections) / recording.sample_rate
@@ -141,11 +141,11 @@ def _notch(centre: float, width: float) -> tuple[float, ...]:
 
 
 def _slowest(lines: Sequence[KinematicLine], recording: Recording) -> float:
-    """Half the width of the widest notch that the lowest line may have [Hz]."""
+    """Return half the width of the widest notch that the lowest line may have [Hz]."""
     speed = set_point_speed(recording, "the notches")
     return min((0.5 * _WIDEST * line.frequency(speed) for line in lines), default=float("inf"))
 
 
 def _check_width(half_width: float) -> None:
     if not half_width > 0:
-        raise InputError(f"notches of half-width {half_width} Hz cut nothing; write more than 0 Hz")
+        raise InputError(f"notches of half-width {half_width} Hz remove nothing; write more than 0 Hz")

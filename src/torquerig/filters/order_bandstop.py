@@ -1,4 +1,4 @@
-"""What is left when a narrow band around each order is cut, wherever the speed goes: a band-stop over the angle."""
+"""Order band-stop: a narrow band around each order is removed over the motor's angle, at any speed."""
 
 from __future__ import annotations
 
@@ -31,23 +31,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class OrderBandstop:
-    """Turns each line back to rest by the motor's angle, averages it over turns, and subtracts what stands there.
+    """Demodulates each line by the motor's angle, averages its amplitude over turns, and subtracts the line.
 
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to take out; the angle is the best that the recording has.
+        The lines to remove; the angle is the recording's best one.
     half_width : float
         Half the width of each band at -6 dB [orders of the output shaft, 1/rev], > 0: a line's amplitude is averaged
         over a Hann window of 1 / half_width turns. With a whole number of turns, lines at other whole orders do not
-        disturb each other.
+        influence each other.
 
     Notes
     -----
     Source: synchronous demodulation (Fyfe & Munck 1997, Mech. Syst. Signal Process. 11(2), on why the angle is
-    needed); the band is a Hann window's, its sidelobes 32 dB down and falling. Within half a window of the ends the
-    amplitude of the first and last whole window is held. Where it stops being true: load within a band goes with the
-    line, and an amplitude that changes within a window is followed in the mean.
+    needed); the band is that of a Hann window, with sidelobes at -32 dB and falling. Within half a window of the ends
+    the amplitude of the first and last complete window is held. Limits: load within a band is removed with the line,
+    and an amplitude that changes within a window is averaged.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -55,17 +55,17 @@ class OrderBandstop:
 
     def __post_init__(self) -> None:
         if not self.half_width > 0:
-            raise InputError(f"bands of half-width {self.half_width} orders cut nothing; write for example 0.05")
+            raise InputError(f"bands of half-width {self.half_width} orders remove nothing; write for example 0.05")
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` without the bands; RecordingError where no angle can be had or the shaft stands."""
+        """Return ``recording`` without the bands; RecordingError where there is no angle or the shaft does not turn."""
         if not self.lines:
             return recording
         angle = best_motor_angle(recording, self.lines)
         hops = hops_of(angle.values, ratio=self.lines[0].output_order / self.lines[0].motor_order)
         if hops is None:
             raise RecordingError(
-                f"{recording.name}: the shaft does not turn in this recording, so that no order can be cut"
+                f"{recording.name}: the shaft does not turn in this recording, so that no order can be removed"
             )
         name = recording.torque_name()
         values = recording.channels[name].values
@@ -75,7 +75,7 @@ class OrderBandstop:
         return recording.with_values(name, without_lines(values, hops, orders, envelope(sums, hops.samples, window)))
 
     def reach(self, head: Recording) -> float:
-        """Return how far a window reaches to either side [s]; one whole window at the ends."""
+        """Return the length of one window at the set-point [s]."""
         speed = abs(set_point_speed(head, "bands in orders"))
         ratio = self.lines[0].output_order / self.lines[0].motor_order if self.lines else 1.0
         return 2 * pi * ratio / (self.half_width * speed)

@@ -1,4 +1,4 @@
-"""How far on either side of a sample a stage looks: what its blocks must overlap by."""
+"""The reach of a stage: the overlap of blocks that it needs."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ from torquerig.recordings.stage import LocalStage
 if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
-# a brick wall's answer fades as 1 / (2 pi^2 half_width reach): 0.5 % of a line at ten times 1 / half_width
+# an ideal band-stop's response decays as 1 / (2 pi^2 half_width reach): 0.5 % of a line at ten times 1 / half_width
 _BANDSTOP_REACH = 10.0
 # the slowest pole of a fourth-order low-pass decays by 1 / e in 0.42 / cutoff: 1e-10 after ten periods of the cutoff
 _LOW_PASS_REACH = 10.0
-# a block, and half of one to either side that its amplitudes are blended with
+# a block, and half of one on either side, whose amplitudes are interpolated with it
 _REGRESSION_REACH = 1.5
 
 
 def reach_of(stage: Any, head: Recording) -> float:
-    """Return the reach of a stage [s]: its own word for it, or what is known of the stages that have none.
+    """Return the reach of a stage [s]: that of its method ``reach``, else one listed here.
 
     Parameters
     ----------
     stage : Stage
-        A filter or a chain; the reaches of stages that follow each other add up.
+        A filter or a chain; the reaches of consecutive stages are added.
     head : Recording
         The first block of the recording.
 
     Raises
     ------
     RecordingError
-        For a stage that says nothing of its reach: it needs the whole recording at once.
+        For a stage without a reach, which needs the whole recording at once.
     """
     return stage.reach(head) if isinstance(stage, LocalStage) else _known(stage, head)
 
@@ -49,7 +49,7 @@ def reach_of(stage: Any, head: Recording) -> float:
 def _known(stage: Any, head: Recording) -> float:
     raise RecordingError(
         f"{head.name}: {type(stage).__name__} needs the whole recording at once and cannot work in blocks; "
-        "cut the recording, or leave that stage out"
+        "cut the recording, or remove that stage"
     )
 
 

@@ -1,4 +1,4 @@
-"""What the torque is on the mean over whole turns of the output shaft: every line of the shaft falls on a zero."""
+"""Mean of the torque over whole turns of the output shaft, which removes every line of the shaft."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ class RevolutionMean:
     ratio : float
         Motor turns per output turn [1], > 0.
     turns : float
-        Turns of the output shaft, > 0; whole numbers take out every whole output order.
+        Turns of the output shaft, > 0; a whole number removes every whole output order.
 
     Notes
     -----
     The mean speed is that of an angle or speed channel, else the set-point. Gain sin(pi n turns) / (pi n turns) at
-    output order n: load faster than about half a turn goes too. For a steady speed; in a ramp the zeros miss the lines.
+    output order n: load faster than about half a turn is removed too. For a steady speed; in a ramp the zeros do not
+    match the lines.
     """
 
     ratio: float
@@ -38,7 +39,7 @@ class RevolutionMean:
     def __post_init__(self) -> None:
         if not self.turns > 0 or not self.ratio > 0:
             raise InputError(
-                f"a mean over {self.turns} turns at a ratio of {self.ratio} cannot be; both must be above 0"
+                f"a mean over {self.turns} turns at a ratio of {self.ratio} is not possible; both must be above 0"
             )
 
     def apply(self, recording: Recording) -> Recording:

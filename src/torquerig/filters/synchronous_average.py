@@ -1,4 +1,4 @@
-"""What is left when the mean turn of the output shaft is subtracted: everything that repeats with the turn goes."""
+"""Synchronous average: the mean turn of the output shaft is subtracted, with everything periodic in the turn."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ _FEWEST_TURNS = 2.0
 
 @dataclass(frozen=True, kw_only=True)
 class SynchronousAverage:
-    """Averages the torque over turns at equal angles and subtracts what is not its mean: no line need be named.
+    """Averages the torque over turns at equal angles and subtracts the deviation of this mean turn from its mean.
 
     Parameters
     ----------
     ratio : float
         Motor turns per output turn [1], > 0.
     lines : tuple of KinematicLine
-        Where the angle has to be found in the torque itself, by these.
+        Lines for estimating the angle from the torque, where no channel gives it.
 
     Notes
     -----
     Source: Braun 1975, Mechanical Signature Analysis; McFadden 1987, Mech. Syst. Signal Process. 1(1), 83-95. A comb
-    over all whole output orders; over n turns it takes 1 / n of the power of everything else along. Where it stops
-    being true: orders that are no whole number of the output shaft's, amplitudes that change over the record, lines
-    above a tenth of the rate: the mean turn has as many points as a turn has samples, with straight lines between.
+    over all whole output orders; over n turns it also removes 1 / n of the power of everything else. Limits: orders
+    that are not whole numbers of the output shaft, amplitudes that change over the record, lines above a tenth of the
+    sample rate (the mean turn has as many points as a turn has samples, interpolated linearly).
     """
 
     ratio: float
@@ -46,10 +46,12 @@ class SynchronousAverage:
 
     def __post_init__(self) -> None:
         if not self.ratio > 0:
-            raise InputError(f"a gear ratio of {self.ratio} cannot be; write motor turns per output turn, more than 0")
+            raise InputError(
+                f"a gear ratio of {self.ratio} is not possible; write motor turns per output turn, more than 0"
+            )
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` less its mean turn; RecordingError below two turns."""
+        """Return ``recording`` less its mean turn; RecordingError with fewer than two turns."""
         name = recording.torque_name()
         values = recording.channels[name].values
         turns = best_motor_angle(recording, self.lines, ratio=self.ratio).values / (2 * pi * self.ratio)
@@ -69,7 +71,7 @@ class SynchronousAverage:
 def mean_turn(values: Floats, turns: Floats, points: int) -> Floats:
     """Return the mean of the values at ``points`` equal angles of a turn, shape (points,).
 
-    A sample between two points counts to both by its nearness.
+    A sample between two points contributes to both, by linear weights.
     """
     place = np.mod(turns, 1.0) * points
     lower = np.minimum(place.astype(np.int64), points - 1)

@@ -1,4 +1,4 @@
-"""What is left when each line's smoothest amplitude that explains the torque is subtracted: a Vold-Kalman filter."""
+"""Vold-Kalman order tracking filter: each line is subtracted with a smooth amplitude over the angle."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_REACH = 4.0  # spans of 1 / (2 pi half_width) turns after which the weight of a sample has died to under 1 %
+_REACH = 4.0  # multiples of 1 / (2 pi half_width) turns after which the weight of a sample is below 1 %
 
 
 @dataclass(frozen=True, kw_only=True)
 class VoldKalman:
-    """Second generation, two poles: least squares of torque less lines, beside the amplitudes' second differences.
+    """Second generation, two poles: least squares of torque less lines, plus the amplitudes' second differences.
 
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to take out; the angle is the best that the recording has.
+        The lines to remove; the angle is the recording's best one.
     half_width : float
         Half the width of each band at -3 dB [orders of the output shaft, 1/rev], > 0.
 
     Notes
     -----
     Source: Vold & Leuridan 1993, SAE 931288; Tuma 2005, "Setting the passband width in the Vold-Kalman order tracking
-    filter", 12th ICSV, for the weight that gives a width. The amplitudes are solved at eighths of a turn (the torque
-    turned back and averaged there): at the full rate a narrow band's normal equations leave double precision. Each
-    line is solved alone, by one banded Cholesky factor for all; lines nearer than a few half-widths share what they
-    have. Unlike a window, it extrapolates straight into the ends.
+    filter", 12th ICSV, for the weight of a given width. The amplitudes are solved at eighths of a turn (from the
+    demodulated torque averaged there), because at the full rate the normal equations of a narrow band exceed double
+    precision. Each line is solved separately, with one banded Cholesky factor for all; lines nearer than a few
+    half-widths are not separated. At the ends the amplitudes are extrapolated linearly.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -51,12 +51,12 @@ class VoldKalman:
     def __post_init__(self) -> None:
         if not 0 < self.half_width < HOPS_PER_TURN / 4:
             raise InputError(
-                f"bands of half-width {self.half_width} orders cannot be; "
+                f"bands of half-width {self.half_width} orders are not possible; "
                 f"write more than 0 and less than {HOPS_PER_TURN / 4:g}"
             )
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` without the lines; RecordingError where no angle can be had or the shaft stands."""
+        """Return ``recording`` without the lines; RecordingError where there is no angle or the shaft does not turn."""
         if not self.lines:
             return recording
         angle = best_motor_angle(recording, self.lines)
@@ -73,7 +73,7 @@ class VoldKalman:
         return recording.with_values(name, without_lines(values, hops, orders, amplitudes))
 
     def reach(self, head: Recording) -> float:
-        """Return how far its memory reaches to either side [s]."""
+        """Return the length on either side over which samples have weight [s]."""
         speed = abs(set_point_speed(head, "bands in orders"))
         ratio = self.lines[0].output_order / self.lines[0].motor_order if self.lines else 1.0
         return _REACH * ratio / (self.half_width * speed)
@@ -85,9 +85,9 @@ def smoothest(sums: Floats, samples: Floats, *, half_width: float) -> Floats:
     Parameters
     ----------
     sums : ndarray, shape (2, orders, hops)
-        Of the torque times cos and sin.
+        Sums of the torque times cos and sin.
     samples : ndarray, shape (hops,)
-        Per hop.
+        Samples per hop.
     half_width : float
         At -3 dB [periods per hop].
     """

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from torquerig.errors import RecordingError
-from torquerig.filters.effect import FilterEffect, chain_effect
+from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.filters.evaluation.delay import Delay, delay_behind
-from torquerig.filters.evaluation.inserted import StepShown, inserted
+from torquerig.filters.evaluation.step_response import StepResponse, step_response
 from torquerig.filters.evaluation.placebo import Placebo, placebo
 from torquerig.metrics.load_error import LoadError, load_error
 from torquerig.metrics.truth_error import TRUE_LOAD
@@ -34,7 +34,7 @@ class FilterEvaluation:
         Standard deviation, mean and energy before and after.
     placebo : Placebo or None
         None for a chain without lines that could be moved.
-    step : StepShown or None
+    step : StepResponse or None
         None where the torque is constant or too short.
     delay : Delay or None
         Of the filtered reading against the raw one; None where one of them is constant.
@@ -49,7 +49,7 @@ class FilterEvaluation:
     after: Recording
     effect: FilterEffect
     placebo: Placebo | None
-    step: StepShown | None
+    step: StepResponse | None
     delay: Delay | None
     error_before: LoadError | None
     error_after: LoadError | None
@@ -96,8 +96,8 @@ def _perfect(recording: Recording) -> LoadError | None:
     return load_error(recording.with_values(name, (recording.torque() - lines.in_si()) / scale), recording)
 
 
-def _step(chain: Chain, recording: Recording) -> StepShown | None:
+def _step(chain: Chain, recording: Recording) -> StepResponse | None:
     try:
-        return inserted(chain, recording)
+        return step_response(chain, recording)
     except RecordingError:
         return None

@@ -9,7 +9,7 @@ import numpy as np
 from torquerig.errors import RecordingError
 from torquerig.filters.evaluation.bands import band_rms, bands_below
 from torquerig.filters.evaluation.delay import Delay, delay_behind
-from torquerig.filters.evaluation.hits import HitsShown, hits_shown
+from torquerig.filters.evaluation.hits import HitResponse, hit_response
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.recordings.recording import Recording
 
@@ -37,7 +37,7 @@ class LoadError:
         wear part [%]; None where that speed is no channel.
     delay : Delay or None
         Delay of the reading against the load.
-    hits : HitsShown or None
+    hits : HitResponse or None
         The load's largest impacts in the reading; None where there are fewer than three.
     """
 
@@ -48,7 +48,7 @@ class LoadError:
     load_in_band: tuple[float, ...]
     energy_percent: float | None
     delay: Delay | None
-    hits: HitsShown | None
+    hits: HitResponse | None
 
 
 def load_error(reading: Recording, truth: Recording) -> LoadError:
@@ -81,7 +81,7 @@ def load_error(reading: Recording, truth: Recording) -> LoadError:
         load_in_band=tuple(float(one) for one in band_rms(load, rate, bands)),
         energy_percent=_energy_percent(torque, load, truth),
         delay=delay,
-        hits=hits_shown(torque, load, rate=rate, delay=late),
+        hits=hit_response(torque, load, rate=rate, delay=late),
     )
 
 

@@ -24,7 +24,7 @@ class LocalStage(Protocol):
     """A stage whose output at a sample depends only on samples near it, so that it can work block by block.
 
     A long recording is filtered in blocks that overlap by the reach, and the overlap is discarded
-    (``filters.streaming``). A causal stage states the length of its impulse response.
+    (``filters.block_filtering``). A causal stage states the length of its impulse response.
     """
 
     def reach(self, head: Recording) -> float:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import pi, prod
 
 from torquerig.errors import InputError
-from torquerig.filters.effect import chain_effect
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.omitted_ripple import omitted_six_pulse

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from torquerig.filters.effect import FilterEffect
+from torquerig.filters.filter_effect import FilterEffect
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.shares import Shares
 from torquerig.recordings.recording import Recording

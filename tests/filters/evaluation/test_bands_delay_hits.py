@@ -9,8 +9,8 @@ import pytest
 from torquerig.errors import RecordingError
 from torquerig.filters.evaluation.bands import band_rms, bands_below
 from torquerig.filters.evaluation.delay import delay_behind
-from torquerig.filters.evaluation.hits import hits_of, hits_shown
-from torquerig.filters.evaluation.inserted import inserted
+from torquerig.filters.evaluation.hits import hits_of, hit_response
+from torquerig.filters.evaluation.step_response import step_response
 from torquerig.filters.evaluation.rise import rise_time
 from torquerig.filters.moving_mean import MovingMeanKept
 from torquerig.recordings.recording import Channel, Recording
@@ -93,7 +93,7 @@ def test_hits_are_found_where_they_are():
 
 def test_a_reading_of_half_the_height_shows_half_the_peak():
     load = hits()
-    shown = hits_shown(0.5 * load + 3.0, load, rate=RATE)
+    shown = hit_response(0.5 * load + 3.0, load, rate=RATE)
     assert shown.count == 20
     assert shown.height == pytest.approx(0.4, rel=0.02)
     assert (shown.peak, shown.peak_low, shown.peak_high) == pytest.approx((0.5, 0.5, 0.5), abs=0.01)
@@ -103,18 +103,18 @@ def test_a_reading_of_half_the_height_shows_half_the_peak():
 def test_a_late_reading_keeps_its_peak_when_its_delay_is_known():
     load = hits()
     late = np.concatenate([np.full(50, load[0]), load])[: load.size]
-    assert hits_shown(late, load, rate=RATE, delay=50 / RATE).peak == pytest.approx(1.0, abs=0.02)
+    assert hit_response(late, load, rate=RATE, delay=50 / RATE).peak == pytest.approx(1.0, abs=0.02)
 
 
 def test_a_mean_over_samples_stretches_a_step_by_its_window():
     # the answer is a ramp as long as the window
     rng = np.random.default_rng(3)
     window = 101
-    shown = inserted(MovingMeanKept(samples=window, around=(Zero(),)), recording(rng.normal(size=4000)))
+    shown = step_response(MovingMeanKept(samples=window, around=(Zero(),)), recording(rng.normal(size=4000)))
     assert shown.rise == pytest.approx(0.8 * window / RATE, rel=0.02)
     assert shown.late == pytest.approx(0.0, abs=2 / RATE)
     assert shown.overshoot == pytest.approx(0.0, abs=1e-9)
-    assert shown.foreseen == pytest.approx(0.5, abs=0.02)
+    assert shown.pre_ringing == pytest.approx(0.5, abs=0.02)
     # a mean over many decays holds decay / window of the hit
     assert shown.hit_peak == pytest.approx(4e-3 * RATE * (1 - np.exp(-window / RATE / 4e-3)) / window, rel=0.05)
 
@@ -129,18 +129,18 @@ class Zero:
 
 
 def test_what_changes_nothing_keeps_step_and_hit():
-    shown = inserted(Late(0), recording(np.random.default_rng(4).normal(size=4000), unit=2.0))
-    assert (shown.overshoot, shown.foreseen, shown.late) == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
+    shown = step_response(Late(0), recording(np.random.default_rng(4).normal(size=4000), unit=2.0))
+    assert (shown.overshoot, shown.pre_ringing, shown.late) == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
     assert shown.rise <= 1 / RATE
     assert shown.hit_peak == pytest.approx(1.0)
 
 
 def test_a_delay_shows_as_late():
-    shown = inserted(Late(60), recording(np.random.default_rng(5).normal(size=4000)))
+    shown = step_response(Late(60), recording(np.random.default_rng(5).normal(size=4000)))
     assert shown.late == pytest.approx(60 / RATE)
-    assert shown.foreseen == pytest.approx(0.0, abs=1e-12)
+    assert shown.pre_ringing == pytest.approx(0.0, abs=1e-12)
 
 
 def test_a_constant_torque_gives_no_measure():
     with pytest.raises(RecordingError, match="constant torque"):
-        inserted(Late(0), recording(np.ones(100)))
+        step_response(Late(0), recording(np.ones(100)))

@@ -8,7 +8,7 @@ import pytest
 from torquerig.filters.butterworth import ButterworthLowPass
 from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain, report_filter_text_chain
 from torquerig.filters.evaluation.known_angle import FOUND_ANGLE, with_known_angle
-from torquerig.filters.evaluation.moved_chain import movable_lines, moved_chain
+from torquerig.filters.evaluation.shifted_chain import shiftable_lines, shifted_chain
 from torquerig.filters.evaluation.placebo import empty_shifts, placebo
 from torquerig.filters.harmonic_regression import HarmonicRegression
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
@@ -59,16 +59,16 @@ def test_the_moved_lines_keep_clear_of_every_known_one():
     places = np.array([line.output_order for line in known])
     half_width = 0.5 * 2 * pi * 5 / SPEED
     for by in shifts:
-        moved = np.array([line.output_order for line in movable_lines(moved_chain(chain, by))])
+        moved = np.array([line.output_order for line in shiftable_lines(shifted_chain(chain, by))])
         assert np.abs(moved[:, None] - places).min() >= 1.2 * half_width - 1e-9
         assert moved.min() > half_width
 
 
 def test_a_moved_chain_moves_lines_and_nothing_else():
     chain = report_filter_text_chain(DRIVE)
-    moved = moved_chain(chain, 0.5)
-    assert [line.output_order for line in movable_lines(moved)] == pytest.approx(
-        [line.output_order + 0.5 for line in movable_lines(chain)]
+    moved = shifted_chain(chain, 0.5)
+    assert [line.output_order for line in shiftable_lines(moved)] == pytest.approx(
+        [line.output_order + 0.5 for line in shiftable_lines(chain)]
     )
     assert [line.motor_order for line in moved.lines] == pytest.approx([line.motor_order + 0.1 for line in chain.lines])
     assert moved.stages[0].samples == chain.stages[0].samples

@@ -1,4 +1,4 @@
-"""What filter chains a YAML file describes, made for one motor and gearbox."""
+"""Reading of the filter chains of a YAML file, for one motor and gearbox."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def read_chains(
     source : Document or Path
         ``filters: {NAME: [{type: ideal_bandstop, lines: {motor: 1..4}, half_width: 0.5 Hz}, ...], ...}``
     kinematics : Kinematics
-        Poles, slots, ratio and teeth that the lines' orders follow from.
+        Poles, slots, ratio and teeth, which determine the lines' orders.
     response : LoadResponse, optional
-        What a model of the rig says the sensor makes of the load; without it, ``load_inverse`` stages are left out.
+        The rig's response from load to sensor; without it, ``load_inverse`` stages are left out.
     within : tuple of str
-        Where in the document the chains stand.
+        The keys under which the chains are in the document.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def read_chains(
 
 
 def needs_response(document: Document, names: Iterable[str], *, within: tuple[str, ...] = ("filters",)) -> bool:
-    """Return whether any of the named chains takes a model's response back; making one takes half a second."""
+    """Return whether any of the named chains needs the rig's response, whose computation takes half a second."""
     data = document.data
     for key in within:
         data = data.get(key) if isinstance(data, Mapping) else None

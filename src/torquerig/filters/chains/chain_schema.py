@@ -1,4 +1,4 @@
-"""How a filter chain is written in YAML: a list of stages; those that take lines out are in chain_line_stages."""
+"""The YAML of a filter chain: a list of stages; those that remove lines are in line_stage_schema."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from pydantic import BeforeValidator, Field, TypeAdapter
 from torquerig.errors import did_you_mean
 from torquerig.extensions import extensions_of
 from torquerig.filters.butterworth import ButterworthLowPass, CausalButterworthLowPass
-from torquerig.filters.chains.chain_form import Made, StageForm
-from torquerig.filters.chains.chain_line_stages import (
+from torquerig.filters.chains.stage_form import Made, StageForm
+from torquerig.filters.chains.line_stage_schema import (
     AdaptiveCancellerText,
     CombText,
     HarmonicRegressionText,
@@ -19,9 +19,10 @@ from torquerig.filters.chains.chain_line_stages import (
     OrderBandstopText,
     SynchronousAverageText,
     VoldKalmanText,
-    WeighedLinesText,
+    WeightedLinesText,
 )
 from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.chains.renamed_chains import current_stage
 from torquerig.filters.fir_low_pass import CausalFirLowPass, FirLowPass
 from torquerig.filters.hampel import Hampel
 from torquerig.filters.load_inverse import LoadInverse
@@ -58,7 +59,7 @@ class RevolutionMeanText(StageForm):
 
 
 class LoadInverseText(StageForm):
-    """The YAML of the rig's response taken back; without a model of the rig it changes nothing and says so."""
+    """The YAML of the load inverse; without a model of the rig it changes nothing and is listed as left out."""
 
     type: Literal["load_inverse"]
     retune: Annotated[float, Field(ge=0, le=0.5)] = 0.15
@@ -71,7 +72,7 @@ class LoadInverseText(StageForm):
 
 
 class FirLowPassText(StageForm):
-    """The YAML of a low-pass by a finite window; ``causal: true`` looks back only."""
+    """The YAML of an FIR low-pass; ``causal: true`` uses past samples only."""
 
     type: Literal["fir_low_pass"]
     cutoff: Annotated[float, Parameter("Hz", "gain 1/2", above=0)]
@@ -85,26 +86,26 @@ class FirLowPassText(StageForm):
 
 
 class HampelText(StageForm):
-    """The YAML of a spike remover."""
+    """The YAML of a Hampel filter."""
 
     type: Literal["hampel"]
     half_window: Annotated[int, Field(ge=1, le=100)] = 10
     deviations: Annotated[float, Field(gt=0)] = 5.0
 
     def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the spike remover; it is the same for every drive."""
+        """Return the Hampel filter; it is the same for every drive."""
         return Hampel(half_window=self.half_window, deviations=self.deviations), ()
 
 
 class MovingMeanKeptText(StageForm):
-    """The YAML of a rolling mean that is kept aside while other stages work."""
+    """The YAML of a moving mean; its stages are applied to the deviation from it."""
 
     type: Literal["moving_mean_kept"]
     samples: Annotated[int, Field(ge=1)]
     around: list[StageText]
 
     def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the rolling mean around its stages for one drive."""
+        """Return the moving mean around its stages for one drive."""
         made = [stage.made_for(kinematics, response) for stage in self.around]
         stage = MovingMeanKept(samples=self.samples, around=tuple(stage for stage, _ in made))
         return stage, tuple(word for _, left_out in made for word in left_out)
@@ -113,7 +114,7 @@ class MovingMeanKeptText(StageForm):
 _Texts = (
     IdealBandstopText
     | HarmonicRegressionText
-    | WeighedLinesText
+    | WeightedLinesText
     | OrderBandstopText
     | NotchBankText
     | ButterworthLowPassText
@@ -136,10 +137,10 @@ _TYPES = tuple(str(get_args(form.model_fields["type"].annotation)[0]) for form i
 def _known_type(written: Any) -> Any:
     if not isinstance(written, dict):
         raise ValueError(f"{written!r} is no stage; write for example {{type: butterworth_low_pass, cutoff: 20 Hz}}")
-    if written.get("type") not in _TYPES:
-        name = str(written.get("type", ""))
+    name = current_stage(str(written.get("type", "")))
+    if name not in _TYPES:
         raise ValueError(f"the stage has no known type ({name!r}); {did_you_mean(name, _TYPES)}")
-    return written
+    return {**written, "type": name}
 
 
 if TYPE_CHECKING:

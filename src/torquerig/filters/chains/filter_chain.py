@@ -23,16 +23,16 @@ REPORT_MEAN_SAMPLES = 1000
 
 @dataclass(frozen=True, kw_only=True)
 class Chain:
-    """Stages applied one after the other; itself a stage.
+    """Stages applied one after the other; a chain is also a stage.
 
     Parameters
     ----------
     name : str
-        What the chain is called in tables.
+        The name in tables.
     stages : tuple of Stage
-        In order; none leaves the recording as it is.
+        In order; an empty chain does not change the recording.
     left_out : tuple of str
-        Lines that the chain names but this drive does not have, each with the reason.
+        Lines of the chain that this drive does not have, each with the reason.
     """
 
     name: str
@@ -47,7 +47,7 @@ class Chain:
 
     @property
     def lines(self) -> tuple[KinematicLine, ...]:
-        """The lines that any of the stages takes out, each once."""
+        """The distinct lines that the stages remove."""
         return tuple(dict.fromkeys(_lines_of(self.stages)))
 
 
@@ -75,7 +75,7 @@ def report_filter_text_chain(kinematics: Kinematics) -> Chain:
 def select_lines(
     kinematics: Kinematics, wanted: dict[Family, range] | dict[Family, tuple[int, ...]]
 ) -> tuple[tuple[KinematicLine, ...], tuple[str, ...]]:
-    """Return the lines that ``wanted`` names by family and harmonic, and why any of the families has none here."""
+    """Return the lines that ``wanted`` names by family and harmonic, and the reason for each family without lines."""
     highest = max((max(harmonics) for harmonics in wanted.values()), default=1)
     listed = kinematics.lines(highest)
     lines = tuple(

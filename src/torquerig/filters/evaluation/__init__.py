@@ -1,11 +1,13 @@
-"""What a filter chain is worth, told from signals alone.
+"""Evaluation of a filter chain from signals alone.
 
-placebo       the same chain at empty orders beside its own: what any so many notches would cut
-moved_chain   a chain whose lines are moved by so many orders
-turned        a recording moved up by so many orders: the placebo of combs, whose teeth stand everywhere
-inserted      what the chain makes of a step and a hit that are put into the recording
-hits          the largest hits of a known load, and how high and steep a reading shows them
-delay         how late one signal follows another
-bands         what of a signal's mean square lies in which band of frequencies
-known_angle   the recording with the angle that the true lines give, for chains whose lines are moved
+================= ===============================================================================
+``placebo``       placebo test: the variance that the same chain removes at empty orders
+``shifted_chain`` a chain with its lines shifted by some orders
+``order_shift``   a recording shifted by some orders: the placebo test of combs
+``step_response`` the chain's response to a step and a hit that are added to the recording
+``hits``          peak and rise time of the largest load hits in a reading; ``rise``: the rise time
+``delay``         delay of one signal behind another
+``bands``         rms of a signal in frequency bands
+``known_angle``   a recording with the angle estimated from the true lines, for shifted chains
+================= ===============================================================================
 """

@@ -1,4 +1,4 @@
-"""What of a signal's mean square lies in which band of frequencies."""
+"""The rms of a signal in frequency bands."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 EDGES = (0.0, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 2000.0)
-"""Where the bands of a judgement end [Hz]; the last one goes up to half the sample rate."""
+"""Edges of the bands [Hz]; the last one extends to half the sample rate."""
 
 
 def bands_below(rate: float, edges: Sequence[float] = EDGES) -> tuple[tuple[float, float], ...]:
@@ -26,9 +26,8 @@ def bands_below(rate: float, edges: Sequence[float] = EDGES) -> tuple[tuple[floa
 def band_rms(values: NDArray[np.float64], rate: float, bands: Sequence[tuple[float, float]]) -> NDArray[np.float64]:
     """Return the rms of the part of ``values`` in each band, shape (bands,), in the unit of ``values``.
 
-    A band holds the bins from its low end up to, and without, its high end; the band that reaches half the sample rate
-    holds that too. The mean counts to the band that starts at 0. Over bands that join, the squares add up to the mean
-    square of the signal (Parseval).
+    A band includes its low end and excludes its high end, except at half the sample rate. The mean belongs to the band
+    that starts at 0. Over adjoining bands the squares add up to the mean square of the signal (Parseval).
 
     Parameters
     ----------

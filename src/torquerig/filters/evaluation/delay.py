@@ -1,4 +1,4 @@
-"""How late one signal follows another: the peak of their cross-correlation."""
+"""Delay of one signal behind another, from the peak of their cross-correlation."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from torquerig.errors import RecordingError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-LONGEST = 0.25  # [s] lags beyond this are not looked at: a wear rig's load repeats with the turn, 0.3 s
+LONGEST = 0.25  # [s] largest lag: a wear rig's load repeats with the turn, 0.3 s
 
 
 @dataclass(frozen=True)
 class Delay:
-    """By how much a signal comes later [s], negative where it comes earlier, and how like the other it then is [1]."""
+    """The delay [s], negative where the signal is early, and the correlation at this lag [1]."""
 
     seconds: float
     correlation: float
@@ -26,10 +26,9 @@ class Delay:
 def delay_behind(
     values: NDArray[np.float64], first: NDArray[np.float64], *, rate: float, longest: float = LONGEST
 ) -> Delay | None:
-    """Return by how much ``values`` comes later than ``first``; None where one of them does not change.
+    """Return the delay of ``values`` behind ``first``; None where one of them is constant.
 
-    The lag of the highest cross-correlation of the deviations from the mean, a parabola through it and its
-    neighbours.
+    The lag of the highest cross-correlation of the deviations from the mean, refined by a parabola.
 
     Parameters
     ----------
@@ -38,7 +37,7 @@ def delay_behind(
     rate : float
         [Hz].
     longest : float
-        Lags up to this either way are looked at [s].
+        Largest lag in either direction [s].
 
     Raises
     ------
@@ -47,8 +46,8 @@ def delay_behind(
 
     Notes
     -----
-    Source: Knapp & Carter 1976, IEEE Trans. ASSP 24(4), plain correlation. It is one delay for all frequencies: that
-    of the slow part where a signal is mostly slow. Where frequencies are delayed differently, the correlation says so.
+    Source: Knapp & Carter 1976, IEEE Trans. ASSP 24(4), plain correlation. It is one delay for all frequencies,
+    dominated by the slow part of the signal. Where the delay depends on frequency, the correlation is low.
     """
     if values.size != first.size or values.size < 8:
         raise RecordingError(
@@ -71,7 +70,7 @@ def delay_behind(
 
 
 def _parabola(values: NDArray[np.float64], best: int) -> tuple[float, float]:
-    """Where the peak of a parabola through three points lies from ``best``, and how high it is."""
+    """Return the offset of the peak of a parabola through three points from ``best``, and its height."""
     if not 0 < best < values.size - 1:
         return 0.0, float(values[best])
     left, middle, right = (float(one) for one in values[best - 1 : best + 2])

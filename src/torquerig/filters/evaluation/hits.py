@@ -1,4 +1,4 @@
-"""The largest hits of a known load, and how high and how steep a reading shows them."""
+"""The largest hits of a known load, and their peak and rise time in a reading."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-MOST = 40  # hits that are looked at
-_STEEP = 2e-3  # [s] a hit is what the load gains within this time
-_APART = 30e-3  # [s] from one hit to the next
-_BEFORE, _AFTER, _EARLY = 8e-3, 15e-3, 2e-3  # [s] level before; how long the load and the reading take to their peak
-_STANDS_OUT = 2.0  # rms of all gains by which a hit must exceed 0
+MOST = 40  # largest number of hits
+_STEEP = 2e-3  # [s] time over which the increase of the load is taken
+_APART = 30e-3  # [s] least distance of two hits
+_BEFORE, _AFTER, _EARLY = 8e-3, 15e-3, 2e-3  # [s] window of the level before, of the peak, and before the reading
+_LEAST_GAIN = 2.0  # [1] least increase of a hit, in rms of all increases
 
 
 @dataclass(frozen=True, kw_only=True)
-class HitsShown:
-    """How a reading shows the largest hits of the load.
+class HitResponse:
+    """Peak and rise time of the largest hits of the load in a reading.
 
     Parameters
     ----------
     count : int
-        Hits that were looked at.
+        Number of hits.
     height : float
         Median height of the hits in the load [N m].
     peak : float
-        Median of peak height in the reading over that in the load [1]; 1 is true to the load.
+        Median ratio of the peak height in the reading to that in the load [1]; 1 is ideal.
     peak_low, peak_high : float
-        The tenth and the ninetieth of a hundred.
+        The 10th and 90th percentile of this ratio [1].
     rise, true_rise : float
         Median time from 10 % to 90 % of the peak, in the reading and in the load [s].
     """
@@ -54,22 +54,22 @@ def hits_of(load: Floats, rate: float) -> NDArray[np.int64]:
     A hit is a gain within 2 ms of more than twice the rms of all gains, 30 ms or more from a larger one; at most 40.
     """
     step = max(round(_STEEP * rate), 1)
-    apart, room = round(_APART * rate), round((_BEFORE + _EARLY) * rate)
+    apart, lead = round(_APART * rate), round((_BEFORE + _EARLY) * rate)
     gains = load[step:] - load[:-step]
     if gains.size == 0 or not gains.std() > 0:
         return np.empty(0, dtype=np.int64)
-    steep = np.flatnonzero(gains > _STANDS_OUT * float(np.sqrt(np.mean(gains**2))))
+    steep = np.flatnonzero(gains > _LEAST_GAIN * float(np.sqrt(np.mean(gains**2))))
     found: list[int] = []
     for place in steep[np.argsort(-gains[steep], kind="stable")]:
-        if room <= place < load.size - apart and all(abs(place - one) >= apart for one in found):
+        if lead <= place < load.size - apart and all(abs(place - one) >= apart for one in found):
             found.append(int(place))
             if len(found) == MOST:
                 break
     return np.array(sorted(found), dtype=np.int64)
 
 
-def hits_shown(reading: Floats, load: Floats, *, rate: float, delay: float = 0.0) -> HitsShown | None:
-    """Return how ``reading`` shows the hits of ``load``, or None where the load has fewer than three.
+def hit_response(reading: Floats, load: Floats, *, rate: float, delay: float = 0.0) -> HitResponse | None:
+    """Return peak and rise time of the hits of ``load`` in ``reading``, or None with fewer than three hits.
 
     Parameters
     ----------
@@ -78,12 +78,12 @@ def hits_shown(reading: Floats, load: Floats, *, rate: float, delay: float = 0.0
     rate : float
         [Hz].
     delay : float
-        By how much the reading comes later [s]; the windows are moved by it.
+        Delay of the reading [s]; the windows are shifted by it.
 
     Notes
     -----
-    Both are counted from their own level in the 8 ms before the hit. The windows overlap what is left of lines, so
-    that a line of half the hit's height shows in peak and rise: that is what the reader of the curve sees too.
+    Heights are relative to the mean level in the 8 ms before the hit. Remaining lines are not removed from the windows,
+    so that a line of half the hit's height changes peak and rise, as it does in a plot.
     """
     begins = hits_of(load, rate)
     shown = [_one(reading, load, int(begin), rate, round(delay * rate)) for begin in begins]
@@ -92,7 +92,7 @@ def hits_shown(reading: Floats, load: Floats, *, rate: float, delay: float = 0.0
         return None
     height, peak, true_rise, rise = kept.T
     low, high = np.percentile(peak / height, [10, 90])
-    return HitsShown(
+    return HitResponse(
         count=len(kept),
         height=float(np.median(height)),
         peak=float(np.median(peak / height)),
@@ -104,7 +104,7 @@ def hits_shown(reading: Floats, load: Floats, *, rate: float, delay: float = 0.0
 
 
 def _one(reading: Floats, load: Floats, begin: int, rate: float, late: int) -> tuple[float, float, float, float] | None:
-    """Height in load and reading, rise in load and reading, of the hit at ``begin``."""
+    """Return height in load and reading, and rise time in load and reading, of the hit at ``begin``."""
     before, after, early = (round(time * rate) for time in (_BEFORE, _AFTER, _EARLY))
     true = load[begin : begin + after] - load[begin - before : begin].mean()
     start = begin + late

@@ -1,4 +1,4 @@
-"""A recording with the motor's angle as a channel, so that a chain whose lines were moved needs not look for it."""
+"""A recording with the estimated motor angle as a channel, so that a shifted chain uses the same angle."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ FOUND_ANGLE = "found_motor_angle_rad"
 
 
 def with_known_angle(recording: Recording, lines: Sequence[KinematicLine]) -> Recording:
-    """Return ``recording`` with the angle that ``lines`` give where it has no angle of its own.
+    """Return ``recording`` with the angle estimated from ``lines``, where it has no angle channel.
 
-    A comb at empty orders would find no line and fall back to the set-point: the chain and its placebo would then
-    differ by the speed too. A recording whose angle cannot be had comes back as it is.
+    At empty orders there are no lines to estimate the angle from. The placebo would use the set-point and so differ
+    from the chain in speed, too. A recording without usable angle is returned unchanged.
     """
     ratio = lines[0].output_order / lines[0].motor_order if lines else recording.run.gear_ratio or 1.0
     if measured_motor_angle(recording, ratio=ratio) is not None:

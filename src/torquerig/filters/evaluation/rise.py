@@ -1,4 +1,4 @@
-"""How long a signal takes from 10 % to 90 % of its peak."""
+"""Rise time of a signal from 10 % to 90 % of its peak."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ if TYPE_CHECKING:
 def rise_time(values: NDArray[np.float64], rate: float, *, top: float | None = None) -> float:
     """Return the time from the last sample below 10 % to the first above 90 % before or at the peak [s].
 
-    Between two samples the crossing is taken on a straight line; 0 where the signal never rises.
+    Crossings between two samples are interpolated linearly; 0 where the signal does not rise.
 
     Parameters
     ----------
     values : ndarray, shape (samples,)
-        Counted from the level before the rise.
+        Relative to the level before the rise.
     rate : float
         [Hz].
     top : float, optional
-        What counts as 100 %; the peak by default.
+        The level of 100 %; the peak by default.
     """
     height = float(values.max(initial=0.0)) if top is None else top
     if not height > 0:
@@ -37,7 +37,7 @@ def rise_time(values: NDArray[np.float64], rate: float, *, top: float | None = N
 
 
 def _crossing(values: NDArray[np.float64], before: int, level: float) -> float:
-    """Where the signal passes ``level`` between the sample ``before`` and the next [samples]."""
+    """Return the position where the signal crosses ``level`` after the sample ``before`` [samples]."""
     if before < 0 or before + 1 >= values.size:
         return float(max(before, 0))
     first, second = float(values[before]), float(values[before + 1])

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
-from torquerig.filters.effect import LineLevel
+from torquerig.filters.filter_effect import LineLevel
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import amplitude_spectrum
 from torquerig.reporting.figures.envelope import envelope

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from matplotlib.figure import Figure
 
-from torquerig.filters.effect import chain_effect
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.recordings.recording import Recording, random_for
 from torquerig.recordings.spectrum import amplitude_spectrum

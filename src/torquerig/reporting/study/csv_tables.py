@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from io import StringIO
 from typing import TYPE_CHECKING
 
-from torquerig.filters.effect import FilterEffect
+from torquerig.filters.filter_effect import FilterEffect
 from torquerig.metrics.figure import Figure
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.study.tables import decision_words

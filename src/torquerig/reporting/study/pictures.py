@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain
-from torquerig.filters.effect import FilterEffect, chain_effect
+from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.order_report_text import name_of

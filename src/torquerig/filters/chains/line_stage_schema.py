@@ -1,4 +1,4 @@
-"""The YAML of the stages that take lines out, each line named by its cause."""
+"""The YAML of the stages that remove lines, each line named by its cause."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from torquerig.filters.adaptive_canceller import AdaptiveCanceller
-from torquerig.filters.chains.chain_form import Lines, Made, StageForm
+from torquerig.filters.chains.stage_form import Lines, Made, StageForm
 from torquerig.filters.chains.filter_chain import select_lines
 from torquerig.filters.comb import CausalComb, Comb
 from torquerig.filters.harmonic_regression import HarmonicRegression
@@ -17,7 +17,7 @@ from torquerig.filters.notch_bank import CausalNotchBank, NotchBank
 from torquerig.filters.order_bandstop import OrderBandstop
 from torquerig.filters.synchronous_average import SynchronousAverage
 from torquerig.filters.vold_kalman import VoldKalman
-from torquerig.filters.weighed_lines import WeighedLines
+from torquerig.filters.weighted_lines import WeightedLines
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.parameter import Parameter
 
@@ -48,10 +48,10 @@ class HarmonicRegressionText(StageForm):
         return HarmonicRegression(lines=lines, block=self.block), left_out
 
 
-class WeighedLinesText(StageForm):
-    """The YAML of fitted lines that are subtracted by as much as they stand out."""
+class WeightedLinesText(StageForm):
+    """The YAML of fitted lines that are subtracted with weights by their level above the load."""
 
-    type: Literal["weighed_lines"]
+    type: Literal["weighted_lines"]
     lines: Lines
     block: Annotated[float, Parameter("s", "length of a block", above=0)] = 30.0
     changing_block: Annotated[float, Parameter("s", "length of a block in runs that are not steady", above=0)] = 4.0
@@ -59,7 +59,7 @@ class WeighedLinesText(StageForm):
     def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the stage for one drive."""
         lines, left_out = select_lines(kinematics, self.lines)
-        return WeighedLines(lines=lines, block=self.block, changing_block=self.changing_block), left_out
+        return WeightedLines(lines=lines, block=self.block, changing_block=self.changing_block), left_out
 
 
 class OrderBandstopText(StageForm):
@@ -76,7 +76,7 @@ class OrderBandstopText(StageForm):
 
 
 class NotchBankText(StageForm):
-    """The YAML of a bank of notches; ``causal: true`` runs it forwards only, at the set-point."""
+    """The YAML of a bank of notches; ``causal: true`` applies it forwards only, at the set-point."""
 
     type: Literal["notch_bank"]
     lines: Lines
@@ -117,7 +117,7 @@ class AdaptiveCancellerText(StageForm):
 
 
 class CombText(StageForm):
-    """The YAML of a comb; each line is a fundamental, and ``causal: true`` looks back only."""
+    """The YAML of a comb; each line is a fundamental, and ``causal: true`` uses past samples only."""
 
     type: Literal["comb"]
     lines: Lines
@@ -132,7 +132,7 @@ class CombText(StageForm):
 
 
 class SynchronousAverageText(StageForm):
-    """The YAML of a synchronous average; ``lines`` are for finding the angle where nothing else tells it."""
+    """The YAML of a synchronous average; the angle is estimated from ``lines`` where no channel gives it."""
 
     type: Literal["synchronous_average"]
     lines: Annotated[Lines, Field(default_factory=dict)]

@@ -1,4 +1,4 @@
-"""How a stage is written in YAML: its type and values, with lines named by cause and harmonic."""
+"""The YAML of a stage in general: its type and values, with lines named by cause and harmonic."""
 
 from __future__ import annotations
 
@@ -55,13 +55,13 @@ Lines = Annotated[dict[Family, Harmonics], BeforeValidator(_family_names)]
 
 
 class StageForm(BaseModel, ABC):
-    """What every stage's YAML can do: be made into the stage for one drive."""
+    """The YAML of one stage, from which the stage for one drive is made."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     @abstractmethod
     def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
-        """Return the stage for one drive, and what of its lines that drive does not have.
+        """Return the stage for one drive, and those of its lines that the drive does not have.
 
-        ``response`` is what a model of the rig says the sensor makes of the load, where there is one.
+        ``response`` is the rig's response from load to sensor, where a model is known.
         """

@@ -1,7 +1,7 @@
-"""Some bins of a long signal's spectrum, and a signal from some bins: cheaper than a transform of all of it.
+"""A few bins of a long signal's spectrum, and a signal from a few bins, faster than a full transform.
 
-The samples are dealt out to as many rows as divide their number, the rows transformed side by side (which fills the
-vector lanes and the caches), and only the wanted bins put together: the last stages of a transform, for few bins.
+The samples are split into interleaved rows (a divisor of their number), which are transformed together; only the
+selected bins are combined from the rows. This is the last stage of a mixed-radix transform, for few bins.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
     Bins = NDArray[np.complex128]
 
-_ROWS = 64  # more gain nothing
-_FEWEST_SAMPLES = 2**16  # below, a whole transform is as fast
-_LARGEST_SHARE = 32  # wanted bins; with more than a 32nd of the samples a whole transform is as fast
+_ROWS = 64  # most rows; more are not faster
+_FEWEST_SAMPLES = 2**16  # with fewer samples a full transform is as fast
+_LARGEST_SHARE = 32  # with more bins than samples / 32 a full transform is as fast
 
 
 def bins_at(values: Floats, wanted: NDArray[np.int64]) -> Bins:
@@ -47,13 +47,13 @@ def bins_at(values: Floats, wanted: NDArray[np.int64]) -> Bins:
 
 
 def signal_of(bins: Bins, wanted: NDArray[np.int64], samples: int) -> Floats:
-    """Return ``irfft`` of a spectrum that has ``bins`` at ``wanted`` and nothing elsewhere, shape (samples,).
+    """Return ``irfft`` of a spectrum with ``bins`` at ``wanted`` and zeros elsewhere, shape (samples,).
 
     Parameters
     ----------
     bins : ndarray, shape (bins,)
     wanted : ndarray of int, shape (bins,)
-        Each once; 0 to samples // 2.
+        Distinct; 0 to samples // 2.
     samples : int
     """
     rows = _rows_for(samples, wanted.size)
@@ -64,21 +64,21 @@ def signal_of(bins: Bins, wanted: NDArray[np.int64], samples: int) -> Floats:
     from scipy.fft import irfft
 
     length = samples // rows
-    # the bins that are their own mirror images would come twice
+    # bins at 0 and half the rate are their own mirror images and would be counted twice
     once = np.where((wanted == 0) | (2 * wanted == samples), 0.5, 1.0) * bins
     turned = once[:, None] * _twiddles(wanted, rows, samples).conj() / rows
     dealt = np.zeros((length // 2 + 1, rows), dtype=np.complex128)
     at = wanted % length
-    mirror = (length - at) % length  # where the bin's other half falls
+    mirror = (length - at) % length  # place of the mirror image
     np.add.at(dealt, at[at <= length // 2], turned[at <= length // 2])
     np.add.at(dealt, mirror[mirror <= length // 2], turned[mirror <= length // 2].conj())
     return np.asarray(irfft(dealt, n=length, axis=0, overwrite_x=True)).reshape(samples)
 
 
 def bins_within(samples: int, rate: float, bands: Iterable[tuple[float, float]]) -> NDArray[np.int64]:
-    """Return the bins of a spectrum from low to high of each band, edges included, each once; never the mean's."""
+    """Return the distinct bins from low to high of each band, edges included, without the mean."""
     width = rate / samples
-    # a band edge that falls on a bin belongs to the band, in spite of rounding
+    # tolerance, so that a bin on a band edge belongs to the band
     edges = ((max(ceil(low / width - 1e-6), 1), floor(high / width + 1e-6)) for low, high in bands)
     inner = [np.arange(first, min(last, samples // 2) + 1) for first, last in edges]
     return np.unique(np.concatenate([np.empty(0, dtype=np.int64), *inner]))

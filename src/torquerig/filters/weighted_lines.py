@@ -1,4 +1,4 @@
-"""What is left when each line is subtracted by as much as it stands out of the load beside it."""
+"""Weighted lines: each line is subtracted with a weight by its power above the load near it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.block_regression import at_edges, block_amplitudes, blocks_of
-from torquerig.filters.standing_out import weights
+from torquerig.filters.line_weights import weights
 from torquerig.orders.analysis.order_envelope import hops_of, resolved_orders, without_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.line_sums.sums import put_in
@@ -17,32 +17,32 @@ if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import KinematicLine
     from torquerig.recordings.recording import Recording
 
-_PLACED = 0.25  # periods by which a line may be misplaced over the record, one sigma, and still be fitted
+_PLACED = 0.25  # [periods] largest standard deviation of a fitted line's phase over the record
 
 
 @dataclass(frozen=True, kw_only=True)
-class WeighedLines:
-    """Subtracts the least-squares sines of ``lines``, each times 1 - (load beside it) / (its power).
+class WeightedLines:
+    """Subtracts the least-squares sines of ``lines``, each times 1 - (power of the load near it) / (its power).
 
-    A line that stands high goes whole; one that has less than four times the power of the load beside it stays, so
-    that little load is taken along where the lines are weak, and so does one whose place the angle does not tell.
-    Everything else is kept, the mean included.
+    A strong line is removed completely. A line with less than four times the power of the load near it is not
+    removed, so that little load is removed where the lines are weak; nor is a line whose phase the angle does not
+    determine. Everything else is kept, including the mean.
 
     Parameters
     ----------
     lines : tuple of KinematicLine
-        The lines to subtract; the angle is the best that the recording has.
+        The lines to subtract; the angle is the recording's best one.
     block : float
-        Length over which a line's amplitude and phase are taken as one [s], > 0; blocks overlap by half, and a shorter
-        recording is one block. A line takes load of a band of about 1 / block along.
+        Length over which a line's amplitude and phase are constant [s], > 0; blocks overlap by half, and a shorter
+        recording is one block. Load in a band of about 1 / block is removed with a line.
     changing_block : float
-        The same for runs that are not steady [s], > 0: there, lines pass resonances and change.
+        The same for runs that are not steady [s], > 0, in which lines pass resonances and change.
 
     Notes
     -----
-    The weight is that of James & Stein 1961 (Proc. 4th Berkeley Symp. 1, 361-379), cut off
-    at four, with the load's power judged from the bins 2 to 12 / block beside the line in what is left. Where it
-    stops being true: amplitudes that change within a block, load that is itself a line at that order.
+    The weight is that of James & Stein 1961 (Proc. 4th Berkeley Symp. 1, 361-379), cut off at four. The load's power
+    is estimated from the bins 2 to 12 / block near the line in the residual. Limits: amplitudes that change within a
+    block, load that is a line at that order.
     """
 
     lines: tuple[KinematicLine, ...]
@@ -55,13 +55,13 @@ class WeighedLines:
             raise InputError(f"blocks of {shorter} s cannot be fitted; write for example 30 s")
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` without the lines; RecordingError where no angle can be had or the shaft stands."""
+        """Return ``recording`` without the lines; RecordingError where there is no angle or the shaft does not turn."""
         if not self.lines:
             return recording
         angle = best_motor_angle(recording, self.lines)
         hops = hops_of(angle.values, ratio=self.lines[0].output_order / self.lines[0].motor_order)
         speed_sd = angle.speed_sd
-        del angle  # as long as the recording
+        del angle  # frees an array as long as the recording
         if hops is None:
             raise RecordingError(
                 f"{recording.name}: the shaft does not turn in this recording, so that no line can be fitted"
@@ -69,21 +69,21 @@ class WeighedLines:
         name = recording.torque_name()
         values = recording.channels[name].values
         orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
-        if not isnan(speed_sd):  # where it is known at all how well the speed is known
+        if not isnan(speed_sd):  # where the uncertainty of the speed is known
             turns = abs(float(hops.turns[-1] - hops.turns[0]))
             orders = orders[orders * turns * speed_sd < _PLACED]
         length = self.block if recording.run.profile == "steady" else self.changing_block
         blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
         fitted = block_amplitudes(values, hops, orders, blocks)
-        rest = without_lines(values, hops, orders, at_edges(fitted, hops, blocks))
-        kept = fitted * (1 - weights(rest, fitted, hops, orders, blocks))
-        put_in(rest, hops.turns, orders, hops.edges, at_edges(kept, hops, blocks), gain=1.0)
-        return recording.with_values(name, rest)
+        residual = without_lines(values, hops, orders, at_edges(fitted, hops, blocks))
+        kept = fitted * (1 - weights(residual, fitted, hops, orders, blocks))
+        put_in(residual, hops.turns, orders, hops.edges, at_edges(kept, hops, blocks), gain=1.0)
+        return recording.with_values(name, residual)
 
     def reach(self, head: Recording) -> float:
-        """Return half a block [s]: farther in, the amplitudes are fitted on as much as in the middle of a recording.
+        """Return half a block [s]: with this overlap the amplitudes are fitted to as many samples as elsewhere.
 
-        They are fitted on blocks that start elsewhere, and differ by the scatter of the fit: 0.3 mN*m on twelve lines
-        of 50 mN*m in 50 mN*m of noise, whether the overlap is 5 s or 45 s.
+        The blocks start elsewhere, so that amplitudes differ by the standard deviation of the fit: 0.3 mN*m on twelve
+        lines of 50 mN*m in 50 mN*m of noise, for an overlap of 5 s as of 45 s.
         """
         return 0.5 * self.block

@@ -1,4 +1,4 @@
-"""What a chain did to a long recording, from what it did to each of its blocks."""
+"""The effect of a filter chain on a long recording, from its effects on the blocks."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.filters.effect import FilterEffect, LineLevel
+from torquerig.filters.filter_effect import FilterEffect, LineLevel
 
 
 def joined_effect(effects: Sequence[FilterEffect], samples: Sequence[int]) -> FilterEffect:
-    """Return the effect over all blocks: exact for mean, spread and energy; root mean square for the lines.
+    """Return the effect over all blocks: exact for mean, standard deviation and energy; rms for the lines.
 
     Parameters
     ----------
     effects : sequence of FilterEffect
-        Of one chain, block by block.
+        Effects of one chain, block by block.
     samples : sequence of int
-        Of each block.
+        Number of samples of each block.
     """
     weights = np.array(samples, dtype=np.float64) / sum(samples)
     first = effects[0]
@@ -38,10 +38,10 @@ def joined_effect(effects: Sequence[FilterEffect], samples: Sequence[int]) -> Fi
 
 
 def _joined(each: Sequence[tuple[float, float]], weights: NDArray[np.float64]) -> tuple[float, float]:
-    """Mean and standard deviation of a whole whose parts have these."""
-    means, spreads = np.array(each).T
+    """Return mean and standard deviation of the whole from those of its parts."""
+    means, deviations = np.array(each).T
     mean = float(weights @ means)
-    return mean, float(np.sqrt(weights @ (spreads**2 + (means - mean) ** 2)))
+    return mean, float(np.sqrt(weights @ (deviations**2 + (means - mean) ** 2)))
 
 
 def _sum(energies: Sequence[float | None]) -> float | None:

@@ -1,4 +1,4 @@
-"""From which states notches start so that the edge is as right as the middle: as if the lines had always been there."""
+"""Initial states of notches at the edge of a recording, as if the lines had existed before it."""
 
 from __future__ import annotations
 
@@ -14,36 +14,36 @@ if TYPE_CHECKING:
 
 
 def states_after_lines(edge: Floats, sections: Floats, angles: Floats, windows: NDArray[np.int64]) -> Floats:
-    """Return the states (sections, 2) before ``edge[0]`` if its lines and its level had stood there for ever.
+    """Return the steady states (sections, 2) before ``edge[0]`` for the lines and the level of the edge.
 
     Parameters
     ----------
     edge : ndarray, shape (samples,)
-        The start of the signal, read away from its end.
+        The start of the signal (for the backward pass its end, reversed).
     sections : ndarray, shape (sections, 6)
         Notches, the longest-ringing first.
     angles : ndarray, shape (sections,)
-        Of each notch [rad/sample].
+        Frequency of each notch [rad/sample].
     windows : ndarray of int, shape (sections,)
-        Over how much of the edge the line of each notch is looked for; 0 where it is taken as absent.
+        Length of the edge over which the line of each notch is fitted [samples]; 0 where it is taken as absent.
 
     Notes
     -----
-    The line of each notch is fitted at a frequency refined from the edge itself (the phase between the two halves of
-    its window, Hann-weighted), because a line beside its notch passes it in part and never stops ringing there. A
-    sinusoid's steady state in a section has a closed form; nothing is filtered before the edge. What the load did
-    there is unknown, and taken as its mean over the slowest line's first period.
+    The frequency of each line is refined from the edge (by the phase between the two halves of its window,
+    Hann-weighted), because a line off the notch's centre is only attenuated. A sinusoid's steady state in a section has
+    a closed form; no samples before the edge are needed. The load before the edge is unknown, and taken as its mean
+    over the slowest line's first period.
     """
     offset = edge.mean()  # would leak into the slowest lines
-    rest = edge - offset
-    amplitudes, found = _taken(rest, angles, windows)
+    residual = edge - offset
+    amplitudes, found = _subtracted_lines(residual, angles, windows)
     slowest = float(angles[windows > 0].min(initial=2 * np.pi))
-    level = offset + rest[: max(int(2 * np.pi / slowest), 1)].mean()
+    level = offset + residual[: max(int(2 * np.pi / slowest), 1)].mean()
     return steady_states(np.append(amplitudes, level), np.append(found, 0.0), sections)
 
 
 def steady_states(amplitudes: Complex, angles: Floats, sections: Floats) -> Floats:
-    """Return the states (sections, 2) before sample 0 of a cascade that has always had some lines as input.
+    """Return the states (sections, 2) before sample 0 of a cascade in steady state with lines as input.
 
     Parameters
     ----------
@@ -64,19 +64,19 @@ def steady_states(amplitudes: Complex, angles: Floats, sections: Floats) -> Floa
     return states
 
 
-def _taken(rest: Floats, angles: Floats, windows: NDArray[np.int64]) -> tuple[Complex, Floats]:
-    """Return complex amplitude and angle of the line at each notch, one after the other taken out of ``rest``."""
+def _subtracted_lines(residual: Floats, angles: Floats, windows: NDArray[np.int64]) -> tuple[Complex, Floats]:
+    """Return complex amplitude and angle of the line at each notch, and subtract each from ``residual`` in turn."""
     from torquerig.filters.kernel import take_line, turned_back
 
     amplitudes, found = np.zeros(angles.size, dtype=np.complex128), angles.copy()
     for row in np.flatnonzero(windows):
         size = int(windows[row])
         half = size // 2
-        early, late = (turned_back(rest, first, half, angles[row]) for first in (0, half))
-        # no farther than half a turn between the halves: at eight time constants the notch's own width
+        early, late = (turned_back(residual, first, half, angles[row]) for first in (0, half))
+        # at most half a turn between the halves: at eight time constants this is the notch's width
         found[row] += np.angle(late * np.conj(early)) / half
-        amplitudes[row] = turned_back(rest, 0, size, found[row])
+        amplitudes[row] = turned_back(residual, 0, size, found[row])
         later = windows[row + 1 :].max(initial=0)
-        longest = max(int(later), min(int(2 * np.pi / angles[windows > 0].min()), rest.size))
-        take_line(rest, longest, amplitudes[row], found[row])
+        longest = max(int(later), min(int(2 * np.pi / angles[windows > 0].min()), residual.size))
+        take_line(residual, longest, amplitudes[row], found[row])
     return amplitudes, found

@@ -1,4 +1,4 @@
-"""What a filter chain did to a recording: spread, mean, energy and the level of each line, before and after."""
+"""The effect of a filter chain: standard deviation, mean, energy and the level of each line, before and after."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.filters.few_bins import bins_at, bins_within
+from torquerig.filters.selected_bins import bins_at, bins_within
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 from torquerig.recordings.set_point import set_point_profile
 
@@ -24,7 +24,7 @@ LINE_HALF_WIDTH = 0.5  # Hz, as wide as the reference report's band-stops
 
 @dataclass(frozen=True, kw_only=True)
 class LineLevel:
-    """The amplitude of one line before and after [N m]: the sine with the power within 0.5 Hz of ``frequency`` [Hz]."""
+    """The amplitude of one line before and after [N m]: of a sine with the power within 0.5 Hz of ``frequency`` [Hz]."""
 
     line: KinematicLine
     frequency: float
@@ -45,9 +45,9 @@ class FilterEffect:
     energy_before, energy_after : float or None
         Integral of torque times output speed [J]; None where neither a channel nor the set-point gives a speed.
     speed_origin : str
-        Where the speed of the energy and of the lines comes from, in words.
+        The source of the speed for energy and lines, in words.
     levels : tuple of LineLevel
-        Empty for a run that is not steady, whose lines have no one frequency.
+        Empty for a run that is not steady, whose lines have no constant frequency.
     """
 
     std_before: float
@@ -61,22 +61,22 @@ class FilterEffect:
 
     @property
     def std_reduction_percent(self) -> float:
-        """By how much the standard deviation fell [%]."""
+        """The reduction of the standard deviation [%]."""
         return _reduction(self.std_before, self.std_after, of=self.std_before)
 
     @property
     def variance_reduction_percent(self) -> float:
-        """By how much the variance fell [%]."""
+        """The reduction of the variance [%]."""
         return _reduction(self.std_before**2, self.std_after**2, of=self.std_before**2)
 
     @property
     def mean_change_percent(self) -> float:
-        """By how much the mean rose [%]; 0 by construction for a chain that puts the mean back."""
+        """The increase of the mean [%]; 0 by construction for a chain that keeps the mean."""
         return _reduction(self.mean_after, self.mean_before, of=self.mean_before)
 
     @property
     def energy_change_percent(self) -> float | None:
-        """By how much the energy rose [%], or None where no speed is known."""
+        """The increase of the energy [%], or None where no speed is known."""
         if self.energy_before is None or self.energy_after is None:
             return None
         return _reduction(self.energy_after, self.energy_before, of=self.energy_before)
@@ -96,7 +96,7 @@ class FilterEffect:
 def chain_effect(
     before: Recording, after: Recording, *, ratio: float, lines: Sequence[KinematicLine] = ()
 ) -> FilterEffect:
-    """Return what changed in the torque between ``before`` and ``after`` a chain.
+    """Return the effect of a filter chain on the torque, from the recordings ``before`` and ``after`` it.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def chain_effect(
     ratio : float
         Motor turns per output turn [1].
     lines : sequence of KinematicLine
-        The lines to give levels of, for example ``chain.lines``.
+        The lines whose levels are returned, for example ``chain.lines``.
 
     Raises
     ------
@@ -122,7 +122,7 @@ def chain_effect(
 def chain_effects(
     before: Recording, after: Sequence[Recording], *, ratio: float, lines: Sequence[Sequence[KinematicLine]]
 ) -> tuple[FilterEffect, ...]:
-    """Return :func:`chain_effect` of several chains on one recording, whose speed is looked for once."""
+    """Return :func:`chain_effect` of several chains on one recording, whose speed is determined once."""
     for made in after:
         if made.samples != before.samples or before.samples < 2:
             raise RecordingError(
@@ -159,7 +159,7 @@ def _effect(
 
 
 def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64] | None, str]:
-    """Motor speed at each sample [rad/s] and where it comes from."""
+    """Return the motor speed at each sample [rad/s] and its source."""
     angle = measured_motor_angle(recording, ratio=ratio)
     if angle is not None:
         return np.gradient(angle.values) * recording.sample_rate, angle.origin
@@ -188,5 +188,5 @@ def _levels(
 
 
 def _reduction(larger: float, smaller: float, *, of: float) -> float:
-    """Difference as a share ``of`` [%]; 0 where there was nothing."""
+    """Return the difference as a share ``of`` [%]; 0 where ``of`` is 0."""
     return 100 * (larger - smaller) / of if of else 0.0

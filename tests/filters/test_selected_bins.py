@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from torquerig.filters.few_bins import bins_at, bins_within, signal_of
+from torquerig.filters.selected_bins import bins_at, bins_within, signal_of
 
 # dealt to 64 rows, to 16, and not at all: too short, or odd
 SIZES = (3 * 2**15, 70_000, 2**16 + 1, 100)

@@ -4,7 +4,7 @@ import pytest
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.comb import Comb
 from torquerig.filters.evaluation.placebo import placebo
-from torquerig.filters.evaluation.turned import comb_teeth, empty_turns, turned_on
+from torquerig.filters.evaluation.order_shift import comb_teeth, empty_order_shifts, order_shifted
 from torquerig.filters.synchronous_average import SynchronousAverage
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.recordings.recording import Channel, Recording
@@ -26,7 +26,7 @@ def recording(torque: np.ndarray) -> Recording:
 
 def test_a_line_is_turned_on_by_so_many_orders_and_the_mean_stays():
     given = recording(1.5 + np.cos(3 / RATIO * ANGLE))
-    moved = turned_on(given, 0.5, angle=ANGLE, ratio=RATIO).torque()
+    moved = order_shifted(given, 0.5, angle=ANGLE, ratio=RATIO).torque()
     assert moved == pytest.approx(1.5 + np.cos(3.5 / RATIO * ANGLE), abs=1e-9)
 
 
@@ -50,11 +50,11 @@ def test_every_known_line_falls_between_the_teeth():
     chain = Chain(name="comb", stages=(Comb(lines=(LINES[0],), periods=5),))
     assert comb_teeth(chain) == ((1.0, 1 / 11),)
     odd = KinematicLine("belt", 1, 0.08, 0.4, "", "")
-    turns = empty_turns(chain, known=(*LINES, odd))
+    turns = empty_order_shifts(chain, known=(*LINES, odd))
     for by in turns:
         for line in (*LINES, odd):
             order = line.output_order + by
             assert abs(order - round(order)) >= 0.2 - 1e-9
     assert turns
     assert 0.6 not in turns
-    assert empty_turns(Chain(name="none", stages=()), known=LINES) == ()
+    assert empty_order_shifts(Chain(name="none", stages=()), known=LINES) == ()

@@ -1,4 +1,4 @@
-"""A chain whose lines are moved by so many orders of the output shaft; everything else stays as it is."""
+"""A filter chain with its lines shifted by some orders of the output shaft, otherwise unchanged."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from torquerig.filters.moving_mean import MovingMeanKept
 from torquerig.filters.notch_bank import CausalNotchBank, NotchBank
 from torquerig.filters.order_bandstop import OrderBandstop
 from torquerig.filters.vold_kalman import VoldKalman
-from torquerig.filters.weighed_lines import WeighedLines
+from torquerig.filters.weighted_lines import WeightedLines
 
 if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import KinematicLine
@@ -21,27 +21,27 @@ if TYPE_CHECKING:
 
 _LineByLine = (
     AdaptiveCanceller | HarmonicRegression | IdealBandstop | CausalNotchBank | NotchBank | OrderBandstop | VoldKalman
-    | WeighedLines
+    | WeightedLines
 )  # fmt: skip
 
 
-def moved_line(line: KinematicLine, orders: float) -> KinematicLine:
-    """Return ``line`` moved by ``orders`` of the output shaft [1/rev]."""
+def shifted_line(line: KinematicLine, orders: float) -> KinematicLine:
+    """Return ``line`` shifted by ``orders`` of the output shaft [1/rev]."""
     ratio = line.output_order / line.motor_order
     return replace(line, motor_order=line.motor_order + orders / ratio, output_order=line.output_order + orders)
 
 
-def moved_chain(chain: Chain, orders: float) -> Chain:
-    """Return ``chain`` with the lines of every stage that takes lines out one by one moved by ``orders`` [1/rev].
+def shifted_chain(chain: Chain, orders: float) -> Chain:
+    """Return ``chain`` with the lines of all stages that remove separate lines shifted by ``orders`` [1/rev].
 
-    Stages without lines, such as low-passes, stay. So do combs and synchronous averages, whose teeth stand at every
-    harmonic: for them the torque is turned on instead (``turned``).
+    Stages without lines, such as low-passes, are not changed. Nor are combs and synchronous averages, which have a
+    tooth at every harmonic; for them the torque is shifted instead (``order_shift``).
     """
     return replace(chain, stages=tuple(_moved(stage, orders) for stage in chain.stages))
 
 
-def movable_lines(chain: Chain) -> tuple[KinematicLine, ...]:
-    """Return the lines that :func:`moved_chain` moves, each once."""
+def shiftable_lines(chain: Chain) -> tuple[KinematicLine, ...]:
+    """Return the distinct lines that :func:`shifted_chain` shifts."""
     return tuple(dict.fromkeys(line for stage in chain.stages for line in _movable(stage)))
 
 
@@ -53,7 +53,7 @@ def widest_half_width(chain: Chain) -> tuple[float, float]:
 
 def _moved(stage: Stage, orders: float) -> Stage:
     if isinstance(stage, _LineByLine):
-        return replace(stage, lines=tuple(moved_line(line, orders) for line in stage.lines))
+        return replace(stage, lines=tuple(shifted_line(line, orders) for line in stage.lines))
     if isinstance(stage, MovingMeanKept):
         return replace(stage, around=tuple(_moved(one, orders) for one in stage.around))
     return stage

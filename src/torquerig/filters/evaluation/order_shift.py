@@ -1,4 +1,4 @@
-"""A recording turned on by so many orders: what a chain with a tooth at every harmonic does at empty places."""
+"""A recording with its torque shifted by some orders: the placebo test of chains with a tooth at every harmonic."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.filters.comb import CausalComb, Comb
-from torquerig.filters.evaluation.moved_chain import movable_lines
+from torquerig.filters.evaluation.shifted_chain import shiftable_lines
 from torquerig.filters.synchronous_average import SynchronousAverage
 
 if TYPE_CHECKING:
@@ -23,36 +23,36 @@ _STEP, _LEAST_GAP = 0.05, 0.2  # [1/rev]
 
 
 def comb_lines(chain: Chain) -> tuple[KinematicLine, ...]:
-    """Return the lines by which a chain's combs and synchronous averages find the speed, each once."""
+    """Return the distinct lines from which a chain's combs and synchronous averages estimate the speed."""
     return tuple(dict.fromkeys(line for stage in chain.stages for line in _lines(stage)))
 
 
 def comb_teeth(chain: Chain) -> tuple[tuple[float, float], ...]:
-    """Return the spacing of each comb's teeth and half the width of one [orders of the output shaft]; () for none."""
+    """Return spacing and half width of each comb's teeth [orders of the output shaft]; () for none."""
     return tuple(one for stage in chain.stages for one in _teeth(stage))
 
 
-def empty_turns(chain: Chain, *, known: Sequence[KinematicLine]) -> tuple[float, ...]:
-    """Return by how many orders a signal may be turned on so that every known line falls between all teeth.
+def empty_order_shifts(chain: Chain, *, known: Sequence[KinematicLine]) -> tuple[float, ...]:
+    """Return the shifts in orders at which every known line falls between all teeth.
 
     Parameters
     ----------
     known : sequence of KinematicLine
-        All lines of the drive; what the chain takes out line by line besides must be met by none of them either.
+        All lines of the drive; they must not meet the single lines that the chain removes, either.
     """
     teeth = comb_teeth(chain)
     if not teeth:
         return ()
     lines = np.array([line.output_order for line in known])
-    single = np.array([line.output_order for line in movable_lines(chain)])
-    # all sets of teeth come back after their widest spacing
+    single = np.array([line.output_order for line in shiftable_lines(chain)])
+    # all sets of teeth repeat after their widest spacing
     count = round(max(spacing for spacing, _ in teeth) / _STEP)
     turns = [step / round(1 / _STEP) for step in range(1, count)]
     return tuple(by for by in turns if all(_between(lines + by, *one) for one in teeth) and _clear(lines + by, single))
 
 
-def turned_on(recording: Recording, orders: float, *, angle: NDArray[np.float64], ratio: float) -> Recording:
-    """Return the recording with all of its torque but the mean moved up by ``orders`` of the output shaft.
+def order_shifted(recording: Recording, orders: float, *, angle: NDArray[np.float64], ratio: float) -> Recording:
+    """Return the recording with its torque, except the mean, shifted up by ``orders`` of the output shaft.
 
     Parameters
     ----------
@@ -63,8 +63,8 @@ def turned_on(recording: Recording, orders: float, *, angle: NDArray[np.float64]
 
     Notes
     -----
-    The analytic signal is turned and its real part taken: the spectrum is the same, so many orders higher, and the
-    variance too. A comb's teeth then stand, seen from the torque, so many orders below their own places.
+    The analytic signal is multiplied by the shift's unit vector, and its real part is taken. Spectrum and variance are
+    the same, shifted by ``orders``.
     """
     name = recording.torque_name()
     values = recording.channels[name].values
@@ -91,10 +91,10 @@ def _lines(stage: Stage) -> list[KinematicLine]:
 
 
 def _between(lines: NDArray[np.float64], spacing: float, half_width: float) -> bool:
-    apart = np.abs(lines - spacing * np.round(lines / spacing))
-    # narrow spacings leave less room than the usual gap
+    distance = np.abs(lines - spacing * np.round(lines / spacing))
+    # narrow spacings allow only a smaller gap
     gap = max(min(_LEAST_GAP, 0.25 * spacing), half_width)
-    return bool(apart.min(initial=np.inf) >= gap - 1e-9)
+    return bool(distance.min(initial=np.inf) >= gap - 1e-9)
 
 
 def _clear(lines: NDArray[np.float64], single: NDArray[np.float64]) -> bool:
