@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 
 from torquerig.errors import RecordingError
+from torquerig.filters.block_filtering import blocking_for, filtered_blocks
 from torquerig.filters.butterworth import ButterworthLowPass
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.filter_effect import chain_effect
-from torquerig.filters.joined_effect import joined_effect
 from torquerig.filters.harmonic_regression import HarmonicRegression
 from torquerig.filters.ideal_bandstop import IdealBandstop
+from torquerig.filters.joined_effect import joined_effect
 from torquerig.filters.moving_mean import MovingMeanKept
 from torquerig.filters.reach import reach_of
 from torquerig.filters.revolution_mean import RevolutionMean
-from torquerig.filters.block_filtering import blocking_for, filtered_blocks
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.files import open_stream, write_recording
 from torquerig.recordings.recording import Channel, Recording

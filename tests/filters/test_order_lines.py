@@ -64,7 +64,10 @@ def test_weak_lines_stay_and_no_load_is_taken_for_them():
     angle = turned(0.002)
     load = 1.0 + np.cumsum(np.random.default_rng(6).normal(size=AT.size)) * 0.002  # red: most where the low lines stand
     source = recording(load, angle)
-    plain, weighed = OrderBandstop(lines=LINES).apply(source).torque(), WeightedLines(lines=LINES).apply(source).torque()
+    plain, weighed = (
+        OrderBandstop(lines=LINES).apply(source).torque(),
+        WeightedLines(lines=LINES).apply(source).torque(),
+    )
     assert rms(weighed - load) < 0.5 * rms(plain - load)
 
 

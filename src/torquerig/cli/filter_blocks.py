@@ -10,10 +10,10 @@ import click
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.filters.block_filtering import FilteredBlock, blocking_for, filtered_blocks
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.filter_effect import FilterEffect
 from torquerig.filters.joined_effect import joined_effect
-from torquerig.filters.block_filtering import FilteredBlock, blocking_for, filtered_blocks
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.recordings.files.block_writing import write_blocks
 from torquerig.recordings.files.blocks import Blocking

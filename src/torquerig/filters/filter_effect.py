@@ -24,7 +24,7 @@ LINE_HALF_WIDTH = 0.5  # Hz, as wide as the reference report's band-stops
 
 @dataclass(frozen=True, kw_only=True)
 class LineLevel:
-    """The amplitude of one line before and after [N m]: of a sine with the power within 0.5 Hz of ``frequency`` [Hz]."""
+    """The amplitude of one line before and after [N m], from the power within 0.5 Hz of ``frequency`` [Hz]."""
 
     line: KinematicLine
     frequency: float

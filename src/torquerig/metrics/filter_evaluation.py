@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from torquerig.errors import RecordingError
-from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.filters.evaluation.delay import Delay, delay_behind
-from torquerig.filters.evaluation.step_response import StepResponse, step_response
 from torquerig.filters.evaluation.placebo import Placebo, placebo
+from torquerig.filters.evaluation.step_response import StepResponse, step_response
+from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.load_error import LoadError, load_error
 from torquerig.metrics.truth_error import TRUE_LOAD
 from torquerig.simulation.true_lines import TRUE_LINES

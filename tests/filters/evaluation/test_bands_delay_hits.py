@@ -9,9 +9,9 @@ import pytest
 from torquerig.errors import RecordingError
 from torquerig.filters.evaluation.bands import band_rms, bands_below
 from torquerig.filters.evaluation.delay import delay_behind
-from torquerig.filters.evaluation.hits import hits_of, hit_response
-from torquerig.filters.evaluation.step_response import step_response
+from torquerig.filters.evaluation.hits import hit_response, hits_of
 from torquerig.filters.evaluation.rise import rise_time
+from torquerig.filters.evaluation.step_response import step_response
 from torquerig.filters.moving_mean import MovingMeanKept
 from torquerig.recordings.recording import Channel, Recording
 

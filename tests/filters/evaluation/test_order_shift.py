@@ -3,8 +3,8 @@ import pytest
 
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.comb import Comb
-from torquerig.filters.evaluation.placebo import placebo
 from torquerig.filters.evaluation.order_shift import comb_teeth, empty_order_shifts, order_shifted
+from torquerig.filters.evaluation.placebo import placebo
 from torquerig.filters.synchronous_average import SynchronousAverage
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.recordings.recording import Channel, Recording

@@ -8,8 +8,8 @@ import pytest
 from torquerig.filters.butterworth import ButterworthLowPass
 from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain, report_filter_text_chain
 from torquerig.filters.evaluation.known_angle import FOUND_ANGLE, with_known_angle
-from torquerig.filters.evaluation.shifted_chain import shiftable_lines, shifted_chain
 from torquerig.filters.evaluation.placebo import empty_shifts, placebo
+from torquerig.filters.evaluation.shifted_chain import shiftable_lines, shifted_chain
 from torquerig.filters.harmonic_regression import HarmonicRegression
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field, TypeAdapter
 from torquerig.errors import did_you_mean
 from torquerig.extensions import extensions_of
 from torquerig.filters.butterworth import ButterworthLowPass, CausalButterworthLowPass
-from torquerig.filters.chains.stage_form import Made, StageForm
+from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.line_stage_schema import (
     AdaptiveCancellerText,
     CombText,
@@ -21,8 +21,8 @@ from torquerig.filters.chains.line_stage_schema import (
     VoldKalmanText,
     WeightedLinesText,
 )
-from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_stage
+from torquerig.filters.chains.stage_form import Made, StageForm
 from torquerig.filters.fir_low_pass import CausalFirLowPass, FirLowPass
 from torquerig.filters.hampel import Hampel
 from torquerig.filters.load_inverse import LoadInverse

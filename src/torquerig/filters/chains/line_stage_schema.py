@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from torquerig.filters.adaptive_canceller import AdaptiveCanceller
-from torquerig.filters.chains.stage_form import Lines, Made, StageForm
 from torquerig.filters.chains.filter_chain import select_lines
+from torquerig.filters.chains.stage_form import Lines, Made, StageForm
 from torquerig.filters.comb import CausalComb, Comb
 from torquerig.filters.harmonic_regression import HarmonicRegression
 from torquerig.filters.ideal_bandstop import IdealBandstop

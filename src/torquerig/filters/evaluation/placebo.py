@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.filters.evaluation.known_angle import with_known_angle
-from torquerig.filters.evaluation.shifted_chain import shiftable_lines, shifted_chain, widest_half_width
 from torquerig.filters.evaluation.order_shift import comb_lines, comb_teeth, empty_order_shifts, order_shifted
+from torquerig.filters.evaluation.shifted_chain import shiftable_lines, shifted_chain, widest_half_width
 from torquerig.orders.angle.measured_angle import measured_motor_angle
 
 if TYPE_CHECKING:
@@ -96,7 +96,9 @@ def placebo(
     whole = float(given.torque().var())
     if not whole > 0:
         return None
-    remaining = [float(one.apply(given).torque().var()) for one in (chain, *(shifted_chain(chain, by) for by in shifts))]
+    remaining = [
+        float(one.apply(given).torque().var()) for one in (chain, *(shifted_chain(chain, by) for by in shifts))
+    ]
     cut, *cuts = (1 - one / whole for one in remaining)
     return Placebo(cut=cut, shifts=shifts, cuts=tuple(cuts))
 

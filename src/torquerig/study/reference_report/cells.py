@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from torquerig.filters.chains.filter_chain import Chain
-from torquerig.filters.filter_effect import chain_effect
 from torquerig.filters.evaluation.placebo import Placebo, placebo
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.study.reference_report.conditions import ReportRig
 from torquerig.study.reference_report.fitting import Fit, Places, place_of
 from torquerig.study.reference_report.published import Cell
