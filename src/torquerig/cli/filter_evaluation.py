@@ -9,8 +9,8 @@ import click
 
 from torquerig.errors import InputError
 from torquerig.filters.chains.filter_chain import Chain
-from torquerig.filters.evaluation.step_response import HIT_DECAY, StepResponse
 from torquerig.filters.evaluation.placebo import Placebo
+from torquerig.filters.evaluation.step_response import HIT_DECAY, StepResponse
 from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.metrics.load_error import LoadError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics

@@ -1,4 +1,4 @@
-"""Motors phase by phase, so that their torque ripple emerges from windings, magnets and control and is not put in.
+"""Phase-level models of motors, whose torque ripple follows from windings, magnets and control.
 
 permanent_magnet  R, L, flux linkage, back-EMF    back_emf        its shape: harmonics or trapezoid
 six_step          Hall commutation (BLDC)         field_oriented  current loop in the rotor's frame (PMSM)

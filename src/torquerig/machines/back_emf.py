@@ -33,7 +33,7 @@ class BackEmf(ABC):
 
     @abstractmethod
     def kernel_rows(self) -> tuple[float, Floats, Floats]:
-        """Return flat angle [rad] (0 for harmonics), orders and amplitudes, as the kernel takes them."""
+        """Return flat angle [rad] (0 for harmonics), orders and amplitudes, in the layout of the kernel."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Whether the numbers of a machine or control lie within the bounds that their fields declare."""
+"""Checks of the numbers of a machine or control against the bounds of their fields."""
 
 from __future__ import annotations
 

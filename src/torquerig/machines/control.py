@@ -1,4 +1,4 @@
-"""What every control of a permanent-magnet machine can do: turn a demand into phase currents through an inverter."""
+"""The interface of controls of a permanent-magnet machine: from a demand to phase currents through an inverter."""
 
 from __future__ import annotations
 

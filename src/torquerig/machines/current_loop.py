@@ -1,4 +1,4 @@
-"""How a sampled current loop is tuned: from resistance, inductance and bandwidth."""
+"""Tuning of a sampled current loop from resistance, inductance and bandwidth."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def current_gains(*, resistance: float, inductance: float, bandwidth: float) -> 
 
 
 def check_bandwidth(bandwidth: float, *, period: float) -> None:
-    """Raise ValueError where the loop asks for more than its sampling can hold steady."""
+    """Raise ValueError where the bandwidth is too high for a stable loop at this sampling rate."""
     if bandwidth * period > LARGEST_SHARE * (1 + 1e-12):
         raise ValueError(
             f"bandwidth: {bandwidth:g} Hz is more than a tenth of the sampling rate {1 / period:g} Hz, the loop would "

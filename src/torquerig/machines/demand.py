@@ -1,4 +1,4 @@
-"""What is asked of the drive: a torque, or a speed that a sampled PI holds."""
+"""The demand on a drive: a torque, or a speed held by a sampled PI controller."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.parameter import Parameter
 
 @dataclass(frozen=True, kw_only=True)
 class TorqueDemand:
-    """A constant torque [N*m], turned into current by the machine's own constant; nothing corrects what is missing."""
+    """A constant torque [N*m], converted to a current by the machine's torque constant, without feedback."""
 
     torque: Annotated[float, Parameter("N*m", "torque demand")]
 

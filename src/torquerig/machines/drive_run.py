@@ -1,4 +1,4 @@
-"""How a machine under its control runs on a shaft: torque, currents, angle and speed at every sampling period."""
+"""A run of a machine with its control on a shaft: torque, currents, angle and speed at every sampling period."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class DriveRun:
-    """What a run gave, sampled at the start of each period."""
+    """The results of a run, sampled at the start of each period."""
 
     period: float
     rows: Floats

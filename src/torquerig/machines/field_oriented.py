@@ -1,4 +1,4 @@
-"""Field-oriented control: a sampled current loop in the rotor's frame, with the errors that real ones have."""
+"""Field-oriented control: a sampled current loop in the rotor's frame, with dead time, sensor errors and an angle error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The induction machine at constant supply: torque over slip, and the speed that a load leaves."""
+"""The induction machine at constant supply: torque over slip, and the speed under load."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How an induction machine runs on its supply: torque and speed over time, from fluxes in the stator's frame."""
+"""A run of an induction machine on its supply: torque and speed over time, from fluxes in the stator's frame."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Fluxes = tuple[complex, complex, float]
 
 @dataclass(frozen=True, kw_only=True)
 class InductionSupply:
-    """The mains and the winding on it: what the torque curve alone does not say.
+    """The mains and the winding, in addition to the torque curve.
 
     ``unbalance`` is the negative-sequence share of the voltage; it makes a torque at twice the supply frequency,
     whatever the slip (Nandi, Toliyat & Li 2005, IEEE Trans. Energy Conversion 20(4)).

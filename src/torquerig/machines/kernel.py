@@ -1,4 +1,4 @@
-"""The compiled loop: machine, inverter and control on two masses, by Runge-Kutta 4 in the phases' own, still frame.
+"""The compiled loop: machine, inverter and control on two masses, by Runge-Kutta 4 in the stationary frame of the phases.
 
 Self-contained on purpose: numba's cache on disk goes stale when a callee in another file changes. In the still frame
 the fastest rate is R/L, so that no step of a control's length is unstable; explicit Euler in the rotor's frame is.
@@ -28,7 +28,7 @@ LAG_SINE = np.array([0.0, 0.75**0.5, -(0.75**0.5)])
 
 
 class Machine(NamedTuple):
-    """A permanent-magnet machine; ``flat_angle`` 0 stands for harmonics."""
+    """A permanent-magnet machine; ``flat_angle`` 0 means harmonics."""
 
     pole_pairs: float
     resistance: Floats  # (3,)

@@ -1,4 +1,4 @@
-"""A permanent-magnet machine as the kernel takes it."""
+"""The numbers of a permanent-magnet machine in the layout of the kernel."""
 
 from __future__ import annotations
 

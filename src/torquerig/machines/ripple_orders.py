@@ -1,4 +1,4 @@
-"""Which torque lines a machine and its control make at a steady speed: what the torque-level model takes as ripple."""
+"""The torque lines of a machine and its control at a steady speed, for the ripple of the torque-level model."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from torquerig.machines.shaft import ImposedSpeed
 
 ELECTRICAL_ORDERS = 36  # up to six times the six-step line
 FEWEST_ORDERS = 6
-SETTLING = 25.0  # time constants: what is left is 1e-11
+SETTLING = 25.0  # time constants, after which a transient has decayed to 1e-11
 FEWEST_SAMPLES = 4096
 
 

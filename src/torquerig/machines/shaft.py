@@ -1,4 +1,4 @@
-"""What the rotor turns: an imposed speed, or a load on a spring."""
+"""The shaft of a machine: an imposed speed, or a load on a spring."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torquerig.parameter import Parameter
 
 @dataclass(frozen=True, kw_only=True)
 class ImposedSpeed:
-    """A dynamometer that holds the speed whatever the torque: the test bench of a motor's ripple."""
+    """A dynamometer that imposes the speed independent of the torque, as for measuring a motor's ripple."""
 
     speed: Annotated[float, Parameter("rad/s", "speed of the rotor")]
 
@@ -20,7 +20,7 @@ class ImposedSpeed:
         check_fields(self)
 
     def kernel_row(self) -> kernel.Shaft:
-        """Return the shaft as the kernel takes it: infinite inertias."""
+        """Return the shaft in the layout of the kernel: infinite inertias."""
         return kernel.Shaft(0.0, 0.0, 0.0, 0.0, 0.0, self.speed)
 
 
@@ -42,7 +42,7 @@ class TwoMasses:
         check_fields(self)
 
     def kernel_row(self) -> kernel.Shaft:
-        """Return the shaft as the kernel takes it."""
+        """Return the shaft in the layout of the kernel."""
         inverse_rotor, inverse_load = 1 / self.rotor_inertia, 1 / self.load_inertia
         stiffness, damping = self.stiffness, self.damping
         return kernel.Shaft(inverse_rotor, inverse_load, stiffness, damping, self.load_torque, self.initial_speed)

@@ -1,4 +1,4 @@
-"""Six-step commutation: two phases carry the current, three Hall sensors say which, for 60 electrical degrees each."""
+"""Six-step commutation: two phases, selected by three Hall sensors, carry the current for 60 electrical degrees each."""
 
 from __future__ import annotations
 

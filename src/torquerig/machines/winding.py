@@ -1,4 +1,4 @@
-"""Which pole pairs and slots a three-phase motor can have, and which lie near a pair that cannot be wound."""
+"""Pole pairs and slots with a balanced three-phase winding, and the nearest such pairs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ REACH = 6  # how far from the written counts they are looked for
 
 
 def has_winding(pole_pairs: int, slots: int) -> bool:
-    """Say whether three balanced phases can be wound into ``slots`` [1] for ``pole_pairs`` [1].
+    """Return whether three balanced phases can be wound into ``slots`` [1] for ``pole_pairs`` [1].
 
     The phases are balanced when each takes a whole number of spokes of the star of slots: ``Q / (3 gcd(Q, p))``.
     Holds for windings that fill every slot; a motor with empty slots may exist all the same.
@@ -40,7 +40,7 @@ def nearest_windings(pole_pairs: int, slots: int) -> tuple[tuple[int, int], ...]
 
 
 def no_winding(pole_pairs: int, slots: int) -> str:
-    """Return the sentence for a pair that has no balanced winding, with the nearest pairs that have one."""
+    """Return the error text for a pair without balanced winding, with the nearest pairs that have one."""
     near = nearest_windings(pole_pairs, slots)
     remedy = ", ".join(f"{q} slots with {p} pole pair{'s' * (p > 1)}" for p, q in near)
     return (

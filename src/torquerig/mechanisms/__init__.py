@@ -1,4 +1,4 @@
-"""What can disturb the reading: one effect per file, the same class forwards (simulate) and backwards (diagnose).
+"""Disturbances of the reading, one per file; the simulation and the diagnosis use the same class.
 
 Motor and drive
     torque_ripple        measured lines of a shaft        cogging              magnets against teeth
@@ -10,7 +10,7 @@ Motor and drive
     encoder_error        read by the speed loop           pwm_ripple           switching, nearly nothing
 Shafts and gears
     gear_mesh            transmission error of a gear     tooth_mesh           the same out of its teeth
-    belt_lines           belt, its teeth and pulleys      parallel_offset      shafts beside each other, 1 and 2
+    belt_lines           belt, its teeth and pulleys      parallel_offset      parallel shafts with an offset, 1 and 2
     torsional_mode       an inertia on a spring           backlash             a gap in a gear
     misalignment         shafts at an angle, order 2      jaw_coupling         jaws and spider legs
     imbalance            gravity, order 1                 bearing_defect       impacts that ring
@@ -82,12 +82,12 @@ if TYPE_CHECKING:
 
     __all__: list[str]
 else:  # whatever files there are, so that a mechanism goes with its file
-    _rooms = [import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__)]
+    _modules = [import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__)]
     _classes = {
         name: thing
-        for room in _rooms
-        for name, thing in vars(room).items()
-        if isinstance(thing, type) and issubclass(thing, Part) and thing.__module__ == room.__name__
+        for module in _modules
+        for name, thing in vars(module).items()
+        if isinstance(thing, type) and issubclass(thing, Part) and thing.__module__ == module.__name__
     }
     globals().update(_classes)
     __all__ = list(_classes)

@@ -18,8 +18,8 @@ class Backlash(Part):
     """``T = k (twist - g/2)`` beyond the gap and zero inside, damping only in contact, never pulling.
 
     Source: Nordin & Gutman 2002, Automatica 38 (physical dead-zone model); contact law: terms.Spring.
-    In a line ``gear`` names a link and the gap is in m. Rattle and limit cycles follow, none is an input.
-    Not true where the flanks' own deformation matters.
+    In a line ``gear`` names a link and the gap is in m. Rattle and limit cycles result from the simulation.
+    Not valid where the deformation of the tooth flanks matters.
     """
 
     kind: Literal["backlash"] = "backlash"

@@ -22,7 +22,7 @@ class BearingDefect(Part):
     ``D/(2 d) (1 - (d/D cos a)^2)`` for a ball (BSF; one race, twice that where it strikes both) and
     ``(1 - d/D cos a)/2`` for the cage (FTF), the outer race fixed. Source: Randall & Antoni 2011, MSSP 25(2); Harris &
     Kotzalas, Rolling Bearing Analysis. The amplitude A is a measured one. The mode is local: the shafts do not move
-    with it, and A is what reaches the sensor; balls slip by 1 to 2 %. Not true where impacts grow with the speed.
+    with it, and A is what reaches the sensor; balls slip by 1 to 2 %. Not valid where impacts grow with the speed.
     """
 
     kind: Literal["bearing_defect"] = "bearing_defect"
@@ -37,7 +37,9 @@ class BearingDefect(Part):
     ring_frequency: Annotated[float, Parameter("Hz", "frequency of the mode that rings", above=0)]
     damping: Annotated[float, Parameter("1", "damping ratio of that mode", above=0, high=1)] = 0.05
     amplitude: Annotated[float, Parameter("N*m", "start of each ringing, at the sensor", low=0)]
-    slip: Annotated[float, Parameter("1", "relative spread of the way between impacts", low=0, high=0.2)] = 0.0
+    slip: Annotated[
+        float, Parameter("1", "relative standard deviation of the angle between impacts", low=0, high=0.2)
+    ] = 0.0
     load_zone: Annotated[float, Parameter("1", "modulation once a turn", low=0, high=1)] = 0.0
 
     def __post_init__(self) -> None:

@@ -26,7 +26,7 @@ class BeltLines(Part):
     teeth ``z_wheel``, output pulley 1, input pulley ``z_wheel / z_pinion``. The counts are those of a belt stage; state
     them where ``gear`` is a plain gear. A pulley whose centre is off by x (``wheel_eccentricity``,
     ``pinion_eccentricity``, in a belt stage) runs out by x / r, r the radius of the output pulley; the other errors
-    are measured ones. Source: signatures.md 3.7; ISO 5296 for belts and pitches. Not true where the tension is so low
+    are measured ones. Source: signatures.md 3.7; ISO 5296 for belts and pitches. Not valid where the tension is so low
     that teeth jump or the strand swings.
     """
 
@@ -46,9 +46,7 @@ class BeltLines(Part):
     def __post_init__(self) -> None:
         stated = (self.pinion, self.wheel, self.belt_teeth)
         if any(count is not None for count in stated) and None in stated:
-            raise ValueError(
-                "pinion, wheel and belt_teeth belong together; write all three, or none beside a belt stage"
-            )
+            raise ValueError("pinion, wheel and belt_teeth belong together; write all three, or none for a belt stage")
         try:
             self._own()
         except InputError as error:
@@ -65,15 +63,17 @@ class BeltLines(Part):
         return ()
 
     def belt(self, rig: Rig) -> Belt:
-        """Return pulleys and belt: as stated here, else those of the belt stage it lives in."""
+        """Return pulleys and belt: as stated here, else those of the belt stage."""
         stage = gear_stage(rig, self.gear, owner=self.name)
-        own = self._own()
+        stated = self._stated()
         if not isinstance(stage, BeltStage):
-            if own is None:
+            if stated is None:
                 raise InputError(f"{self.name}: {self.gear} is no belt; write pinion, wheel and belt_teeth")
-            return own
-        if own is not None and own != stage.geometry():
-            raise InputError(f"{self.name}: {own.spoken} is not the {stage.geometry().spoken} of {self.gear}; keep one")
+            return stated
+        if stated is not None and stated != stage.geometry():
+            raise InputError(
+                f"{self.name}: {stated.spoken} is not the {stage.geometry().spoken} of {self.gear}; keep one"
+            )
         return stage.geometry()
 
     def lines(self, belt: Belt, radius: float = inf) -> tuple[tuple[str, float, float], ...]:
@@ -103,7 +103,7 @@ class BeltLines(Part):
         )
         return (KinematicError(tuple(waves)),)
 
-    def _own(self) -> Belt | None:
+    def _stated(self) -> Belt | None:
         if self.pinion is None or self.wheel is None or self.belt_teeth is None:
             return None
         return Belt(self.pinion, self.wheel, self.belt_teeth)

@@ -21,7 +21,7 @@ class BendingCrosstalk(Part):
     A is c M_b: state it as measured (``once``), or state the weight that bends the sensor, its lever and the cross-talk
     coefficient c of the data sheet, A = c m g l; with the mass off its axis by x, C = c m x l. B is an oval body, as
     measured. Turning the sensor against the coupling turns the phase. Source: signatures.md 6.4 (0.05 to 1 % of full
-    scale), 3.1. Not true where the bearings beside the sensor carry the weight.
+    scale), 3.1. Not valid where bearings near the sensor carry the weight.
     """
 
     kind: Literal["bending_crosstalk"] = "bending_crosstalk"

@@ -1,4 +1,4 @@
-"""Blade pass: the load comes in one pulse per blade."""
+"""Blade pass: one load pulse per blade."""
 
 from __future__ import annotations
 

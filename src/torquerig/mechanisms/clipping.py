@@ -15,8 +15,8 @@ from torquerig.sensor_stages.clip import Clip
 class Clipping(Part):
     """``V = min(max(V, -limit), limit)`` at the converter's input, noise included, or at the amplifier's output.
 
-    An amplifier's rails cut the signal before its cable picks up a hum, which then rides on the flat tops.
-    Flat tops, odd harmonics, a mean that is too small. Source: signatures.md 6.9. Not true for a rail that bends
+    The rails of an amplifier clip the signal before the cable adds a hum, which is then visible on the flat tops.
+    Flat tops, odd harmonics, a mean that is too small. Source: signatures.md 6.9. Not valid for a rail that bends
     before it breaks.
     """
 

@@ -20,7 +20,7 @@ class Cogging(Part):
 
     Independent of current and speed. Source: Zhu & Howe 2000, IEEE Trans. Energy Conversion 15(4), for the native
     order; Gasparin et al. 2009, IEEE Trans. Magnetics 45(3), for the tolerance orders. ``further`` holds multiples of
-    the three by their order. Phases not stated are drawn by the seed. The amplitudes are measured
+    the three by their order. Phases not stated are drawn at random. The amplitudes are measured
     ones (a slow turn without current, or a data sheet); from an offset rotor they follow in eccentricity. Not true
     where skew or saturation under load changes them.
     """
@@ -38,7 +38,9 @@ class Cogging(Part):
 
     def __post_init__(self) -> None:
         if self.slots < 1 or self.pole_pairs < 1:
-            raise ValueError(f"{self.slots} slots and {self.pole_pairs} pole pairs cannot be; both are at least 1")
+            raise ValueError(
+                f"{self.slots} slots and {self.pole_pairs} pole pairs are not possible; both are at least 1"
+            )
         for order in self.further:
             if order < 1 or (order % self.slots and order % (2 * self.pole_pairs)):
                 raise ValueError(
@@ -50,7 +52,7 @@ class Cogging(Part):
         """Return the amplitude [N m] by motor order; equal orders (Q = 2p never, LCM = Q possible) add up."""
         orders: dict[int, float] = {}
         for order, amplitude in (
-            *((order, getattr(self, name)) for name, order in self._own_orders().items()),
+            *((order, getattr(self, name)) for name, order in self._fixed_orders().items()),
             *self.further.items(),
         ):
             orders[order] = orders.get(order, 0.0) + amplitude
@@ -58,12 +60,12 @@ class Cogging(Part):
 
     def held_by(self, order: int) -> tuple[str, int | None]:
         """Return the field that holds the amplitude at a motor order, and its key there where it is ``further``."""
-        names = [name for name, own in self._own_orders().items() if own == order]
+        names = [name for name, fixed in self._fixed_orders().items() if fixed == order]
         return (names[0], None) if names else ("further", order)
 
     def with_amplitudes(self, amplitudes: Mapping[int, float]) -> Cogging:
         """Return the same cogging with these amplitudes [N m] by motor order, and no others."""
-        values: dict[str, Any] = {**dict.fromkeys(self._own_orders(), 0.0), "further": {}}
+        values: dict[str, Any] = {**dict.fromkeys(self._fixed_orders(), 0.0), "further": {}}
         for order, amplitude in amplitudes.items():
             name, key = self.held_by(order)
             if key is None:
@@ -72,8 +74,8 @@ class Cogging(Part):
                 values[name][key] = amplitude
         return replace(self, **values)
 
-    def _own_orders(self) -> dict[str, int]:
-        """Return the motor order of each field that has one of its own."""
+    def _fixed_orders(self) -> dict[str, int]:
+        """Return the motor order of each field with a fixed order."""
         poles = 2 * self.pole_pairs
         return {"native": lcm(self.slots, poles), "unequal_magnets": self.slots, "unequal_teeth": poles}
 

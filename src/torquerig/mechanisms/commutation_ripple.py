@@ -20,8 +20,8 @@ class CommutationRipple(Part):
     ``harmonics`` are d_2, d_3, ...: a dip at each commutation is no cosine.
     k = 6p for six-step commutation, dead time and the pair of 5th and 7th back-EMF harmonics (Jahns & Soong 1996,
     IEEE Trans. Industrial Electronics 43(2)); k = 2p for unequal current gains (Chung & Sul 1998, IEEE Trans. Industry
-    Applications 34(5)). The depth is a measured one; from the machine itself it follows in six_step_commutation,
-    dead_time, back_emf_harmonics and current_gain. Not true where the current loop reacts to the line.
+    Applications 34(5)). The depth is a measured value; from the machine itself it follows in six_step_commutation,
+    dead_time, back_emf_harmonics and current_gain. Not valid where the current loop reacts to the line.
     """
 
     kind: Literal["commutation_ripple"] = "commutation_ripple"

@@ -1,4 +1,4 @@
-"""Current gain: the drive's current sensors differ in gain, which is a torque line of order 2p that grows with load."""
+"""Current gain: the drive's current sensors differ in gain, which causes a torque line of order 2p that grows with load."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class CurrentGain(Part):
 
     Zero without load; a variant of commutation_ripple with the order and depth that follow. Source: Chung & Sul 1998,
     IEEE Trans. Industry Applications 34(5). The mean changes by half as much, which the speed loop takes back and
-    which is left out. Not true above the bandwidth of the current loop.
+    which is left out. Not valid above the bandwidth of the current loop.
     """
 
     kind: Literal["current_gain"] = "current_gain"
@@ -32,7 +32,7 @@ class CurrentGain(Part):
 
     def __post_init__(self) -> None:
         if self.pole_pairs < 1:
-            raise ValueError(f"{self.pole_pairs} pole pairs cannot be; write at least 1")
+            raise ValueError(f"{self.pole_pairs} pole pairs are not possible; write at least 1")
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return none, the drive carries the ripple; InputError where ``at`` is no motor."""

@@ -1,4 +1,4 @@
-"""Current offset: the drive's current sensors do not read zero at zero, which is a torque line of order p."""
+"""Current offset: the drive's current sensors have an offset, which causes a torque line of order p."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class CurrentOffset(Part):
 
     The current loop makes the readings right and the currents wrong: seen from the rotor the offset turns at the
     electrical frequency. Independent of load and speed. Source: Chung & Sul 1998, IEEE Trans. Industry Applications
-    34(5). Not true above the bandwidth of the current loop, nor for six-step commutation.
+    34(5). Not valid above the bandwidth of the current loop, nor for six-step commutation.
     """
 
     kind: Literal["current_offset"] = "current_offset"
@@ -33,7 +33,7 @@ class CurrentOffset(Part):
 
     def __post_init__(self) -> None:
         if self.pole_pairs < 1:
-            raise ValueError(f"{self.pole_pairs} pole pairs cannot be; write at least 1")
+            raise ValueError(f"{self.pole_pairs} pole pairs are not possible; write at least 1")
 
     @property
     def amplitude(self) -> float:

@@ -1,4 +1,4 @@
-"""Dead time: the inverter's pause at every switching takes volts against the current, six steps per electrical turn."""
+"""Dead time: the pause at every switching of the inverter is a voltage drop against the current, six steps per electrical turn."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class DeadTime(Part):
     dead_time: Annotated[float, Parameter("s", "dead time of a leg that nothing compensates", low=0)]
 
     def volts(self, phases: MotorPhases) -> float:
-        """Return what a phase loses against its current, on average [V]."""
+        """Return the mean voltage drop of a phase [V]."""
         return phases.dc_link * self.dead_time / phases.control_period
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:

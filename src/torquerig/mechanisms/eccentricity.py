@@ -18,7 +18,7 @@ SMALLEST_LINE = 1e-4  # lines below this share of one tooth's torque are left ou
 
 @dataclass(frozen=True, kw_only=True)
 class Eccentricity(Part):
-    """What is left when teeth that pull unequally no longer cancel, beyond the native cogging.
+    """Cogging lines of teeth that pull unequally and so do not cancel, in addition to the native cogging.
 
     Tooth i at a_i = 2 pi i / Q pulls with ``A (sin 2p(theta - a_i) + h sin 4p(theta - a_i)) / g_i^2``, because B^2
     goes with the inverse square of the gap ``g_i = 1 - s cos(a_i) - d cos(a_i - theta)``: s static, d dynamic
@@ -29,7 +29,7 @@ class Eccentricity(Part):
 
     Source: signatures.md 1.6 (Zhu, Wu & Mohd Jamil 2014, IEEE Trans. Industry Applications 50(5)) for the orders. The
     gap is the magnetic one, magnets included: air gap plus magnet height over its relative permeability. Offsets are
-    stated as shares of it, or as lengths beside it. ``tooth_torque`` is measured or computed for one tooth. Not true
+    stated as shares of it, or as lengths together with it. ``tooth_torque`` is measured or computed for one tooth. Not true
     where iron saturates. Phases are drawn, because the direction of the offset against the magnets is unknown.
     """
 
@@ -38,7 +38,7 @@ class Eccentricity(Part):
     at: str = "motor"
     slots: int
     pole_pairs: int
-    tooth_torque: Annotated[float, Parameter("N*m", "cogging torque of one tooth on its own, zero to peak", low=0)]
+    tooth_torque: Annotated[float, Parameter("N*m", "cogging torque of a single tooth, zero to peak", low=0)]
     second_harmonic: Annotated[float, Parameter("1", "its second harmonic, as a share", low=0, high=1)] = 0.25
     static: Annotated[float, Parameter("1", "static offset, as a share of the magnetic gap", low=0, high=0.5)] = 0.0
     dynamic: Annotated[float, Parameter("1", "dynamic offset, as a share of the magnetic gap", low=0, high=0.4)] = 0.0
@@ -48,7 +48,9 @@ class Eccentricity(Part):
 
     def __post_init__(self) -> None:
         if self.slots < 1 or self.pole_pairs < 1:
-            raise ValueError(f"{self.slots} slots and {self.pole_pairs} pole pairs cannot be; both are at least 1")
+            raise ValueError(
+                f"{self.slots} slots and {self.pole_pairs} pole pairs are not possible; both are at least 1"
+            )
         if (self.static_offset or self.dynamic_offset) and self.magnetic_gap is None:
             raise ValueError("an offset as a length needs the gap that it narrows; write magnetic_gap, such as 3 mm")
         for name, share, highest in (("static", self.shares[0], 0.5), ("dynamic", self.shares[1], 0.4)):

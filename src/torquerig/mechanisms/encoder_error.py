@@ -1,4 +1,4 @@
-"""Encoder error: an angle that is read wrong once or twice a turn makes the speed loop shake the motor."""
+"""Encoder error: an angle that is read wrong once or twice a turn makes the speed loop excite the motor."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from torquerig.rig.parts import Motor
 from torquerig.rig.terms import Term, Wave
 
 Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, mechanical", low=0)]
-STEPS = 8192  # angles of a turn at which the torque that is left is looked at
+STEPS = 8192  # angles of a turn at which the remaining torque is evaluated
 HIGHEST_ORDER = STEPS // 16
 SMALLEST_DEPTH = 1e-7
 
@@ -31,7 +31,7 @@ class EncoderError(Part):
     load. k is 1 where the magnet sits off the centre, 2 where it is oval, a resolver's pole number, an interpolator's
     lines. Phases that are not stated are 0. A motor_encoder on the motor counts the same error and states none itself.
 
-    Source: signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial Electronics 37). Not true for the cosine where
+    Source: signatures.md 2.5 (Hanselman 1990, IEEE Trans. Industrial Electronics 37). Not valid for the cosine where
     the current loop is slow against k turns.
     """
 

@@ -20,7 +20,7 @@ class GearMesh(Part):
     that follows is the gear's stiffness and damping times e, through the shafts. Source: Smith, Gear Noise and
     Vibration (transmission error as the excitation); McFadden & Smith 1985, Proc. IMechE (planet modulation).
     The errors are measured ones (single-flank test, or the angle error of a data sheet); tooth_mesh derives order and
-    size from the teeth. Not true where the mesh stiffness varies much over a tooth (heavily loaded spur gears).
+    size from the teeth. Not valid where the mesh stiffness varies much over a tooth (heavily loaded spur gears).
     """
 
     kind: Literal["gear_mesh"] = "gear_mesh"

@@ -1,4 +1,4 @@
-"""Granular drag: a dense bed of particles opposes by where the wear part stands, not by how fast it turns."""
+"""Granular drag: the drag of a dense bed of particles depends on the angle of the wear part, not on its speed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from torquerig.rig.terms import AngleLoad, Term
 Torque = Annotated[float, Parameter("N*m", "mean load torque", low=0)]
 REFERENCE_SIZE = 0.5e-3  # [m] particle size at which the correlation angle is stated
 POINTS_PER_TURN = 2048
-TURNS = 64  # then the bed repeats itself
+TURNS = 64  # period of the bed in turns
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +29,7 @@ class GranularDrag(Part):
     over time its spectrum falls with the square of the frequency and its corner moves with the speed.
 
     Source: Miller, O'Hern & Behringer 1996, Phys. Rev. Lett. 77(15): stresses of slowly sheared grains, rate-invariant,
-    spectra falling as the square. Not true for thin or fast beds, where grains fly (particle_load), nor beyond 64
+    spectra falling as the square. Not valid for thin or fast beds, where grains fly (particle_load), nor beyond 64
     turns, after which the same bed comes again.
     """
 

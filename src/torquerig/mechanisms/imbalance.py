@@ -18,7 +18,7 @@ class Imbalance(Part):
 
     1 kg with 0.1 mm makes 1 mN m. The inertia of the mass belongs to the part itself. Source: statics; ISO 21940-11 for
     sizes of e. What grows with the square of speed loads the bearings and reaches the reading by bending only
-    (bending_crosstalk). Not true for a vertical shaft.
+    (bending_crosstalk). Not valid for a vertical shaft.
     """
 
     kind: Literal["imbalance"] = "imbalance"

@@ -19,9 +19,9 @@ Radians = Annotated[float, Parameter("rad", "zero-to-peak angle error", low=0)]
 class JawCoupling(Part):
     """``e(theta) = a cos(n theta + phi) + b cos(2 n theta + psi)`` in the coupling: n jaws, 2 n legs of the spider.
 
-    Three jaws on a motor at 1000 rpm stand at 50 and 100 Hz, on the mains. Source: signatures.md 3.2; Xu & Marangoni
+    Three jaws on a motor at 1000 rpm have lines at 50 and 100 Hz, which coincide with the mains. Source: signatures.md 3.2; Xu & Marangoni
     1994, J. Sound and Vibration 176(5). The amplitudes are measured or estimated ones; what an offset makes of equal
-    jaws follows in parallel_offset. Not true where the preload changes with the torque.
+    jaws follows in parallel_offset. Not valid where the preload changes with the torque.
     """
 
     kind: Literal["jaw_coupling"] = "jaw_coupling"
@@ -33,7 +33,7 @@ class JawCoupling(Part):
 
     def __post_init__(self) -> None:
         if self.jaws < 1:
-            raise ValueError(f"a coupling of {self.jaws} jaws cannot be; write at least 1")
+            raise ValueError(f"a coupling of {self.jaws} jaws is not possible; write at least 1")
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return none, the coupling carries the error; InputError where ``coupling`` is none."""

@@ -1,4 +1,4 @@
-"""LuGre friction: bristles that bend before they slide; stick, breakaway and hysteresis come of themselves."""
+"""LuGre friction: bristles that bend before they slide; stick, breakaway and hysteresis result from the model."""
 
 from __future__ import annotations
 

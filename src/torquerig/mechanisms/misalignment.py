@@ -21,7 +21,7 @@ class Misalignment(Part):
     From ``w2/w1 = cos b / (1 - sin(b)^2 cos(theta)^2)``, whose angle error is ``sum_n tan(b/2)^(2n)/n sin(2 n theta)``;
     the next term is ``tan(b/2)^2 / 2`` of the first (0.4 % at 10 degrees) and left out. The torque that follows is the
     coupling's stiffness times e, through the shafts. Source: Seherr-Thoss, Schmelz & Aucktor, Universal Joints and
-    Driveshafts. Not true for bellows and other couplings that turn evenly; a parallel offset (1x and 2x by the forces
+    Driveshafts. Not valid for bellows and other couplings that turn evenly; a parallel offset (1x and 2x by the forces
     of the coupling) is not in here.
     """
 

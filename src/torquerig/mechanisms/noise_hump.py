@@ -1,4 +1,4 @@
-"""A hump of noise in the signal, at its place of the spectrum whatever turns: a description that claims no cause."""
+"""Noise hump: noise of a fixed band of frequencies, independent of speed; an empirical description without a cause."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from torquerig.sensor_stages.band_noise import BandNoise
 class NoiseHump(Part):
     """``D(f) = rms^2 / (f w sqrt(2 pi)) exp(-ln(f / f0)^2 / 2 w^2)`` of one-sided density behind the amplifier.
 
-    What a diagnosis models a band of noise by that no effect of the library explains. Source: the log-normal
-    density. Not true where the noise follows the speed or the load: then it is an
+    A diagnosis uses it for a band of noise that no other effect of the library explains. Source: the log-normal
+    density. Not valid where the noise follows the speed or the load: then it is an
     effect of the shafts.
     """
 

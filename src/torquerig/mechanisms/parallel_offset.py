@@ -1,4 +1,4 @@
-"""Parallel offset: two shafts beside each other, whose coupling turns unevenly once and twice a turn."""
+"""Parallel offset: two parallel shafts with an offset, whose coupling has angle errors once and twice a turn."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ HARMONICS = 4  # the fifth is below (offset/radius)^5 / 5
 class ParallelOffset(Part):
     """``e(theta) = sum_h s_h (d/R)^h / h cos(h theta + phi_h)`` in the coupling: d the offset, R the jaws' radius.
 
-    One jaw at R drives a radial slot of a shaft that is d beside: its angle is that of ``1 + (d/R) exp(-i theta)``,
-    whose series this is. Of n jaws of equal share only multiples of n are left (s_h = 1), of unequal ones also the
+    One jaw at R drives a radial slot of a shaft at the distance d: its angle is that of ``1 + (d/R) exp(-i theta)``,
+    whose series this is. With n equally loaded jaws only multiples of n remain (s_h = 1), of unequal ones also the
     rest: s_h = u / (n - 1), u by how much one jaw carries more than its n-th (of it). Two jaws: order 2 with
     (d/R)^2 / 2, the classic sign, and order 1 with u d/R. Sine and cosine of the series are drawn as one phase each.
     The torque that follows is the coupling's stiffness times e.
 
     Source: kinematics of the pin in a slot; signatures.md 3.2 and Xu & Marangoni 1994, J. Sound and Vibration 176(5),
-    for the orders 1 and 2. Not true for bellows and other couplings that turn evenly, nor for the side force, which
+    for the orders 1 and 2. Not valid for bellows and other couplings that turn evenly, nor for the side force, which
     loads bearings and reaches the reading by bending only.
     """
 
@@ -40,7 +40,7 @@ class ParallelOffset(Part):
 
     def __post_init__(self) -> None:
         if self.jaws < 2:
-            raise ValueError(f"a coupling of {self.jaws} jaws cannot be; write at least 2")
+            raise ValueError(f"a coupling of {self.jaws} jaws is not possible; write at least 2")
         if self.offset > 0.5 * self.radius:
             raise ValueError(
                 f"an offset of {self.offset:g} m is more than half the radius of {self.radius:g} m; correct one of them"

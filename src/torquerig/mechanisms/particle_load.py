@@ -35,7 +35,7 @@ class ParticleLoad(Part):
     Where ``hit_rise`` is stated the pulses are ``(exp(-t/tau) - exp(-t/rise))``: grains that give way, not stones.
 
     Source: the reference rig; Campbell's theorem as in Rice 1944, Bell System Technical Journal 23, section 1.2.
-    Not true for dense beds, whose drag is rate-invariant (Miller, O'Hern & Behringer 1996, PRL 77).
+    Not valid for dense beds, whose drag is rate-invariant (Miller, O'Hern & Behringer 1996, PRL 77).
     """
 
     kind: Literal["particle_load"] = "particle_load"

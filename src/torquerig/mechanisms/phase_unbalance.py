@@ -1,4 +1,4 @@
-"""Phase unbalance: one phase of the motor, its cable or connector differs, which is a torque line of order 2p."""
+"""Phase unbalance: one phase of the motor, its cable or connector differs, which causes a torque line of order 2p."""
 
 from __future__ import annotations
 

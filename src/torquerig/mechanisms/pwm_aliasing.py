@@ -1,4 +1,4 @@
-"""PWM aliasing: the drive's switching frequency, folded into the recording by its sample rate."""
+"""PWM aliasing: the drive's switching frequency, aliased into the recording by its sample rate."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class PwmAliasing(Part):
             raise ValueError("state one of frequency (as it appears) and switching_frequency (the true one)")
 
     def apparent_frequency(self, sample_rate: float) -> float:
-        """Return where the line stands in samples taken at ``sample_rate`` [Hz]."""
+        """Return the frequency of the line [Hz] in samples taken at ``sample_rate`` [Hz]."""
         return folded(self._true_frequency(), sample_rate)
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
-        """Return the tone; the sampling folds it by itself."""
+        """Return the tone; sampling aliases it."""
         tone = Tone(
             frequency=self._true_frequency(),
             amplitudes=(self.amplitude,),

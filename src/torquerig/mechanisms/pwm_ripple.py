@@ -1,4 +1,4 @@
-"""PWM ripple: what the switching of the inverter leaves in the torque, and how little of it reaches the sensor."""
+"""PWM ripple: torque ripple at the switching frequency of the inverter, and its small part that reaches the sensor."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class PwmRipple(Part):
         return phases.torque_per_ampere * phases.dc_link / (8 * phases.phase_inductance * self.switching_frequency)
 
     def sensor_torque(self, rig: Rig) -> float:
-        """Return what of it the measured spring carries, zero to peak [N m]; gaps are taken as closed."""
+        """Return the ripple in the measured spring, zero to peak [N m]; gaps are taken as closed."""
         terms = [term for part in rig.parts if part is not self for term in part.terms(rig)]
         inertias = [term for term in terms if isinstance(term, Inertia) and term.inertia > 0]
         springs = [term for term in terms if isinstance(term, Spring)]
@@ -62,7 +62,7 @@ class PwmRipple(Part):
         return float(abs((measured.stiffness + s * measured.damping) * (twists[measured.name] @ angles)))
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
-        """Return the tone that the measured torque gets."""
+        """Return the tone in the measured torque."""
         sensor = rig.part(rig.measured)
         sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor) else 1.0
         tone = Tone(

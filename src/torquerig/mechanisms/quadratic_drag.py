@@ -1,4 +1,4 @@
-"""Quadratic drag: windage and stirring."""
+"""Quadratic drag: windage and stirring, proportional to the square of the speed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Quantization: codes coarser than the converter's data sheet promises."""
+"""Quantization: codes coarser than the converter's data sheet states."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Quantization(Part):
     """``V = step round(V / step)``, after the converter: a wrong range, a digital sensor, a file with few digits.
 
     Source: Widrow & Kollar, Quantization Noise: a floor of step / sqrt(12) rms where the signal crosses many codes.
-    Not true for codes of unequal width.
+    Not valid for codes of unequal width.
     """
 
     kind: Literal["quantization"] = "quantization"

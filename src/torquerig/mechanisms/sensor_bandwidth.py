@@ -1,4 +1,4 @@
-"""Sensor bandwidth: the amplifier's low-pass sits lower than the data sheet says."""
+"""Sensor bandwidth: the amplifier's low-pass is lower than the data sheet states."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from torquerig.rig.terms import Term
 class SensorBandwidth(Part):
     """``|H(f)| = 1 / sqrt(1 + (f/fc)^4)``: the second-order Butterworth low-pass of the sensor, at ``cutoff``.
 
-    It takes the place of the sensor's own low-pass where it is lower; there is never a second one behind it. Source:
-    signatures.md 6.1 (data sheets: 0.2 to 3 kHz). Not true for a digital sensor, which updates and holds.
+    It replaces the sensor's low-pass where it is lower; the signal passes only one low-pass. Source:
+    signatures.md 6.1 (data sheets: 0.2 to 3 kHz). Not valid for a digital sensor, which updates and holds.
     """
 
     kind: Literal["sensor_bandwidth"] = "sensor_bandwidth"

@@ -15,7 +15,7 @@ from torquerig.sensor_stages.drift import Drift
 class SensorDrift(Part):
     """``V += s (1 - exp(-t / tau))``, or a straight line to s at the end of the recording where tau is not stated.
 
-    Source: VDI/VDE 2646, DIN 51309 (0.05 to 0.5 % of full scale in 10 K). Not true where several masses warm up one
+    Source: VDI/VDE 2646, DIN 51309 (0.05 to 0.5 % of full scale in 10 K). Not valid where several masses warm up one
     after the other.
     """
 

@@ -15,8 +15,8 @@ from torquerig.sensor_stages.hysteresis import Hysteresis
 class SensorHysteresis(Part):
     """``T - w (T - P(T))``, P a play operator of half width ``reach``, ``w = width / (2 reach)``.
 
-    Odd harmonics and an offset that remembers the load's past. Source: EURAMET cg-14 (0.02 to 0.3 % of full scale);
-    Visintin, Differential Models of Hysteresis, for the operator. Not true for creep, which depends on time.
+    Odd harmonics and an offset that depends on the load's history. Source: EURAMET cg-14 (0.02 to 0.3 % of full scale);
+    Visintin, Differential Models of Hysteresis, for the operator. Not valid for creep, which depends on time.
     """
 
     kind: Literal["sensor_hysteresis"] = "sensor_hysteresis"

@@ -1,4 +1,4 @@
-"""Sensor non-linearity: a bent characteristic and a wrong gain."""
+"""Sensor non-linearity: a nonlinear characteristic and a gain error."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from torquerig.sensor_stages.characteristic import Characteristic
 class SensorNonlinearity(Part):
     """``T (1 + e + n x + m x^2)``, x = T / full scale: gain error e, quadratic n, cubic m.
 
-    e has no line of its own and spoils every energy; n and m give 2f, 3f and sums of large lines: n A^2 / (2 full
+    e causes no line, but an error of every energy; n and m give 2f, 3f and sums of large lines: n A^2 / (2 full
     scale) at 2f of a line A. Source: signatures.md 6.5, 6.13; DIN 51309 (0.05 to 0.5 % of full scale). Not true much
     beyond full scale.
     """

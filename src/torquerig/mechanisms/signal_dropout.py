@@ -15,7 +15,7 @@ from torquerig.sensor_stages.dropout import Dropout
 class SignalDropout(Part):
     """``V = level`` for ``duration``, at moments that follow one another at random (Poisson), ``rate`` on average.
 
-    Source: signatures.md 6.10 (telemetry, slip rings: 0 to 1 % of the samples). Not true for a slip ring whose worn
+    Source: signatures.md 6.10 (telemetry, slip rings: 0 to 1 % of the samples). Not valid for a slip ring whose worn
     spot comes round once a turn.
     """
 

@@ -14,7 +14,7 @@ from torquerig.rig.terms import Term
 
 @dataclass(frozen=True, kw_only=True)
 class SixStepCommutation(Part):
-    """Lines of order 6p and its multiples that grow with the torque; no line goes in, only the machine.
+    """Lines of order 6p and its multiples that grow with the torque; they follow from the machine's data.
 
     Two phases carry the current for 60 electrical degrees, and each change of pair takes the time that the DC link
     needs to move the current over: the lines are those of the phase-level run (``machines/six_step.py``) at speed and

@@ -18,7 +18,7 @@ Viscous = Annotated[float, Parameter("N*m*s/rad", "viscous friction", low=0)]
 class StribeckFriction(Part):
     """``sign(w) (Tc + (Ts - Tc) exp(-(w/ws)^2))`` on the shaft of ``at``, sign as ``tanh(w / smoothing)``.
 
-    ``viscous w`` beside it, where stated. Backward values default to the forward ones. Below the smoothing speed it
+    ``viscous w`` is added, where stated. Backward values default to the forward ones. Below the smoothing speed it
     creeps where a real contact sticks. Source: Armstrong-Helouvry, Dupont & Canudas de Wit 1994, Automatica 30(7).
     """
 

@@ -17,7 +17,7 @@ from torquerig.rig.terms import Term, Wave
 
 Length = Annotated[float, Parameter("m", "zero-to-peak error of a harmonic, along the line of action", low=0)]
 Share = Annotated[float, Parameter("1", "zero-to-peak share", low=0)]
-SMALLEST_SHARE = 1e-9  # of a line that the planets cancel, rounding is left
+SMALLEST_SHARE = 1e-9  # below this share a line that the planets cancel is only rounding error
 
 
 class MeshLine(NamedTuple):
@@ -36,9 +36,9 @@ class ToothMesh(Part):
     A variant of gear_mesh whose orders and sizes come from the teeth of ``gear``: z periods per turn of the output,
     x_h the transmission error of one mesh, r its lever ``module/2 cos(alpha)`` times the wheel's teeth (sun + ring
     where the carrier is the output), theta_k = theta + 2 pi k/n the place of planet k, w_k its share of the load. Of n
-    equal planets only orders that are multiples of n are left: in phase (sun/n whole) the mesh and all harmonics, else
+    equal planets only orders that are multiples of n remain: in phase (sun/n whole) the mesh and all harmonics, else
     every n-th and side lines h z +- s. Unequal shares leave something of all. m_s is what depends on the place round
-    the ring (runout 1, ovality 2). An eccentric wheel (fixed axis) adds its own turn, e/r, and side lines at its turns
+    the ring (runout 1, ovality 2). An eccentric wheel (fixed axis) adds a line at its turn, e/r, and side lines at its turns
     on both sides of h z, h e/module of the line (phase modulation, small index).
 
     ``stiffness_variation`` is the gear's stiffness over a tooth pitch, k (1 + sum_h s_h cos(h z theta)), with what the
@@ -48,7 +48,7 @@ class ToothMesh(Part):
 
     Source: signatures.md 4.1, 4.2; Smith, Gear Noise and Vibration; McFadden & Smith 1985, Proc. IMechE (side lines);
     Parker 2000, J. Sound and Vibration 236(4) (phasing); Gregory, Harris & Munro 1963; Nayfeh & Mook 1979, Nonlinear
-    Oscillations, 5.3. Not true for a sun that floats, nor where teeth part in a gear that states no backlash.
+    Oscillations, 5.3. Not valid for a sun that floats, nor where teeth part in a gear that states no backlash.
     """
 
     kind: Literal["tooth_mesh"] = "tooth_mesh"
@@ -69,7 +69,7 @@ class ToothMesh(Part):
         if isinstance(teeth, Planetary):
             if self.pinion_eccentricity or self.wheel_eccentricity:
                 raise InputError(
-                    f"{self.name}: an eccentric wheel is told of a fixed-axis pair; of a planetary stage state "
+                    f"{self.name}: an eccentric wheel is possible only for a fixed-axis pair; of a planetary stage state "
                     "position_modulation or planet_shares"
                 )
             if self.planet_shares and (
@@ -137,6 +137,6 @@ class ToothMesh(Part):
         if len(stage.teeth) != 1 or not isinstance(stage.teeth[0], Planetary | Spur):
             raise InputError(
                 f"{self.name}: {self.gear} states no teeth, or those of several stages; write teeth of one stage, such "
-                "as {sun: 21, ring: 84, planets: 3}, and each further stage as a gear of its own"
+                "as {sun: 21, ring: 84, planets: 3}, and each further stage as a separate gear"
             )
         return stage.teeth[0]

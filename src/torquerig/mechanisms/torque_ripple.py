@@ -14,11 +14,11 @@ Torque = Annotated[float, Parameter("N*m", "zero-to-peak torque of a line", low=
 
 @dataclass(frozen=True, kw_only=True)
 class TorqueRipple(Part):
-    """``T = sum_k A_k cos(k theta + phi_k)`` on the shaft of the part ``at``; phases not stated are drawn by the seed.
+    """``T = sum_k A_k cos(k theta + phi_k)`` on the shaft of the part ``at``; phases not stated are drawn at random.
 
     An effect with measured amplitudes: it states a line and does not explain it. Where occupancy damps the lines (as
     observed in the reference report, section 4.1), they are divided by ``1 + relief_per_percent * occupancy_percent``.
-    ``amplitude_rel_sd`` is the one-sigma relative spread that a calibration grants each amplitude.
+    ``amplitude_rel_sd`` is the relative standard deviation within which a calibration may change each amplitude.
 
     Source: the reference report's families, eq. 3.1-3.4 and Table I. Not true at another speed or load than that of the
     measurement, where the cause changes with it.
@@ -30,7 +30,7 @@ class TorqueRipple(Part):
     amplitudes: dict[float, Torque]
     phases: dict[float, float] = field(default_factory=dict)
     relief_per_percent: Annotated[float, Parameter("1", "relief per percent of occupancy", low=0)] = 0.0
-    amplitude_rel_sd: Annotated[float, Parameter("1", "relative spread of the amplitudes", low=0)] = 0.0
+    amplitude_rel_sd: Annotated[float, Parameter("1", "relative standard deviation of the amplitudes", low=0)] = 0.0
 
     def __post_init__(self) -> None:
         for order in self.amplitudes:

@@ -1,4 +1,4 @@
-"""What an amplifier's low-pass leaves of the torque signal."""
+"""Low-pass of the sensor's amplifier."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class AmplifierLowPass:
             )
 
     def apply(self, recording: Recording) -> Recording:
-        """Return ``recording`` with its torque channel seen through the amplifier."""
+        """Return ``recording`` with its torque channel low-passed."""
         from scipy.signal import lfilter
 
         name = recording.torque_name()
@@ -57,7 +57,7 @@ class AmplifierLowPass:
             raise RecordingError(f"{recording.name}: {name} has no samples; an amplifier needs at least one")
         b, a = _discrete(self.cutoff, self.order, recording.sample_rate)
         first = values[0]
-        # around the first sample, so that a constant stays the same to the last bit
+        # relative to the first sample, so that a constant is kept to the last bit
         return recording.with_values(name, lfilter(b, a, values - first) + first)
 
 

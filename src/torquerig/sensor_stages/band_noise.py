@@ -1,4 +1,4 @@
-"""Noise of one band at a fixed place of the spectrum, whatever turns."""
+"""Noise of a fixed band of frequencies."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class BandNoise:
 
     Notes
     -----
-    Source: the log-normal density, whose integral over all frequencies is rms^2; no physics, a description.
+    Source: the log-normal density, whose integral over all frequencies is rms^2; an empirical description.
     """
 
     rms: float

@@ -1,4 +1,4 @@
-"""What a sensor with a bent characteristic or a wrong gain reads."""
+"""Nonlinear characteristic and gain error of a sensor."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Characteristic:
     Notes
     -----
     Source: handbook 6.5, 6.13 (DIN 51309). A sine of amplitude A gets a second harmonic n A^2 / (2 full scale), a
-    third m A^3 / (4 full scale^2), and a mean n A^2 / (2 full scale). Not true much beyond full scale.
+    third m A^3 / (4 full scale^2), and a mean n A^2 / (2 full scale). Not valid far beyond full scale.
     """
 
     full_scale: float

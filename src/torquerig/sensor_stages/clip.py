@@ -1,4 +1,4 @@
-"""What a saturated amplifier or input leaves of a voltage."""
+"""Clipping by a saturated amplifier or input."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Clip:
 
     Notes
     -----
-    Source: handbook 6.9. Real rails differ in sign and take microseconds to recover; neither is in here.
+    Source: handbook 6.9. Real rails differ in sign and take microseconds to recover; neither is modelled.
     """
 
     limit: float

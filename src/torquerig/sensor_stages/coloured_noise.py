@@ -1,4 +1,4 @@
-"""Gaussian noise with a spectrum: what slow loads and slow speeds are made of."""
+"""Low-passed Gaussian noise, for slow variations of loads and speeds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an analog-digital converter makes of a voltage."""
+"""Analog-digital converter: range and rounding to codes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Converter:
     Notes
     -----
     Source: handbook 6.8, 6.9 (Widrow & Kollar, Quantization Noise): the error is at most half a step within the
-    range, step / sqrt(12) rms where the signal crosses many codes. Non-linearity and missing codes are not in here.
+    range, step / sqrt(12) rms where the signal crosses many codes. Nonlinearity and missing codes are not modelled.
     """
 
     range_V: float  # noqa: N815 (the unit is part of the name)

@@ -1,4 +1,4 @@
-"""What the weight on a turning shaft bends into a torque sensor's reading."""
+"""Bending cross-talk: bending moments in a torque sensor's reading."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Crosstalk:
     Parameters
     ----------
     once, twice : float
-        A and B [N m], >= 0: a bending moment that stands still in space, read by a bridge that turns; an oval body.
+        A and B [N m], >= 0: a bending moment fixed in space, read by a turning bridge; an oval body.
     once_by_speed_squared : float
         C [N m s^2/rad^2], >= 0: the bending moment of an unbalance.
     turns : float
@@ -28,7 +28,7 @@ class Crosstalk:
     angle : str
         Name of the channel with the true angle.
     source : str
-        Whose lines they are: names the draw of the phases.
+        Name of the cause, which determines the random phases.
 
     Notes
     -----

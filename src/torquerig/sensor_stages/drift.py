@@ -1,4 +1,4 @@
-"""How the zero of a sensor or amplifier moves over a recording."""
+"""Drift of the zero of a sensor or amplifier."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Drift:
 
     Notes
     -----
-    Source: handbook 6.3; a body that warms up follows the exponential (one thermal mass). Not true where several
+    Source: handbook 6.3; a body that warms up follows the exponential (one thermal mass). Not valid where several
     masses warm up one after the other; a straight line is its beginning, for recordings much shorter than tau.
     """
 

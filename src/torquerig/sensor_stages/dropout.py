@@ -1,4 +1,4 @@
-"""How a loose contact, slip ring or radio link loses the signal for moments."""
+"""Dropouts: loss of the signal by a loose contact, slip ring or radio link."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Dropout:
-    """V = level for ``duration``, at moments of a Poisson process of ``rate``; those that overlap run together.
+    """V = level for ``duration``, at moments of a Poisson process of ``rate``; overlapping ones merge.
 
     Parameters
     ----------
@@ -24,13 +24,13 @@ class Dropout:
     rate : float
         Mean number of dropouts per second [1/s], >= 0.
     level : float
-        What is read meanwhile, in the unit of the torque channel: 0, or the supply rail.
+        The reading during a dropout, in the unit of the torque channel: 0, or the supply rail.
     source : str
-        Whose dropouts they are: names the draw of the moments.
+        Name of the cause, which determines the random moments.
 
     Notes
     -----
-    Source: handbook 6.10. On a worn slip ring the moments are locked to the shaft's turn; that is not in here.
+    Source: handbook 6.10. On a worn slip ring the moments are locked to the shaft's turn; that is not modelled.
     """
 
     duration: float

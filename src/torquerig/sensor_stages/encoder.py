@@ -1,4 +1,4 @@
-"""What an encoder on the motor counts."""
+"""Counts of an incremental encoder on the motor."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Encoder:
     """Counts whole steps of the motor angle as it is read: floor(angle * counts_per_rev / 2 pi), without wrapping.
 
-    It adds the channel ``channel`` and leaves the torque as it is.
+    It adds the channel ``channel`` and does not change the torque.
 
     Parameters
     ----------

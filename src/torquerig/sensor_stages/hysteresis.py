@@ -1,4 +1,4 @@
-"""How a sensor's reading lags behind a torque that turns back."""
+"""Hysteresis of a sensor: the reading lags behind a torque that reverses."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Hysteresis:
     Notes
     -----
     Source: handbook 6.6; play operator: Visintin, Differential Models of Hysteresis, ch. III; one element of the
-    Prandtl-Ishlinskii sum. Rate-independent: creep of the measuring body is not in here. A loop of area
+    Prandtl-Ishlinskii sum. Rate-independent: creep of the measuring body is not modelled. A loop of area
     2 width (A - r) for a swing from -A to A.
     """
 

@@ -1,4 +1,4 @@
-"""What the sensor's own noise adds to its output."""
+"""Noise of the sensor, white or with a first-order spectrum."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class WhiteNoise:
 
     Notes
     -----
-    Source: handbook 6.7. The same recording seed gives the same noise, whatever other stages draw. Real noise
-    has more power at low frequencies and lines of the carrier, which are not in here. The tilt is an autoregression of
+    Source: handbook 6.7. The same recording seed gives the same noise, independent of other stages. Real noise
+    has more power at low frequencies and lines of the carrier, which are not modelled. The tilt is an autoregression of
     first order (Box & Jenkins, Time Series Analysis, section 3.2.3).
     """
 

@@ -1,4 +1,4 @@
-"""What the impacts of a damaged rolling bearing ring into the reading."""
+"""Ringing: impacts of a damaged rolling bearing in the reading."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Ringing:
     amplitude : float
         A [N m at the sensor], >= 0.
     slip : float
-        One-sigma relative spread of the way from impact to impact [1], 0 to 0.2; it adds up from one to the next.
+        Relative standard deviation of the angle between impacts [1], 0 to 0.2; it adds up from one to the next.
     load_zone : float
         m: A_k = A (1 + m cos(theta - theta_0)), the load zone passing once a turn [1], 0 to 1.
     turns : float
@@ -40,12 +40,12 @@ class Ringing:
     angle : str
         Name of the channel with the true angle.
     source : str
-        Whose impacts they are: names the draws of the first angle, the load zone and the slip.
+        Name of the cause, which determines the random first angle, load zone and slip.
 
     Notes
     -----
     Source: handbook 3.8 (Randall & Antoni 2011, MSSP 25(2): impacts, a resonance, slip of 1 to 2 %). The mode is
-    local: what it does to the shafts' motion is left out.
+    local: its effect on the shafts' motion is not modelled.
     """
 
     order: float

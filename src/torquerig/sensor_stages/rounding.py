@@ -1,4 +1,4 @@
-"""What coarse codes leave of a voltage."""
+"""Rounding of a voltage to coarse codes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Rounding:
-    """V = step round(V / step), ties to even; a step of 0 leaves everything as it is.
+    """V = step round(V / step), ties to even; a step of 0 changes nothing.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a source of fixed frequency adds to the signal: mains hum, pulse-width modulation."""
+"""Tones of fixed frequency: mains hum, pulse-width modulation."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Tone:
-    """V += sum_h a_h cos(2 pi h f t + phi_h), t counted from the first sample; whatever turns has no part in it.
+    """V += sum_h a_h cos(2 pi h f t + phi_h), t counted from the first sample; independent of the speed.
 
     Parameters
     ----------
     frequency : float
-        f [Hz], > 0. Above half the sample rate the samples show it folded, at ``|f - n rate|``: aliasing by itself.
-    amplitudes : tuple of float
+            f [Hz], > 0. Above half the sample rate the samples show it folded, at |f - n rate|: aliasing included.
+        amplitudes : tuple of float
         a_1, a_2, ..., zero to peak, in the unit of the torque channel, >= 0.
     phases : tuple of float
-        phi_1, phi_2, ... [rad]; those not stated are drawn from the recording's seed.
+        phi_1, phi_2, ... [rad]; those not stated are drawn by the recording's random seed.
     source : str
         Whose tone it is: names the draw of the phases.
 
     Notes
     -----
-    Source: handbook 2.7, 2.8, 6.12. Not true for a mains whose frequency wanders (0.01 to 0.1 Hz) over minutes.
+    Source: handbook 2.7, 2.8, 6.12. Not valid for a mains whose frequency wanders (0.01 to 0.1 Hz) over minutes.
     """
 
     frequency: float
