@@ -176,8 +176,11 @@ SHAFT = {
         ("{kind: pwm_aliasing, frequency: 1 kHz, switching_frequency: 24 kHz, amplitude: 0.1 V}", "state one of"),
         ("{kind: sensor_hysteresis, width: 1 N*m, reach: 0.1 N*m}", "cannot be wider"),
         ("{kind: belt_lines, pinion: 20, wheel: 100, belt_teeth: 60}", "does not go round"),
-        ("{kind: current_offset, pole_pairs: 0, torque_constant: 1 N*m/A, offset_a: 1 A}", "pole pairs cannot be"),
-        ("{kind: current_gain, pole_pairs: 0, mismatch: 1 %}", "pole pairs cannot be"),
+        (
+            "{kind: current_offset, pole_pairs: 0, torque_constant: 1 N*m/A, offset_a: 1 A}",
+            "pole pairs are not possible",
+        ),
+        ("{kind: current_gain, pole_pairs: 0, mismatch: 1 %}", "pole pairs are not possible"),
         ("{kind: eccentricity, slots: 0, pole_pairs: 7, tooth_torque: 1 N*m}", "cannot be"),
         ("{kind: eccentricity, slots: 12, pole_pairs: 7, tooth_torque: 1 N*m, static: 0.9}", "at most"),
         ("{kind: jaw_coupling, jaws: 0}", "cannot be"),

@@ -1,4 +1,4 @@
-"""Field-oriented control: a sampled current loop in the rotor's frame, with dead time, sensor errors and an angle error."""
+"""Field-oriented control: a sampled current loop in the rotor's frame, with dead time and sensor errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The compiled loop: machine, inverter and control on two masses, by Runge-Kutta 4 in the stationary frame of the phases.
+"""The compiled loop: machine, inverter and control on two masses, by Runge-Kutta 4 in stationary phase quantities.
 
 Self-contained on purpose: numba's cache on disk goes stale when a callee in another file changes. In the still frame
 the fastest rate is R/L, so that no step of a control's length is unstable; explicit Euler in the rotor's frame is.

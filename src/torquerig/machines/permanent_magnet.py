@@ -70,7 +70,7 @@ def flux_from_torque_constant(torque_constant: float, *, pole_pairs: int) -> flo
 def flux_from_voltage_constant(volts_per_krpm: float, *, pole_pairs: int) -> float:
     """Return the flux linkage [V s/rad] of a voltage constant in V rms, line to line, per 1000 rpm, sinusoidal machine.
 
-    ``U = sqrt(3/2) p w lambda``. Where a data sheet states peak volts, divide by sqrt(2) first; stated phase to neutral,
+    ``U = sqrt(3/2) p w lambda``. Divide by sqrt(2) first where peak volts are stated; stated phase to neutral,
     multiply by sqrt(3).
     """
     return volts_per_krpm / (1000 * pi / 30) * sqrt(2 / 3) / pole_pairs

@@ -1,4 +1,4 @@
-"""Six-step commutation: two phases, selected by three Hall sensors, carry the current for 60 electrical degrees each."""
+"""Six-step commutation: two phases, selected by three Hall sensors, carry the current for 60 degrees each."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ class BackEmfHarmonics(Part):
         return {six: share for six, share in sorted(found.items()) if share}
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return the torque that the current loop does not suppress, between rotor and frame; InputError without motor_phases."""
+        """Return the torque that the current loop does not suppress; InputError without motor_phases."""
         node, phases = rig.node(self.at), phases_of(rig, self.at)
         if phases.flat_angle is not None:
             raise InputError(f"{self.name}: {phases.name} has a trapezoidal back-EMF already; leave flat_angle out")

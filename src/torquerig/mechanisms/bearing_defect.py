@@ -37,9 +37,7 @@ class BearingDefect(Part):
     ring_frequency: Annotated[float, Parameter("Hz", "frequency of the mode that rings", above=0)]
     damping: Annotated[float, Parameter("1", "damping ratio of that mode", above=0, high=1)] = 0.05
     amplitude: Annotated[float, Parameter("N*m", "start of each ringing, at the sensor", low=0)]
-    slip: Annotated[
-        float, Parameter("1", "relative standard deviation of the angle between impacts", low=0, high=0.2)
-    ] = 0.0
+    slip: Annotated[float, Parameter("1", "relative sd of the angle between impacts", low=0, high=0.2)] = 0.0
     load_zone: Annotated[float, Parameter("1", "modulation once a turn", low=0, high=1)] = 0.0
 
     def __post_init__(self) -> None:

@@ -1,4 +1,4 @@
-"""Current gain: the drive's current sensors differ in gain, which causes a torque line of order 2p that grows with load."""
+"""Current gain: the drive's current sensors differ in gain, which causes a line of order 2p that grows with load."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Dead time: the pause at every switching of the inverter is a voltage drop against the current, six steps per electrical turn."""
+"""Dead time: the inverter's pause at switching is a voltage drop, six steps per electrical turn."""
 
 from __future__ import annotations
 

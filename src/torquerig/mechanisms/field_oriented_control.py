@@ -1,4 +1,4 @@
-"""Field-oriented control: torque lines of a permanent-magnet servo, from its machine, current loop and sensor errors."""
+"""Field-oriented control: torque lines of a servo, from its machine, current loop and sensor errors."""
 
 from __future__ import annotations
 

@@ -19,7 +19,8 @@ Radians = Annotated[float, Parameter("rad", "zero-to-peak angle error", low=0)]
 class JawCoupling(Part):
     """``e(theta) = a cos(n theta + phi) + b cos(2 n theta + psi)`` in the coupling: n jaws, 2 n legs of the spider.
 
-    Three jaws on a motor at 1000 rpm have lines at 50 and 100 Hz, which coincide with the mains. Source: signatures.md 3.2; Xu & Marangoni
+    Three jaws on a motor at 1000 rpm have lines at 50 and 100 Hz, which coincide with the mains.
+    Source: signatures.md 3.2; Xu & Marangoni
     1994, J. Sound and Vibration 176(5). The amplitudes are measured or estimated ones; what an offset makes of equal
     jaws follows in parallel_offset. Not valid where the preload changes with the torque.
     """

@@ -17,7 +17,7 @@ Volts = Annotated[float, Parameter("V", "zero-to-peak amplitude of a harmonic", 
 class MainsInterference(Part):
     """``V += sum_h a_h cos(2 pi h f t + phi_h)`` behind the amplifier; no part of it turns with the machine.
 
-    The amplitudes are measured values. Harmonic 1 of 50 Hz is a ground loop, 2 a single-phase rectifier, 6 a three-phase
+    The amplitudes are measured. Harmonic 1 of 50 Hz is a ground loop, 2 a single-phase rectifier, 6 a three-phase
     one. Source: Morrison, Grounding and Shielding. Not valid where the current loop runs out of volts and the hum
     becomes a real torque.
     """

@@ -38,8 +38,8 @@ class ToothMesh(Part):
     where the carrier is the output), theta_k = theta + 2 pi k/n the place of planet k, w_k its share of the load. Of n
     equal planets only orders that are multiples of n remain: in phase (sun/n whole) the mesh and all harmonics, else
     every n-th and side lines h z +- s. Unequal shares leave something of all. m_s is what depends on the place round
-    the ring (runout 1, ovality 2). An eccentric wheel (fixed axis) adds a line at its turn, e/r, and side lines at its turns
-    on both sides of h z, h e/module of the line (phase modulation, small index).
+    the ring (runout 1, ovality 2). An eccentric wheel (fixed axis) adds a line at its turn, e/r, and side
+    lines at its turns on both sides of h z, h e/module of the line (phase modulation, small index).
 
     ``stiffness_variation`` is the gear's stiffness over a tooth pitch, k (1 + sum_h s_h cos(h z theta)), with what the
     planets leave of it. Ripple in proportion to the load follows (to first order s_h T of the torque T), its
@@ -69,7 +69,7 @@ class ToothMesh(Part):
         if isinstance(teeth, Planetary):
             if self.pinion_eccentricity or self.wheel_eccentricity:
                 raise InputError(
-                    f"{self.name}: an eccentric wheel is possible only for a fixed-axis pair; of a planetary stage state "
+                    f"{self.name}: an eccentric wheel needs a fixed-axis pair; of a planetary stage state "
                     "position_modulation or planet_shares"
                 )
             if self.planet_shares and (
