@@ -73,5 +73,5 @@ def test_without_a_speed_the_bands_have_no_place():
 
 
 def test_a_band_without_width_is_refused():
-    with pytest.raises(InputError, match="cuts nothing"):
+    with pytest.raises(InputError, match="removes nothing"):
         IdealBandstop(lines=LINES, half_width=0.0)

@@ -147,7 +147,7 @@ def test_an_average_over_n_turns_takes_an_nth_of_the_noise_power():
     ("make", "message"),
     [
         (lambda: Comb(lines=SHAFT, periods=0), "at least 1"),
-        (lambda: VoldKalman(lines=LINES, half_width=0.0), "cannot be"),
+        (lambda: VoldKalman(lines=LINES, half_width=0.0), "are not possible"),
         (lambda: VoldKalman(lines=LINES, half_width=3.0), "less than 2"),
         (lambda: AdaptiveCanceller(lines=LINES, half_width=0.0), "above 0 Hz"),
         (lambda: SynchronousAverage(ratio=0.0), "more than 0"),

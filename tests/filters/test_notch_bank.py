@@ -64,7 +64,7 @@ def test_lines_beyond_the_rate_have_no_notch():
 
 
 def test_what_cannot_be_is_refused():
-    with pytest.raises(InputError, match="cut nothing"):
+    with pytest.raises(InputError, match="remove nothing"):
         NotchBank(lines=LINES, half_width=0.0)
     with pytest.raises(RecordingError, match="too few for"):
         NotchBank(lines=LINES).apply(recording(AT[:50], speed_rad_s=measured_speed(SPEED)))

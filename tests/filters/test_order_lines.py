@@ -114,7 +114,7 @@ def test_lines_near_half_the_rate_are_left_alone():
 
 
 def test_what_cannot_be_is_refused():
-    with pytest.raises(InputError, match="cut nothing"):
+    with pytest.raises(InputError, match="remove nothing"):
         OrderBandstop(lines=LINES, half_width=0.0)
     with pytest.raises(InputError, match="write for example 30 s"):
         WeightedLines(lines=LINES, block=0.0)

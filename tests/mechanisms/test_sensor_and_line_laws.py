@@ -181,9 +181,9 @@ SHAFT = {
             "pole pairs are not possible",
         ),
         ("{kind: current_gain, pole_pairs: 0, mismatch: 1 %}", "pole pairs are not possible"),
-        ("{kind: eccentricity, slots: 0, pole_pairs: 7, tooth_torque: 1 N*m}", "cannot be"),
+        ("{kind: eccentricity, slots: 0, pole_pairs: 7, tooth_torque: 1 N*m}", "are not possible"),
         ("{kind: eccentricity, slots: 12, pole_pairs: 7, tooth_torque: 1 N*m, static: 0.9}", "at most"),
-        ("{kind: jaw_coupling, jaws: 0}", "cannot be"),
+        ("{kind: jaw_coupling, jaws: 0}", "is not possible"),
         ("{kind: clipping, limit: 0 V}", "more than 0"),
     ],
 )

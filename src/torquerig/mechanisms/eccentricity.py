@@ -30,7 +30,7 @@ class Eccentricity(Part):
     Source: signatures.md 1.6 (Zhu, Wu & Mohd Jamil 2014, IEEE Trans. Industry Applications 50(5)) for the orders. The
     gap is the magnetic one, magnets included: air gap plus magnet height over its relative permeability. Offsets are
     stated as shares of it, or as lengths together with it. ``tooth_torque`` is measured or computed for one tooth.
-    Not valid where iron saturates. Phases are drawn, because the direction of the offset against the magnets is unknown.
+    Not valid where iron saturates. Phases are drawn: the direction of the offset relative to the magnets is unknown.
     """
 
     kind: Literal["eccentricity"] = "eccentricity"
