@@ -91,5 +91,5 @@ def test_what_cannot_be_is_refused(run):
         LoadInverse(response=response, retune=0.7)
     with pytest.raises(InputError, match="rising frequencies"):
         LoadResponse(GRID[::-1], mode(GRID))
-    with pytest.raises(RecordingError, match="too few to tell load from noise"):
+    with pytest.raises(RecordingError, match="too few to separate load and noise"):
         LoadInverse(response=response).apply(recording(np.zeros(1000)))

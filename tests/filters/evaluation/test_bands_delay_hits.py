@@ -142,5 +142,5 @@ def test_a_delay_shows_as_late():
 
 
 def test_a_constant_torque_gives_no_measure():
-    with pytest.raises(RecordingError, match="constant torque"):
+    with pytest.raises(RecordingError, match="torque is constant"):
         step_response(Late(0), recording(np.ones(100)))
