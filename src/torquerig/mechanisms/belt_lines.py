@@ -48,7 +48,7 @@ class BeltLines(Part):
         if any(count is not None for count in stated) and None in stated:
             raise ValueError("pinion, wheel and belt_teeth belong together; write all three, or none for a belt stage")
         try:
-            self._own()
+            self._stated()
         except InputError as error:
             raise ValueError(str(error)) from None
 
