@@ -1,8 +1,18 @@
-"""What the machine is.
+"""The model of a machine: parts on shafts, with effects inside them.
 
-terms     the closed vocabulary of physics        part   what parts and effects have in common
-parts/    motor, gear, sensor, coupling, body     rig    an immutable tuple of parts; ``rig + part``
-turns     how fast a shaft turns against the motor  drive_train  what a motor drives, as its shaft feels it
-stage_spring  a gear's spring with its effects    motor_drive  a motor's drive with its effects and encoder
-steady    the motor's mean torque at the set-point  phase_level  lines of the phases at the set-point
+================= ===============================================================================
+``assembly``      a rig, an immutable tuple of parts (``rig + part``), and the interface of a part
+``terms/``        the closed vocabulary of physics
+``parts/``        motor, gear, sensor, coupling, body and others
+``host_changes``  the changes that an effect can make inside its host part
+``placed_stage``  a stage of the measuring chain with its position
+``turns``         turns of a shaft relative to the motor
+``drive_train``   the drive train reduced to the motor shaft
+``stage_spring``  the spring of a gear or coupling with its effects
+``motor_drive``   a motor's drive with its effects and encoder
+``steady``        mean torques at the set-point
+``phase_level``   torque lines of the motor's phases at the set-point
+``reading_place`` the part whose torque is measured
+``mean_by_occupancy`` mean load over the occupancy of the drum
+================= ===============================================================================
 """

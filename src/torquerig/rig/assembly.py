@@ -1,4 +1,4 @@
-"""A rig, an immutable tuple of parts and effects, and what a part is to it: each is told in terms of the other."""
+"""A rig as an immutable tuple of parts and effects, and the interface of a part."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ HOST_FIELDS = ("at", "gear", "coupling", "sensor")  # by which an effect names i
 
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """One thing that the machine is made of, or one effect that disturbs it.
+    """One part of the machine, or one effect that disturbs it.
 
     Parameters
     ----------
@@ -45,19 +45,19 @@ class Part:
     on_shaft: ClassVar[bool] = False
     """True for what sits on a shaft: in a scenario it follows the shaft part before it, unless ``after`` is stated."""
     ends_shaft: ClassVar[bool] = False
-    """True for a branch of its own: what stands behind it in a scenario goes on from where the branch began."""
+    """True for a branch: the parts after it in a scenario continue from the start of the branch."""
     opens_node: ClassVar[bool] = False
-    """True for what has a spring inside (gear, sensor, coupling): its output shaft is a node of its own."""
+    """True for what has a spring inside (gear, sensor, coupling): its output shaft is a separate node."""
 
     in_a_line: ClassVar[bool] = False
     """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
 
     takes: ClassVar[tuple[type[HostChange], ...]] = ()
-    """What effects may change inside this part; it collects each of these by ``rig.changes_in(self.name)``."""
+    """Changes that effects may make inside this part; it collects them by ``rig.changes_in(self.name)``."""
 
     @property
     def host(self) -> str | None:
-        """The part that an effect sits in and moves with, by one of ``HOST_FIELDS``; of a branch ``after``."""
+        """The part that an effect belongs to (its host), by one of ``HOST_FIELDS``; of a branch ``after``."""
         at = next((getattr(self, name) for name in HOST_FIELDS if hasattr(self, name)), None)
         return self.after if at is None and self.ends_shaft else at
 
@@ -70,7 +70,7 @@ class Part:
         return ()
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
-        """Return what this part does to the signal on its way to the file."""
+        """Return the stages that this part adds to the measuring chain."""
         return ()
 
 
@@ -79,7 +79,7 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 
 @dataclass(frozen=True)
 class Rig:
-    """``rig + GearMesh(...)`` is the rig with one more effect; nothing is ever changed in place.
+    """``rig + GearMesh(...)`` is the rig with one more effect; a rig is never changed in place.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ class Rig:
         return tuple(part for part in self.parts if isinstance(part, kind))
 
     def of_kind(self, kind: str) -> tuple[Any, ...]:
-        """Return the parts that a scenario calls by this word, in their order, also of a library without the class."""
+        """Return the parts of this kind in a scenario, in order, also in a library without the class."""
         return tuple(part for part in self.parts if part.kind == kind)
 
     def node(self, name: str) -> str:
@@ -152,7 +152,7 @@ class Rig:
         return self.node(part.after)
 
     def in_a_line(self, part: Part) -> bool:
-        """Tell whether a part moves in a line, or sits on one that does: its numbers are then in kg, N and m."""
+        """Return whether a part moves in a line, or is on one that does; its numbers are then in kg, N and m."""
         return part.in_a_line or any(one.in_a_line for one in self.parts if one.name == part.host)
 
     def changes_of(self, part: Part) -> tuple[HostChange, ...]:
@@ -213,7 +213,7 @@ class Rig:
         return tuple(item.stage for item in sorted(placed, key=lambda item: item.position))
 
     def speed_ratios(self, reference: str) -> dict[str, float]:
-        """Return for each node how fast it turns per turn of the node ``reference``, by the gears between them."""
+        """Return the turns of each node per turn of the node ``reference``, by the gears between them."""
         shafts = [part for part in self.parts if part.opens_node]
         springs = [term for part in shafts for term in self._terms_of(part) if isinstance(term, Spring)]
         ratios, waiting = {reference: 1.0}, deque([reference])
@@ -236,7 +236,7 @@ class Rig:
 
 
 def refuse_misplaced(rig: Rig) -> None:
-    """Raise InputError for the first effect whose host has no place for what it changes, and would leave it out."""
+    """Raise InputError for the first effect whose host does not support its change."""
     for part in rig.parts:
         for change in rig.changes_of(part):
             host = None if part.host is None else rig.part(part.host)

@@ -1,4 +1,4 @@
-"""All that a motor drives, seen from its shaft: inertia, load and friction through the gears."""
+"""The drive train reduced to the motor shaft: inertia, load and friction through the gears."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class DriveTrain:
-    """A rig with stiff shafts as its motor (or the shaft that one begins at) feels it.
+    """A rig with stiff shafts, reduced to its motor (or to a given shaft).
 
     Gears lose power in the direction in which it flows: what is driven counts divided by its efficiency, what drives
     back times it. Left out everywhere: friction between two shafts, ripple, replayed torques, what a random load does
@@ -49,7 +49,7 @@ class DriveTrain:
 
     @property
     def mean_load(self) -> float:
-        """The mean of the loads at their own shafts [N m]."""
+        """The mean of the loads at their shafts [N m]."""
         return sum(one.process.mean for one in self.terms if isinstance(one, Load))
 
     def torque(self, speed: float, acceleration: float, *, load: float | None = None, way: float = 1.0) -> float:
@@ -63,7 +63,7 @@ class DriveTrain:
         return self._needed(ShaftMotion(speed, acceleration, way, 0.0, share))
 
     def steady_torque(self, speed: float) -> float:
-        """Return the motor torque [N m] at a constant speed [rad/s], with what is left of Stribeck's peak at it."""
+        """Return the motor torque [N m] at a constant speed [rad/s], including the Stribeck friction at that speed."""
         return self._needed(ShaftMotion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0, 1.0))
 
     def _needed(self, motion: ShaftMotion) -> float:
@@ -92,13 +92,13 @@ def driven_motor(rig: Rig) -> Motor | None:
 
 
 def drive_train(rig: Rig, motor: str) -> DriveTrain:
-    """Return what the node ``motor`` of the rig drives, at the rig's operating point.
+    """Return the drive train of the node ``motor`` at the rig's operating point.
 
     The drives themselves are not asked, so that they may ask for it (ripple in proportion to the torque).
     """
     terms = passive_terms(rig)
     places = places_from(motor, springs_of(terms))
-    ratios = rig.speed_ratios(motor)  # it refuses loops of gears that do not match
+    ratios = rig.speed_ratios(motor)  # refuses inconsistent loops of gears
     return DriveTrain(terms=terms, places={node: place for node, place in places.items() if node in ratios})
 
 
@@ -114,7 +114,7 @@ def springs_of(terms: Iterable[Term]) -> tuple[Spring, ...]:
 
 
 def places_from(start: str, springs: Sequence[Spring]) -> dict[str, Place]:
-    """Return how the node ``start`` sees the nodes that the springs lead to."""
+    """Return the nodes that the springs connect to the node ``start``, with ratio and efficiency."""
     places, waiting = {start: Place(1.0, 1.0)}, [start]
     while waiting:
         here = waiting.pop()

@@ -1,4 +1,4 @@
-"""What an effect changes inside the part that it sits in, its host: the closed set of answers to ``changes_in_host``.
+"""The changes that an effect can make inside its host part: the closed set of results of ``changes_in_host``.
 
 A term stands next to other terms; a ripple in proportion to a motor's torque, a gear's transmission error or a gap does
 not. Each of these is a class here. A host states which of them it has a place for (``Part.takes``), collects them with
@@ -40,7 +40,7 @@ class KinematicError:
 
 @dataclass(frozen=True)
 class StiffnessVariation:
-    """By how much of its mean [1] the stiffness of a spring varies over its output angle."""
+    """Relative variation [1] of a spring's stiffness over its output angle."""
 
     what: ClassVar[str] = "a stiffness that varies"
     waves: tuple[Wave, ...]
@@ -56,7 +56,7 @@ class ExtraGap:
 
 @dataclass(frozen=True)
 class AmplifierCutoff:
-    """The cutoff [Hz] of a sensor's amplifier; the lowest of all stated ones and of the sensor's own counts."""
+    """The cutoff [Hz] of a sensor's amplifier; the lowest of all stated ones and of the sensor's is effective."""
 
     what: ClassVar[str] = "a cutoff of the amplifier"
     cutoff: float

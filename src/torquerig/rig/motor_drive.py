@@ -1,4 +1,4 @@
-"""The drive of a motor as its controllers, encoder and effects make it."""
+"""The drive of a motor with its controllers, encoder and effects."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def motor_drive(
     rig: Rig, name: str, *, motor: str, kp: float = 0.0, ki: float = 0.0, torque: float = 0.0,
     demand: Signal | None = None,
 ) -> Drive:  # fmt: skip
-    """Return the drive that the controller ``name`` is to the motor ``motor``: limit and lag of the motor's own stage.
+    """Return the drive of the motor ``motor`` by the controller ``name``, with the motor's limit and lag.
 
     Ripple and errors of the encoder come from the effects of the rig, the sensing of the speed from the encoder that
     names the controller.

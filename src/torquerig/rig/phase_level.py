@@ -1,4 +1,4 @@
-"""The torque lines of a motor at the set-point of a run, from its phase-level model: computed once, kept in memory."""
+"""The torque lines of a motor at the set-point of a run, from its phase-level model: computed once and cached."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def lines_at_set_point(rig: Rig, phases: MotorPhases, control: Control) -> Mappi
 
 
 def as_waves(lines: Mapping[int, complex]) -> tuple[Wave, ...]:
-    """Return the lines as the drive takes its ripple."""
+    """Return the lines as the ripple of the drive."""
     return tuple(
         Wave(order=float(order), amplitude=abs(line), phase=float(np.angle(line)))
         for order, line in sorted(lines.items())

@@ -1,4 +1,4 @@
-"""Where in the measuring chain a stage stands."""
+"""A stage of the measuring chain with its position."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from torquerig.recordings.stage import Stage
 
 @dataclass(frozen=True, kw_only=True)
 class PlacedStage:
-    """A stage of the measuring chain and where in the chain it stands, counted from the shaft to the file.
+    """A stage of the measuring chain and its position, counted from the shaft to the file.
 
     MECHANICAL is the measuring body and its bridge, AMPLIFIER its low-pass, CABLE what the amplifier's output picks up
     on its way, NOISE the noise floor, INPUT the range that the converter's input can follow, CONVERTER the converter,

@@ -1,4 +1,4 @@
-"""Where on the shafts a rig's reading is taken."""
+"""The part of a rig whose torque is measured."""
 
 from __future__ import annotations
 
@@ -7,6 +7,6 @@ from torquerig.rig.parts import ImposedMotion
 
 
 def reading_place(rig: Rig) -> str:
-    """Return the part where the reading is taken: the sensor itself, or what the measured motion is imposed on."""
+    """Return the part whose torque is measured: the sensor, or the part with an imposed motion."""
     part = rig.part(rig.measured)
     return part.at if isinstance(part, ImposedMotion) else rig.measured

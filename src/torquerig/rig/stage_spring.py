@@ -1,4 +1,4 @@
-"""The spring of a gear, belt or coupling with what the effects of the rig put into it."""
+"""The spring of a gear, belt or coupling with the changes of the rig's effects."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a rig asks of its motor in steady running: the torque at the set-point, from loads, friction and gears."""
+"""Mean torques in steady running at the set-point, from loads, friction and gears."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def steady_torque(rig: Rig, motor: str) -> float:
 
 
 def steady_torque_in(rig: Rig, spring: str, *, motor: str) -> float:
-    """Return the mean torque that the gear or coupling ``spring`` hands on to its output at the set-point [N m].
+    """Return the mean torque that the gear or coupling ``spring`` transmits to its output at the set-point [N m].
 
     What stands behind it, seen from ``motor``; the same things are left out as in :func:`steady_torque`.
     """

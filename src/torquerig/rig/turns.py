@@ -1,4 +1,4 @@
-"""How fast a shaft turns against the motor whose true angle a simulation records."""
+"""Turns of a shaft relative to the motor whose true angle a simulation records."""
 
 from __future__ import annotations
 

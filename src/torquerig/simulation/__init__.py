@@ -1,12 +1,17 @@
-"""Forwards: from a rig to a recording.
+"""Simulation: from a rig to a recording.
 
-simulate  the one verb              lower    Rig -> flat arrays       arrays   what the kernel and the twin read
-batch     many like rigs at once    ready    a rig ready to step      outputs  what a run keeps
-kernel/   the compiled loop         rows     each kind of term
-profile   set-point over time       waves    few sine calls           inputs   what is given at every sample
-linear    the same arrays as M, C, K twin/    modes, margins, Campbell diagram, python-control StateSpace
-drawn_loads  the random loads that a recording ran against, drawn again
-true_lines   what lines add to a reading: a second run without what makes them
-linear_path  exact and fast where the rig is linear; linear_start  its start; linear_refusals  what it refuses
-step_choice  what fixes the step    step_proof  what halving it changes    failure  why a run could not be integrated
+=================== =============================================================================
+``simulator``       ``simulate``: from a rig, a duration and a random seed to a recording
+``batch``           many similar rigs at once
+``lower``           from a rig to flat arrays; ``arrays``: the arrays; ``term_kinds/``: each kind of term
+``ready``           a rig prepared for integration; ``inputs``: set-points and loads at every sample
+``profile``         set-point over time; ``waves``: cosines of a rig; ``outputs``: outputs of a run
+``kernel/``         the compiled loop
+``step_choice``     integration steps per sample; ``step_proof``: check by halving the step
+``failure``         the cause of a failed integration
+``linear``          the same arrays as M, C, K; ``twin/``: linear model, modes, margins, Campbell diagram
+``linear_path``     exact simulation of a linear rig; ``linear_start``, ``linear_refusals``: its start and limits
+``drawn_loads``     the random loads of a recording, drawn again
+``true_lines``      the disturbance lines in a reading, from a second run without them
+=================== =============================================================================
 """

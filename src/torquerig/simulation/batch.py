@@ -1,4 +1,4 @@
-"""Many runs of like rigs at once: eight to a processor's vectors, as many vectors as there are cores."""
+"""Many runs of similar rigs at once: eight per vector register, in parallel on all cores."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def simulate_batch(
     wander: float | Sequence[float] = 0.0, settling: float = SETTLING, scenario: str = "", substeps: int | None = None,
     most_steps: int | None = None, workers: int | None = None,
 ) -> list[Recording]:  # fmt: skip
-    """Return what ``simulate`` would return for each of the rigs, in a fraction of the time.
+    """Return the recordings that ``simulate`` returns for each of the rigs, computed together.
 
     Rigs of one shape (the same parts and effects, other numbers) are stepped together; what is like no other is
     simulated by itself. The arithmetic is that of ``simulate``, in the same order, so that the recordings are equal.
@@ -75,7 +75,7 @@ def simulate_batch(
 
 
 def _likeness(rig: Rig, span: Span) -> Hashable:
-    """Return what rigs must have in common to be stepped together: every whole number, and which laws they follow."""
+    """Return the structure that rigs must share to be integrated together: all whole numbers and kinds of laws."""
     lowered = held_while_settling(lower(rig, span.seed), span)
     arrays = [(array, False) for array in lowered.arrays.waves]
     for kind in KINDS:
@@ -102,7 +102,7 @@ def _parts(likeness: Sequence[Hashable]) -> list[list[int]]:
 
 
 def _together(runs: Sequence[Ready]) -> list[Recording]:
-    """Return the recordings of runs that are alike but for their steps."""
+    """Return the recordings of runs that differ only in their step size."""
     done: dict[int, Recording] = {}
     for steps in dict.fromkeys(run.steps for run in runs):
         rows = [row for row, run in enumerate(runs) if run.steps == steps]

@@ -1,4 +1,4 @@
-"""The random loads that a simulation drew: what chance gave it, apart from what the rig made of that."""
+"""The random loads of a simulated recording, drawn again from its random seed."""
 
 from __future__ import annotations
 

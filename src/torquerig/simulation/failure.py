@@ -1,4 +1,4 @@
-"""Why a run could not be integrated: what was given, the step, the speed loop, or none that can be told."""
+"""The cause of a failed integration: an input, the step size, the speed loop, or unknown."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from torquerig.simulation.twin.linear_twin import Twin, twin_of
 
 
 def why_it_failed(rig: Rig, lowered: Lowered, terms: Terms, *, sample: int, steps: int, sample_rate: float) -> str:
-    """Return the reason in one clause, with a remedy; an honest "cannot be told" where none of the causes fits.
+    """Return the cause in one clause, with a remedy; unknown where none of the causes applies.
 
     A speed loop that is unstable oscillates at the motor's torque limit and seldom runs away; so it is named only after
     what was given and the step have been ruled out.
@@ -50,7 +50,7 @@ def why_it_failed(rig: Rig, lowered: Lowered, terms: Terms, *, sample: int, step
 
 
 def _not_a_number(lowered: Lowered, terms: Terms, sample: int) -> str:
-    """Return the name of what was given as no finite number up to a sample; empty where all is."""
+    """Return the name of the first input that is not finite up to a sample; empty where all are finite."""
     given = [(term.name, terms.loads.samples[row]) for row, term in enumerate(lowered.load_terms)]
     given += [(f"the set-point of {name}", terms.drives.reference[row]) for row, name in enumerate(lowered.drive_names)]
     given += [(f"the demand of {name}", terms.drives.demand[row]) for row, name in enumerate(lowered.drive_names)]

@@ -1,4 +1,4 @@
-"""What is given to a run at every sample: set-points, demands, loads, imposed motions; and where it starts from."""
+"""The inputs of a run at every sample (set-points, demands, loads, imposed motions) and its initial state."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def held_while_settling(lowered: Lowered, span: Span) -> Lowered:
 
 
 def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
-    """Return the rig's arrays with what is given at every sample filled in."""
+    """Return the rig's arrays with the inputs at every sample."""
     time = span.time()
     reference = _set_point(rig, span)
     demands = [_demand(rig, drive, span, time) for drive in lowered.drive_terms]
@@ -66,7 +66,7 @@ def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
 
 
 def given_torques(rig: Rig, terms: Sequence[Load | AppliedTorque], span: Span) -> list[NDArray[np.float64]]:
-    """Return what each load and applied torque gives at every sample [N m], as the run plans it."""
+    """Return each load and applied torque at every sample [N m], by the profile of the run."""
     time = span.time()
     return loads_as_planned(
         rig.run, [_torque(term, span, time) for term in terms], terms,
@@ -93,7 +93,7 @@ def _set_point(rig: Rig, span: Span) -> NDArray[np.float64]:
 
 
 def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the torque that is demanded beside the speed loop [N m]."""
+    """Return the torque demand in addition to the speed loop [N m]."""
     demand = np.zeros(time.size)
     if drive.torque:
         top = rig.run.speed or 1.0

@@ -1,4 +1,4 @@
-"""Forwards for a rig that is linear at its operating point: exact, and thousands of times faster than real time."""
+"""Exact simulation of a rig that is linear at its operating point, thousands of times faster than real time."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def simulate_linear(
 
 
 def _inputs(path: LinearPath, rig: Rig, span: Span) -> dict[int, Floats]:
-    """Return the deviations of set-point and loads at every sample, by input; those that stay 0 are left out."""
+    """Return the deviations of set-point and loads at every sample, by input; without those that are always 0."""
     lowered, system, count = path.lowered, path.system, span.settling + span.samples
     terms, means = filled(rig, lowered, span), mean_torques(lowered)
     found = {
@@ -110,7 +110,7 @@ _NAMED: dict[int, Callable[[Lowered, int], str]] = {
 
 
 def _named(output: Output, lowered: Lowered) -> str:
-    """Return the twin's name of what the kernel keeps as ``output``."""
+    """Return the linear model's name of the kernel's ``output``."""
     if output.kind not in _NAMED:
         raise InputError(f"{output.name}: the linear path has no such output; use simulate")
     return _NAMED[output.kind](lowered, output.row)
@@ -142,14 +142,14 @@ def _steady_opposing(path: LinearPath, node: int) -> float:
 
 
 def _watched(path: LinearPath) -> list[int]:
-    """Return the outputs that tell whether the run stayed linear: torques of gapped springs, then the commands."""
+    """Return the outputs that show whether the run is linear: torques of gapped springs, then the commands."""
     lowered, system = path.lowered, path.system
     gapped = [f"torque in {lowered.spring_names[row]}" for row in np.flatnonzero(lowered.arrays.springs.half_gap)]
     return [system.output(name) for name in (*gapped, *(f"command of {one}" for one in lowered.drive_names))]
 
 
 def _check(path: LinearPath, values: Floats, *, rate: float) -> None:
-    """Refuse a run that left what it was linear about."""
+    """Refuse a run that leaves the range in which it is linear."""
     lowered, point = path.lowered, path.point
     gapped = np.flatnonzero(lowered.arrays.springs.half_gap)
     beyond = "the start of the recording, where the rig is no longer linear; use simulate"

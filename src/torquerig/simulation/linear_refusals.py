@@ -1,4 +1,4 @@
-"""What the exact linear path refuses, each by its name and with what to do instead."""
+"""Nonlinearities that the exact linear path refuses, each with its name and a remedy."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _gaps(lowered: Lowered, point: OperatingPoint) -> Iterator[tuple[str, str]]:
 
 
 def _standing(lowered: Lowered, point: OperatingPoint) -> Iterator[tuple[str, str]]:
-    """Yield dry friction and opposing loads on shafts that stand or creep."""
+    """Yield dry friction and opposing loads on shafts that stop or creep."""
     speeds, frictions = point.speeds, lowered.arrays.frictions
     for row in range(frictions.on.size):
         slide = speeds[frictions.on[row]] - speeds[frictions.against[row]]

@@ -1,4 +1,4 @@
-"""A rig made ready for the exact linear path: what it is linear about, its lines and its start."""
+"""A rig prepared for the exact linear path: its operating point, lines and initial state."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a run keeps: the sensor's torque, the truth beside it, and the probes of the rig."""
+"""The outputs of a run: the sensor's torque, the truth channels, and the probes of the rig."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Words:
-    """What is said of a shaft or of something in a line: (quantity, ending of a name, unit) of each thing kept."""
+    """Outputs of a shaft or of a part in a line: (quantity, ending of a name, unit) of each thing kept."""
 
     effort: tuple[str, str, str]
     rate: tuple[str, str, str]
@@ -50,7 +50,7 @@ _KINDS = {"torque": kernel.SPRING_TORQUE, "speed": kernel.SPEED, "angle": kernel
 
 
 def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
-    """Return what the kernel is to keep: first what is measured (a spring, an imposed motion), then truth, probes."""
+    """Return the outputs: first the measured one (a spring, an imposed motion), then truth channels and probes."""
     motor, part = lowered.node(lowered.leader()), _worn(rig, lowered)
     here, driven = words(rig, reading_place(rig)), words(rig, lowered.leader())
     effort, rate = here.effort, here.rate
@@ -80,7 +80,7 @@ def _measured(rig: Rig, lowered: Lowered) -> tuple[int, int]:
 
 
 def words(rig: Rig, part: str) -> Words:
-    """Return what is said of the place of a part."""
+    """Return the outputs at the node of a part."""
     return IN_A_LINE if any(one.in_a_line for one in rig.parts if one.name == part) else TURNING
 
 
@@ -96,7 +96,7 @@ def _probed(rig: Rig, lowered: Lowered, probe: Probe) -> Output:
 
 
 def as_arrays(outputs: tuple[Output, ...]) -> Outputs:
-    """Return the outputs as the kernel takes them."""
+    """Return the outputs in the layout of the kernel."""
     kinds, rows = ([getattr(output, field) for output in outputs] for field in ("kind", "row"))
     return Outputs(np.array(kinds, dtype=np.uint64), np.array(rows, dtype=np.uint64))
 

@@ -50,5 +50,5 @@ def loads_as_planned(
 
 
 def _time(settling: int, samples: int, rate: float) -> NDArray[np.float64]:
-    """Return the time since the recording began [s], 0 while settling."""
+    """Return the time since the start of the recording [s], 0 while settling."""
     return np.maximum(0, np.arange(-settling, samples + 1)) / rate

@@ -1,4 +1,4 @@
-"""A rig made ready to be stepped: its arrays, what is given to it at every sample, its step, its start."""
+"""A rig prepared for integration: arrays, inputs at every sample, step size, initial state."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from torquerig.simulation.term_kinds import Terms
 
 @dataclass(frozen=True)
 class Ready:
-    """A rig as the kernel takes it.
+    """A rig in the layout of the kernel.
 
     Parameters
     ----------
     steps : int
         Integration steps per sample.
     origin : mapping
-        What the recording says of how it was made.
+        The origin that is written to the recording.
     """
 
     rig: Rig
@@ -42,7 +42,7 @@ class Ready:
         return start(self.rig, self.lowered, self.terms)
 
     def failure(self, sample: int, node: int) -> SimulationError:
-        """Return the error that says where and when a speed ceased to be finite, and why as far as it can be told."""
+        """Return the error with node and time at which a speed ceased to be finite, and the cause where known."""
         after = (sample - self.span.settling) / self.span.rate
         why = why_it_failed(
             self.rig, self.lowered, self.terms, sample=sample, steps=self.steps, sample_rate=self.span.rate

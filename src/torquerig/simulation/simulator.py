@@ -1,4 +1,4 @@
-"""Forwards: a rig, a duration and a seed in, a recording out."""
+"""Simulation: from a rig, a duration and a random seed to a recording."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def simulate(
     rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
     settling: float = SETTLING, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
 ) -> Recording:  # fmt: skip
-    """Return what the rig's sensor records, with the truth beside it in channels marked as such.
+    """Return the simulated recording of the rig's sensor, with truth channels.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def choice_for(
     rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
     settling: float = SETTLING, substeps: int | None = None,
 ) -> StepChoice:  # fmt: skip
-    """Return the steps that ``simulate`` would take, what fixed them, or how far ``substeps`` of your own reach."""
+    """Return the steps that ``simulate`` takes and their reason; or the accuracy of given ``substeps``."""
     span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
     lowered = held_while_settling(lower(rig, seed), span)
     chosen = step_choice(lowered, filled(rig, lowered, span), sample_rate)

@@ -1,4 +1,4 @@
-"""How many integration steps a sample takes: from the fastest mode or the stiffest event, and which of them it was."""
+"""The number of integration steps per sample, from the fastest mode or the stiffest event, and its reason."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class StepChoice:
 
 
 def step_choice(lowered: Lowered, terms: Terms, sample_rate: float) -> StepChoice:
-    """Return the fewest steps per sample in which nothing turns by more than is allowed to it.
+    """Return the fewest steps per sample at which every mode and event stays within its allowed step.
 
     Runge-Kutta 4 is stable to 2.8 rad; at 0.6 rad its phase error is 6e-4 rad a step (x^5/120) and shrinks with the
     fourth power. Contacts of a gap are located within the step and need no shorter one. The direction of dry friction
@@ -68,7 +68,7 @@ def step_choice(lowered: Lowered, terms: Terms, sample_rate: float) -> StepChoic
 
 
 def rates(lowered: Lowered, terms: Terms) -> tuple[Rate, ...]:
-    """Return everything that asks for a short step."""
+    """Return all modes and events that limit the step."""
     drives = [
         Rate(float(rate), f"the current lag of {name!r}")
         for name, rate in zip(lowered.drive_names, lowered.arrays.drives.inverse_lag, strict=True)
@@ -107,7 +107,7 @@ def _events(lowered: Lowered, terms: Terms) -> list[Rate]:
 
 
 def _slowest(lowered: Lowered, terms: Terms) -> Floats:
-    """Return the least speed that the set-points ask of each node [rad/s]; 0 where nothing controls it."""
+    """Return the least speed of each node by the set-points [rad/s]; 0 where the speed is not controlled."""
     found = np.zeros(len(lowered.nodes) + 1)
     if not lowered.drive_terms or not lowered.drive_terms[0].holds_speed:
         return found

@@ -1,4 +1,4 @@
-"""Proof of the step: the same run with half of it, and how far the sensor's signal moves."""
+"""Check of the step size: the same run with half the step, and the change of the sensor's signal."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HALVINGS = 4  # how often the step is halved in search of one that is proven
 
 @dataclass(frozen=True)
 class StepProof:
-    """What halving the step changed.
+    """The change by halving the step.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def prove_step(
     rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
     settling: float = SETTLING, substeps: int | None = None, tolerance: float | None = None,
 ) -> StepProof:  # fmt: skip
-    """Return what halving the step changes in the sensor's torque, and the step that is short enough.
+    """Return the change of the sensor's torque by halving the step, and a step that is short enough.
 
     The other parameters are those of ``simulate``; the run is repeated with 2, 4, ... times the steps until two
     neighbours agree, at most ``HALVINGS`` times. A rig whose motion is chaotic (rattle over many seconds) has no step

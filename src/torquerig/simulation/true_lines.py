@@ -1,4 +1,4 @@
-"""What the disturbance lines add to a reading: a second run of the same draws without any mechanism that makes them."""
+"""The disturbance lines in a reading: the difference to a second run with the same random numbers and without them."""
 
 from __future__ import annotations
 

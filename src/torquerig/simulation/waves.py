@@ -1,4 +1,4 @@
-"""Which cosines a rig needs, made with few sine calls: one per commensurate family, a ladder of multiples, products."""
+"""The cosines that a rig needs, from few sine calls: one per commensurate family, its multiples by products."""
 
 from __future__ import annotations
 

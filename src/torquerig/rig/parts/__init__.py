@@ -1,13 +1,13 @@
-"""What a rig is made of; one kind of part per file.
+"""The parts of a rig, one kind per file.
 
 motor             rotor, losses, torque limit          speed_controller  sampled PI that drives a motor
 gear              planetary or fixed-axis stage        belt              pulleys and a belt
-gear_stage        what counts as a gear                coupling          spring between two shafts
+gear_stage        gear or belt stages                coupling          spring between two shafts
 torque_sensor     spring, amplifier, noise, converter  body              inertia with friction (wear part, flywheel)
 encoder           counts of the motor angle            probe             torque, speed or angle anywhere
 torque_controller torque mode, fed forward, replayed   replayed_torque   a measured torque on a shaft
 imposed_motion    a shaft that turns as measured       slide             a mass in a line (kg, N, m)
-link              spring in a line                     force_sensor      torque_sensor's sibling
+link              spring in a line                     force_sensor      torque_sensor for motion in a line
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 """
 

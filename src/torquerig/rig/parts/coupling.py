@@ -14,7 +14,7 @@ from torquerig.rig.terms import Inertia, Term
 
 @dataclass(frozen=True, kw_only=True)
 class Coupling(Part):
-    """A bellows, jaw or plain shaft; its own inertia, if stated, sits on its output side."""
+    """A bellows, jaw or plain shaft; its inertia, if stated, is on its output side."""
 
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True

@@ -1,4 +1,4 @@
-"""An encoder on the motor shaft: what it writes beside the torque, and what the speed loop sees of the speed."""
+"""An encoder on the motor shaft: its channel of counts, and the measured speed of the speed loop."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, by orde
 
 @dataclass(frozen=True, kw_only=True)
 class MotorEncoder(Part):
-    """Counts of ``theta + sum of a_k cos(k theta + phi_k)``, written beside the torque.
+    """Counts of ``theta + sum of a_k cos(k theta + phi_k)``, as a further channel.
 
     With ``controller`` that speed controller sees the speed by it: the difference of two samples of the counted angle,
     times the rate, through a first-order filter. Limit cycles at low speed and the torque at order k (in proportion to
@@ -44,7 +44,7 @@ class MotorEncoder(Part):
         return (PlacedStage(position=PlacedStage.FILE, stage=stage),)
 
     def sensing(self) -> Sensing:
-        """Return how a speed loop sees its speed by this encoder."""
+        """Return how a speed loop measures its speed with this encoder."""
         return Sensing(counts=self.counts_per_rev, error=self._error(), filter_time=self.speed_filter)
 
     def _added(self, rig: Rig) -> Iterator[Wave]:

@@ -18,7 +18,7 @@ from torquerig.sensor_stages.noise import WhiteNoise
 
 @dataclass(frozen=True, kw_only=True)
 class ForceSensor(Part):
-    """The torque sensor's sibling for what moves in a line: force of spring and damper, low-pass, noise, codes."""
+    """The torque sensor for motion in a line: force of spring and damper, low-pass, noise, codes."""
 
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True

@@ -18,7 +18,7 @@ from torquerig.rig.terms import Inertia, Term
 
 @dataclass(frozen=True, kw_only=True)
 class Gear(Part):
-    """``T = k (theta_in / N - theta_out + e)``, for every kind of teeth: they fix N and where mesh lines stand.
+    """``T = k (theta_in / N - theta_out + e)``, for every kind of teeth: they determine N and the orders of mesh lines.
 
     Stiffness, damping and backlash are counted at the output; the efficiency acts on the transmitted torque.
     ``planetary_gear`` and ``fixed_axis_gear`` are gears whose teeth are stated; their ratio follows (1 + ring/sun with

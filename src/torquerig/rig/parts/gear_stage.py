@@ -1,4 +1,4 @@
-"""What counts as a stage between two speeds: gears and belts, the parts that effects of a gear may live in."""
+"""Stages between two speeds: gears and belts, the possible hosts of gear effects."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def gear_stages(rig: Rig) -> tuple[GearStage, ...]:
 
 
 def gear_stage(rig: Rig, name: str, *, owner: str) -> GearStage:
-    """Return the gear or belt ``name``; InputError, said of the effect ``owner``, where it is none."""
+    """Return the gear or belt ``name``; InputError, naming the effect ``owner``, where it is none."""
     part = rig.part(name)
     if not isinstance(part, GearStage):
         raise InputError(f"{owner}: gear: {name!r} is no gear; name one")

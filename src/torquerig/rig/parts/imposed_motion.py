@@ -1,4 +1,4 @@
-"""A shaft that turns as it was measured, or by the profile of the run, whatever that takes."""
+"""A shaft with imposed motion: as measured, or by the profile of the run, with any torque that this needs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from torquerig.rig.assembly import Part, Rig
 
 @dataclass(frozen=True, kw_only=True)
 class ImposedMotion(Part):
-    """Angle and speed of the shaft of ``at`` are ``factor channel(t)``; what that takes is ``true_NAME_torque_Nm``.
+    """Angle and speed of the shaft of ``at`` are ``factor channel(t)``; the required torque is ``true_NAME_torque_Nm``.
 
     Between samples the angle is a cubic; before the recording its first speed is held. A rig with one needs no drive.
     Not true for an angle in coarse counts: they are smoothed over 16 counts, and what is faster is lost.

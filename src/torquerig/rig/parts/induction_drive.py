@@ -1,4 +1,4 @@
-"""An induction motor on its supply or a plain inverter: it slips under load, and nothing holds its speed."""
+"""An induction motor on its supply or a plain inverter: its speed falls with load by the slip."""
 
 from __future__ import annotations
 

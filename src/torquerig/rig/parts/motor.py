@@ -1,4 +1,4 @@
-"""A motor: rotor inertia, bearing and iron friction, torque limit, and how fast its current follows."""
+"""A motor: rotor inertia, bearing and iron friction, torque limit, and the lag of its current."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The phases of a permanent-magnet motor and the inverter that feeds them: what its electrical ripple follows from."""
+"""The phases of a permanent-magnet motor and the inverter that feeds them: which determine its electrical ripple."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Share = Annotated[float, Parameter("1", "share of the fundamental, negative wher
 
 @dataclass(frozen=True, kw_only=True)
 class MotorPhases(Part):
-    """Adds nothing to the shafts by itself; effects of commutation and current control read the machine from here.
+    """Data for effects of commutation and current control; it adds nothing to the shafts.
 
     ``v = R i + L di/dt + e`` per phase, star point free. The back-EMF is a trapezoid where ``flat_angle`` is stated,
     else a sine with ``emf_harmonics`` (odd orders, in phase with the fundamental at its rising zero).

@@ -14,7 +14,7 @@ from torquerig.rig.terms import AppliedTorque, Term
 
 @dataclass(frozen=True, kw_only=True)
 class ReplayedTorque(Part):
-    """``factor channel(t)`` on the shaft of ``at``, straight between samples, without limit or lag.
+    """``factor channel(t)`` on the shaft of ``at``, linear between samples, without limit or lag.
 
     Positive speeds the shaft up: a load that was recorded as opposing takes a factor of -1, one from behind a gear
     its ratio. Without a speed controller the rig is held at its set-point of speed while it settles. It cannot

@@ -1,19 +1,22 @@
-"""The compiled loop: any rig, lowered to the arrays of ``simulation/arrays.py``, through time.
+"""The compiled loop, which integrates any rig given by the arrays of ``simulation/arrays.py``.
 
-loop        Runge-Kutta 4, contacts located       forces     torques of one evaluation
-control     what drives see and command           ladder     cosines and sines of one evaluation
-contact     flanks of a gap, and when they meet   imposed    motions that are given
-rare        terms that most rigs lack             work       the arrays that the loop works in
-keep        what a run keeps                      sources    what the cache on disk stands on
-direction   the smoothed sign of a speed
+================ ================================================================================
+``loop``         Runge-Kutta 4 with located contacts; ``side_by_side``: the loop over lanes
+``forces``       torques of one evaluation; ``rare``: terms that most rigs do not have
+``control``      measured speed and command of the drives
+``ladder``       cosines and sines of one evaluation
+``contact``      contact in a gap, and the moment at which it changes
+``imposed``      imposed motions
+``work``         work arrays; ``keep``: outputs at every sample
+``direction``    the smoothed sign of a speed
+``lanes``        vectors of eight numbers as one type; ``choice``: branches and indices for them
+``elementary``   sine, exponential, tanh for numbers and lanes
+``fast``         compiler flags; ``sources``: checksum of the sources
+================ ================================================================================
 
-The functions are written for one number and compiled twice: for one rig, and for eight like rigs side by side.
+The functions are written for one number and compiled twice: for one rig, and for vectors of eight similar rigs.
 
-lanes       eight numbers as one                  choice     what branches and indices become there
-elementary  sine, exponential, tanh for both      side_by_side   the loop over lanes
-fast        what the compiler may rearrange
-
-Numba's cache on disk looks at one file and not at those it calls; ``sources`` makes all of these files part of its key.
+Numba's cache on disk checks one file and not those that it calls; ``sources`` makes all of these files part of its key.
 """
 
 from torquerig.simulation.kernel.keep import (

@@ -1,4 +1,4 @@
-"""What branches, whole numbers and indices become where eight rigs go side by side: for one number and for lanes alike.
+"""Replacements of branches, whole numbers and indices that work for one rig and for vectors of eight rigs.
 
 Each is a plain function for one number, as it stands, and what the compiler puts in its place.
 """

@@ -1,4 +1,4 @@
-"""The flanks of a gap: how they touch, and within a step the moment when that changes.
+"""Contact in a gap: its state, and the moment within a step at which it changes.
 
 Flanks that touch pull nothing: a damper that would pull is let go, and one that would push harder than the spring is
 held to the spring's own torque. How they touch is 0 where they are apart or let go, the side where the damper is held,

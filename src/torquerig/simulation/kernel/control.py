@@ -1,4 +1,4 @@
-"""What the drives see and command, once a sample."""
+"""Measured speed and command of the drives, once a sample."""
 
 from __future__ import annotations
 

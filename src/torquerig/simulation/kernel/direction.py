@@ -1,4 +1,4 @@
-"""The sign of a speed without its jump."""
+"""The sign of a speed, smoothed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the compiler may rearrange, and what it need not count."""
+"""Compiler flags: permitted rearrangements of floating-point operations."""
 
 from __future__ import annotations
 

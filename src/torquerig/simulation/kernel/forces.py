@@ -1,4 +1,4 @@
-"""The torques of one evaluation: what springs, frictions, loads and drives put on the nodes."""
+"""The torques of one evaluation: torques of springs, frictions, loads and drives on the nodes."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ def impose(imposed, sample, part, period, theta, omega):
 
 @njit(**UNCOUNTED)
 def imposing_torque(imposed, i, sample, period, torque):
-    """Return what imposing the motion takes at the instant of ``sample`` [N m]: inertia less all other torques."""
+    """Return the torque that imposes the motion at the instant of ``sample`` [N m]: inertia less all other torques."""
     if sample >= imposed.release[i]:
         return 0.0
     rise = imposed.angle[i, sample + 1] - imposed.angle[i, sample]

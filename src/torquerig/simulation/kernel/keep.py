@@ -1,4 +1,4 @@
-"""What is kept of a run at every sample."""
+"""Writing of the outputs at every sample."""
 
 from __future__ import annotations
 

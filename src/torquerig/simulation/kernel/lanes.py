@@ -1,4 +1,4 @@
-"""Eight numbers side by side as one: the type that lets the loop step eight like rigs at once.
+"""Vectors of eight numbers as one type, by which the loop integrates eight similar rigs at once.
 
 The functions of this package are written for one number. Numba compiles them for ``float64``, one rig, or for
 ``Lanes``, a vector of the processor with one rig in each of its places; the arithmetic is the same, a comparison gives

@@ -1,4 +1,4 @@
-"""Terms that most rigs lack: one test an evaluation skips them all. A new term begins here.
+"""Terms that most rigs do not have; one test per evaluation skips them all. Add a new term here.
 
 A term with a state of its own, such as the bristles, is also integrated in ``loop.py``, in arrays of ``work.py``.
 """

@@ -1,4 +1,4 @@
-"""The same loop over eight like rigs at once, one in each place of the processor's vectors."""
+"""The loop over eight similar rigs at once, one in each lane of the vector registers."""
 
 from __future__ import annotations
 

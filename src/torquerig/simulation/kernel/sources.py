@@ -1,4 +1,4 @@
-"""What the compiled loop was made from: a number that changes with any file of this package.
+"""Checksum of the sources of the compiled loop, which changes with any file of this package.
 
 Numba's cache on disk is keyed by the bytes of the compiled function and the values that it closes over, not by the
 functions in other files that it calls. The loop closes over this number, so a change of any of them compiles it anew.

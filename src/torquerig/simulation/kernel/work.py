@@ -1,4 +1,4 @@
-"""The arrays that the loop works in, made before it starts: inside it nothing is allocated, so nothing is counted."""
+"""The work arrays of the loop, allocated before it starts, so that nothing is allocated within it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A sampled linear system through many samples, exactly, a block of samples at a time by matrix products.
+"""Exact recursion of a sampled linear system, a block of samples at a time, by matrix products.
 
 The state-space recursion ``x[k+1] = A x[k] + B u[k]`` is the same whether it is done one sample or thirty-two at a
 time. In blocks nearly all of its work is a product of two large matrices, which is what processors do fastest, and no

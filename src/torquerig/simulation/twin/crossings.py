@@ -1,4 +1,4 @@
-"""The Campbell diagram: at which motor speeds an order line meets a mode, and how strongly the sensor shows it."""
+"""The Campbell diagram: motor speeds at which an order line meets a mode, and the response of the sensor."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ OVERDAMPED = 0.7071  # [1] from here on a mode has no peak over frequency
 
 @dataclass(frozen=True)
 class Crossing:
-    """One line on one mode.
+    """The crossing of one line and one mode.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class Crossing:
 def crossings(
     lines: Sequence[OrderLine], modes: Sequence[Mode], system: LinearSystem, *, sensor: str, top_speed: float,
 ) -> tuple[Crossing, ...]:  # fmt: skip
-    """Return where the lines meet the modes up to ``top_speed`` [rad/s] of the motor, the strongest first.
+    """Return the crossings of lines and modes up to ``top_speed`` [rad/s] of the motor, the strongest first.
 
     Lines of unknown amplitude come after the others. Modes damped beyond 0.7 have no peak and are not met. The modes
     are taken not to move with speed; what moves in a rig of this kind is the slope of its friction alone.

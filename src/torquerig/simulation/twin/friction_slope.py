@@ -1,4 +1,4 @@
-"""Friction about a steady speed: its torque, its slope, and what a linear twin misses of it."""
+"""Friction about a steady speed: its torque, its slope, and the part that a linear model leaves out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All of a rig's linear twin in one place."""
+"""The linear model of a rig about its operating point: modes, poles, margins, lines, crossings."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from torquerig.simulation.twin.system import LinearSystem
 
 @dataclass(frozen=True)
 class Twin:
-    """A rig for small changes about its operating point; ``point.left_out`` says what it does not have.
+    """A rig for small changes about its operating point; ``point.left_out`` lists what is not modelled.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class Twin:
 
     @property
     def stable(self) -> bool:
-        """Whether nothing grows in the sampled loop."""
+        """Whether the sampled loop is stable."""
         return is_stable(self.sampled_loop)
 
     def modes(self) -> tuple[Mode, ...]:

@@ -1,4 +1,4 @@
-"""Order lines of a rig: which cause makes a line of which motor order, and by which input of the twin it enters."""
+"""Order lines of a rig: causes, motor orders, and the inputs of the linear model at which they act."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class OrderLine:
     amplitude: float | None
 
     def frequency(self, motor_speed: float) -> float:
-        """Return where the line stands [Hz] at a motor speed [rad/s]."""
+        """Return the frequency of the line [Hz] at a motor speed [rad/s]."""
         return self.order * abs(motor_speed) / (2 * pi)
 
 

@@ -1,4 +1,4 @@
-"""The speed loop closed about the plant: as the sampled controller does it, exactly, or as a continuous one would."""
+"""The speed loop closed about the plant: by the sampled controller, exactly, or by a continuous one."""
 
 from __future__ import annotations
 

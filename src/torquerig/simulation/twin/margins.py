@@ -1,4 +1,4 @@
-"""How far the speed loop is from instability: gain, phase and modulus margin, of the loop as it is sampled."""
+"""Stability margins of the sampled speed loop: gain, phase and modulus margin."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def margins(open_loop: LinearSystem, lowered: Lowered, *, rate: float) -> tuple[
 
 
 def is_stable(closed: LinearSystem) -> bool:
-    """Whether nothing in a sampled closed loop grows; rigid turning may keep its angle."""
+    """Whether a sampled closed loop is stable, apart from the angle of rigid rotation."""
     return bool(np.abs(closed.to_control().poles()).max() <= 1 + 1e-7)
 
 

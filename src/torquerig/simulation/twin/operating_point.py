@@ -1,4 +1,4 @@
-"""The steady state that the linear twin is taken about: speeds, torques, slopes, and what is left out there."""
+"""The operating point of the linear model: steady speeds, torques, slopes, and the effects that are left out."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class OperatingPoint:
 
 
 def operating_point(rig: Rig, lowered: Lowered) -> OperatingPoint:
-    """Return the steady state at the set-point of the run with mean loads; rest where nothing controls the speed.
+    """Return the steady state at the set-point of the run with mean loads; standstill without speed control.
 
     Raises
     ------

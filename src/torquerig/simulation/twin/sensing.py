@@ -1,4 +1,4 @@
-"""What a speed loop sees of its speed: the true one, or the difference of two angles through a filter."""
+"""The measured speed of a speed loop: the true one, or the filtered difference of two angles."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ STRAINED = 0.25  # [1] share of the strain energy from which a spring is named
 
 
 def node_names(rig: Rig, lowered: Lowered) -> dict[str, str]:
-    """Return for each node how a reader knows it: its own name and the bodies that ride on it."""
+    """Return the names of each node for texts: its name and those of the bodies on it."""
     riders: dict[str, list[str]] = {node: [] for node in lowered.nodes}
     for part in rig.parts:
         if part.on_shaft and not part.opens_node and rig.node(part.name) in riders:

@@ -74,7 +74,7 @@ class LinearSystem:
         return np.asarray(values)
 
     def only(self, *, inputs: Sequence[str] | None = None, outputs: Sequence[str] | None = None) -> LinearSystem:
-        """Return the same system with the named inputs and outputs alone, in that order."""
+        """Return the same system with only the named inputs and outputs, in that order."""
         columns = [self.input(name) for name in (self.inputs if inputs is None else inputs)]
         rows = [self.output(name) for name in (self.outputs if outputs is None else outputs)]
         return LinearSystem(
