@@ -84,8 +84,8 @@ def words(rig: Rig, part: str) -> Words:
     return IN_A_LINE if any(one.in_a_line for one in rig.parts if one.name == part) else TURNING
 
 
-def _named(what: str, told: tuple[str, str, str]) -> str:
-    return f"true_{what}_{told[0]}_{told[1]}"
+def _named(what: str, quantity: tuple[str, str, str]) -> str:
+    return f"true_{what}_{quantity[0]}_{quantity[1]}"
 
 
 def _probed(rig: Rig, lowered: Lowered, probe: Probe) -> Output:

@@ -42,13 +42,13 @@ def simulate(
     substeps : int, optional
         Integration steps per sample; chosen from the fastest mode or event when not given (see ``step_choice``).
     most_steps : int, optional
-        The largest number of them for which it is worth waiting.
+        The largest permitted number of steps.
 
     Raises
     ------
     SimulationError
-        When it needs more steps than that, or when a speed ceases to be finite: names the node, the time and, as far
-        as it can be told, why.
+        When it needs more steps than that, or when a speed ceases to be finite: names the node, the time and, where
+        known, the cause.
     """
     span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
     return stepped(ready(rig, span, scenario=scenario, substeps=substeps, most_steps=most_steps))

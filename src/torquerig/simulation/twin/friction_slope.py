@@ -48,7 +48,7 @@ def sliding(lowered: Lowered) -> Sliding:
 def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple[str, ...]]:
     """Return torque and slope of each row of ``sliding`` at its relative speed, and what was left out of it."""
     frictions = sliding(lowered)
-    torques, slopes, told = np.zeros(frictions.on.size), np.zeros(frictions.on.size), []
+    torques, slopes, notes = np.zeros(frictions.on.size), np.zeros(frictions.on.size), []
     for row, (on, against) in enumerate(zip(frictions.on, frictions.against, strict=True)):
         speed = float(speeds[on] - speeds[against])
         viscous, quadratic = frictions.viscous[row], frictions.quadratic[row]
@@ -59,7 +59,7 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
         if not (grip or excess):
             continue
         if abs(speed) < STILL:
-            told.append(f"the dry friction on {lowered.nodes[on]!r}, which stands still")
+            notes.append(f"the dry friction on {lowered.nodes[on]!r}, which does not turn")
             continue
         torque, slope = dry_friction(
             speed, grip=grip, excess=excess, inverse_stribeck=frictions.inverse_stribeck[row],
@@ -67,11 +67,11 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
         )  # fmt: skip
         torques[row] += torque
         slopes[row] += slope
-        told.append(f"the dry friction on {lowered.nodes[on]!r} away from {speed:.4g} rad/s: there it is "
+        notes.append(f"the dry friction on {lowered.nodes[on]!r} away from {speed:.4g} rad/s: there it is "
                     f"{torques[row]:.4g} N m with a slope of {slopes[row]:.3g} N m s/rad")  # fmt: skip
     if lowered.arrays.bristles.on.size:
-        told.append("the bending of bristles: they slide steadily")
-    return torques, slopes, tuple(told)
+        notes.append("the bending of bristles: they slide steadily")
+    return torques, slopes, tuple(notes)
 
 
 def dry_friction(

@@ -12,7 +12,7 @@ from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.twin.operating_point import OperatingPoint, operating_point
 from torquerig.simulation.twin.plant import plant
-from torquerig.simulation.twin.shapes import node_names, told
+from torquerig.simulation.twin.shapes import node_names, shape_in_words
 from torquerig.simulation.twin.system import LinearSystem
 
 Floats = NDArray[np.float64]
@@ -60,7 +60,7 @@ def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) ->
 
     Nodes whose motion is imposed are clamped.
 
-    Each undamped mode is told the damped root whose shape is most like its own (the modal assurance criterion of
+    Each undamped mode is paired with the damped root of the most similar shape (the modal assurance criterion of
     Allemang & Brown 1982, weighted by the masses), every root once.
     """
     from scipy.linalg import eigh
@@ -87,7 +87,7 @@ def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) ->
                 damped=float(abs(value.imag) / (2 * np.pi)),
                 damping=float(-value.real / abs(value)),
                 shape=shape / shape[np.abs(shape).argmax()],
-                words=told(shape, lowered=lowered, turns=turns, names=names),
+                words=shape_in_words(shape, lowered=lowered, turns=turns, names=names),
             )
         )
     return tuple(found)
@@ -96,7 +96,7 @@ def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) ->
 def loop_poles(closed: LinearSystem, found: tuple[Mode, ...]) -> tuple[Pole, ...]:
     """Return the roots of a closed loop by rising frequency, each named after the open mode it comes from, or the loop.
 
-    Conjugate pairs are told once; the root of free turning is left out.
+    Conjugate pairs are returned once, without the root of free turning.
     """
     roots = closed.poles()
     roots = roots[(roots.imag >= 0) & (np.abs(roots) > 1e-6)]

@@ -192,11 +192,11 @@ def _nonlinear(lowered: Lowered) -> Iterator[str]:
 
 
 def _gaps(lowered: Lowered, point: OperatingPoint) -> tuple[str, ...]:
-    told = []
+    notes = []
     for row in np.flatnonzero(lowered.arrays.springs.half_gap):
         name, torque = lowered.spring_names[row], point.spring_torques[row]
         if torque:
-            told.append(f"the gap of {name!r}, taken as closed: {abs(torque):.4g} N m hold its flanks together")
+            notes.append(f"the gap of {name!r}, taken as closed: {abs(torque):.4g} N m keep it closed")
         else:
-            told.append(f"the gap of {name!r}, taken as closed, although nothing holds its flanks together")
-    return tuple(told)
+            notes.append(f"the gap of {name!r}, taken as closed, although no torque keeps it closed")
+    return tuple(notes)

@@ -23,7 +23,7 @@ def node_names(rig: Rig, lowered: Lowered) -> dict[str, str]:
     return {node: " + ".join(dict.fromkeys((node, *names))) for node, names in riders.items()}
 
 
-def told(shape: Floats, *, lowered: Lowered, turns: Floats, names: dict[str, str]) -> str:
+def shape_in_words(shape: Floats, *, lowered: Lowered, turns: Floats, names: dict[str, str]) -> str:
     """Return a shape in words.
 
     Parameters
