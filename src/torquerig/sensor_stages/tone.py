@@ -20,13 +20,13 @@ class Tone:
     Parameters
     ----------
     frequency : float
-            f [Hz], > 0. Above half the sample rate the samples show it folded, at |f - n rate|: aliasing included.
-        amplitudes : tuple of float
+        f [Hz], > 0. Above half the sample rate it is aliased to ``|f - n rate|``.
+    amplitudes : tuple of float
         a_1, a_2, ..., zero to peak, in the unit of the torque channel, >= 0.
     phases : tuple of float
         phi_1, phi_2, ... [rad]; those not stated are drawn by the recording's random seed.
     source : str
-        Whose tone it is: names the draw of the phases.
+        Name of the cause, which determines the random phases.
 
     Notes
     -----
