@@ -14,7 +14,7 @@ from torquerig.document import parse_document
 from torquerig.errors import InputError
 from torquerig.filters.chains.chain_file import read_chains
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.study.settings import Filters
+from torquerig.study.settings import Filters, RequirementRow
 
 DRIVE = Kinematics(pole_pairs=7, slots=12, ratio=5)
 OLD = """
@@ -96,3 +96,11 @@ def test_the_catalog_reads_an_old_key(capsys: pytest.CaptureFixture[str]) -> Non
     assert capsys.readouterr().err.count("cogging_as_published is now named cogging_per_pole") == 1
     with pytest.raises(ValueError, match="old and its present name"):
         KnownLines.model_validate({"cogging_as_published": {6: line}, "cogging_per_pole": {6: line}})
+
+
+def test_a_study_reads_the_old_name_of_a_metric(capsys: pytest.CaptureFixture[str]) -> None:
+    row = {"metric": "left_disturbance", "unit": "N*m", "max": 0.1, "purpose": "quiet"}
+    assert RequirementRow.model_validate(row).metric == "residual_disturbance"
+    assert capsys.readouterr().err == (
+        "torquerig: notice: the metric left_disturbance is now named residual_disturbance\n"
+    )

@@ -15,7 +15,7 @@ def short(monkeypatch, tmp_path):
     """Two seconds instead of ten, one copy instead of three, three cells of nine."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("torquerig.study.reference_report.conditions.DURATION", 2.0)
-    monkeypatch.setattr("torquerig.study.reference_report.cells.COPIES", 1)
+    monkeypatch.setattr("torquerig.study.reference_report.cells.RUNS", 1)
     few = (CELLS[0], CELLS[3], CELLS[6])
     for room in ("results", "fitting"):
         monkeypatch.setattr(f"torquerig.study.reference_report.{room}.OCCUPANCIES", (5.0, 21.0))

@@ -22,7 +22,7 @@ UNITS: Mapping[str, str] = {
     "servo": "1",
     "new_parts": "1",
     "price": "EUR",
-    "left_disturbance": "N*m",
+    "residual_disturbance": "N*m",
     **SIZING_UNITS,
 }
 """Unit of each metric; limits, bands and points of a study are in it."""

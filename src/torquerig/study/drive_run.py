@@ -111,7 +111,7 @@ def _simulated(unsimulated: DriveResult, scenario: Scenario, study: Study) -> Dr
             effect=chain_effect(reading, after, ratio=ratio, lines=chain.lines),
             truth_error=_figure(truth_error(after, reading), errors.get(name, []), scenario.assumed),
             left_out=chain.left_out,
-            **({"left_disturbance": remaining[name]} if name in remaining else {}),
+            **({"residual_disturbance": remaining[name]} if name in remaining else {}),
         )
     disturbance = _figure(shares.disturbance, disturbances, scenario.assumed)
     return replace(unsimulated, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
@@ -134,7 +134,7 @@ def _monte_carlo_runs(candidate: Candidate, study: Study) -> tuple[dict[str, lis
 
 def _remaining_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -> dict[str, Figure]:
     """Return the disturbance behind each chain over all Monte Carlo samples; empty unless a criterion uses it."""
-    if "left_disturbance" not in metrics_of(study.settings):
+    if "residual_disturbance" not in metrics_of(study.settings):
         return {}
     found: dict[str, list[float]] = {}
     settling = settling_of(study.settings.speed_loop)

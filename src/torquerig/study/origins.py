@@ -15,7 +15,7 @@ from torquerig.units import in_unit
 METRIC_TEXTS: Mapping[str, str] = {
     "truth_error": "rms of the filtered reading minus the true load",
     "disturbance": "rms of all that is not load in the unfiltered reading, each group of lines omitted in turn",
-    "left_disturbance": "rms of the lines of motor and gear behind the filter",
+    "residual_disturbance": "rms of the lines of motor and gear behind the filter",
     "speed_reserve": "largest speed / (output speed x ratio)",
     "speed_use": "output speed x ratio / rated speed",
     "continuous_output_torque": "rated torque x ratio x efficiency",

@@ -17,13 +17,13 @@ from torquerig.version import __version__
 
 @dataclass(frozen=True, kw_only=True)
 class ChainResult:
-    """One filter on one drive; ``left_disturbance`` [N m] is unknown unless a criterion uses it."""
+    """One filter on one drive; ``residual_disturbance`` [N m] is unknown unless a criterion uses it."""
 
     chain: str
     effect: FilterEffect
     truth_error: Figure
     left_out: tuple[str, ...]
-    left_disturbance: Figure = field(default_factory=lambda: Figure(unit="N*m", missing="a criterion that uses it"))
+    residual_disturbance: Figure = field(default_factory=lambda: Figure(unit="N*m", missing="a criterion that uses it"))
 
 
 @dataclass(frozen=True, kw_only=True)

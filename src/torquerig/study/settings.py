@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, TypeAdapter, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter, model_validator
 
 from torquerig.document import Document, validated
 from torquerig.errors import InputError
 from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.parameter import Parameter
+from torquerig.renamed import current_name
 from torquerig.scenario.percent import Percent
 
 Metric = Literal[
     "truth_error", "disturbance", "speed_reserve", "speed_use", "continuous_output_torque", "torque_reserve",
-    "sensor_peak", "servo", "new_parts", "price", "left_disturbance",
+    "sensor_peak", "servo", "new_parts", "price", "residual_disturbance",
     # of metrics/sizing, over the duty cycle where the scenario states one
     "rms_torque", "peak_torque", "peak_power", "top_speed", "mean_speed", "rms_torque_use", "peak_torque_use",
     "continuous_use", "intermittent_use", "speed_limit_use", "inertia_ratio", "thermal_use", "thermal_margin",
@@ -23,8 +24,19 @@ Metric = Literal[
     "regenerated_energy", "ideal_ratio", "speed_ratio", "best_ratio", "best_ratio_use", "sensor_cycle_use",
     "sensor_range_use", "sensor_overload", "sensor_overload_unlimited", "load_fidelity", "loop_fidelity", "flat_to",
 ]  # fmt: skip
-SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance", "left_disturbance")
+SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance", "residual_disturbance")
 ChainName = Annotated[str, AfterValidator(current_chain)]
+
+
+def _current_metric(written: Any) -> Any:
+    return (
+        current_name(written, {"left_disturbance": "residual_disturbance"}, what="metric")
+        if isinstance(written, str)
+        else written
+    )
+
+
+WrittenMetric = Annotated[Metric, BeforeValidator(_current_metric)]
 
 
 class _Section(BaseModel):
@@ -63,7 +75,7 @@ class AllPoints(_Section):
 class RequirementRow(_Section):
     """A requirement of the elimination."""
 
-    metric: Metric
+    metric: WrittenMetric
     unit: str
     min: float | None = None
     max: float | None = None
@@ -86,7 +98,7 @@ class Band(_Section):
 class CriterionRow(_Section):
     """A criterion of the Pugh and Kesselring matrices."""
 
-    metric: Metric
+    metric: WrittenMetric
     unit: str
     better: Literal["more", "less", "band"]
     band: tuple[float, float] | None = None
