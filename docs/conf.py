@@ -47,7 +47,7 @@ myst_enable_extensions = ["colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"
 nb_execution_cache_path = str(ROOT / "build" / "notebooks")
-nb_execution_timeout = 120  # [s] a notebook that takes longer is no page
+nb_execution_timeout = 900  # [s] of one cell; a diagnosis takes a minute on an idle machine, some on a busy one
 nb_execution_raise_on_error = True
 
 
@@ -67,11 +67,15 @@ sphinx_gallery_conf = {
 }
 
 
+NOTEBOOKS = ("select_a_drive", "validate_a_filter", "diagnose_a_recording")  # in the order in which they are read
+
+
 def notebooks() -> None:
     """Copy the notebooks to where Sphinx reads, unchanged ones not again, and write the page that lists them."""
     source, target = ROOT / "examples" / "notebooks", HERE / "notebooks"
     target.mkdir(exist_ok=True)
-    found = sorted(one for one in source.glob("*") if one.suffix in (".ipynb", ".md")) if source.is_dir() else []
+    found = [one for one in source.glob("*") if one.suffix in (".ipynb", ".md")]
+    found.sort(key=lambda one: (NOTEBOOKS.index(one.stem) if one.stem in NOTEBOOKS else len(NOTEBOOKS), one.stem))
     for one in found:
         copy = target / one.name
         if not copy.exists() or copy.read_bytes() != one.read_bytes():
@@ -80,7 +84,12 @@ def notebooks() -> None:
         if stale.is_file() and stale.name != "index.md" and stale.name not in {one.name for one in found}:
             stale.unlink()
     listed = ["```{toctree}", ":maxdepth: 1", "", *(one.stem for one in found), "```", ""] if found else []
-    head = ["# Notebooks", "", "For those who work in Jupyter. Each runs as it is printed, from top to bottom.", ""]
+    head = [
+        "# Notebooks",
+        "",
+        "*For those who work in Jupyter. Each notebook runs from top to bottom while these pages are built.*",
+        "",
+    ]
     text = "\n".join(head + listed)
     if not (target / "index.md").exists() or (target / "index.md").read_text(encoding="utf-8") != text:
         (target / "index.md").write_text(text, encoding="utf-8")
