@@ -117,7 +117,7 @@ def test_load_only_and_noise_only_are_a_pair() -> None:
     assert np.array_equal(load.torque(), load.channels["true_load_Nm"].values)
     assert not noise.channels["true_load_Nm"].values.any()
     assert list(load.channels) == list(noise.channels) == ["torque_V", "encoder_count", "true_load_Nm"]
-    with pytest.raises(RecordingError, match="what of it is load is not known"):
+    with pytest.raises(RecordingError, match="its load is not known"):
         load_only(Recording(sample_rate=1.0, channels={"torque_V": volts(np.zeros(3))}))
 
 
