@@ -176,3 +176,15 @@ def test_what_is_written_wrongly_is_named_with_its_line(text, sentence):
 def test_a_file_without_filters_says_so():
     with pytest.raises(InputError, match="the key 'filters' is missing"):
         read_chains(parse_document("filter: {}", Path("f.yaml")), kinematics=REPORT_MOTOR)
+
+
+def test_the_old_name_of_weighted_lines_is_read_with_a_notice(capsys):
+    made = [
+        read_chains(
+            parse_document(f"filters:\n  one:\n    - {{type: {name}, lines: {{motor: 1..4}}}}\n", Path("filters.yaml")),
+            kinematics=REPORT_MOTOR,
+        )
+        for name in ("weighted_lines", "weighed_lines")
+    ]
+    assert made[0] == made[1]
+    assert capsys.readouterr().err.count("weighed_lines") == 1
