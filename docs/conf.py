@@ -120,7 +120,16 @@ def default_text(default: str) -> str:
     return default if default in ("required", "empty") else f"default {default}"
 
 
+def without_stale_pages() -> None:
+    """Remove the reference pages of an earlier build whose class or function has another name now."""
+    listed = set((HERE / "api.rst").read_text(encoding="utf-8").split())
+    for page in (HERE / "api").glob("*.rst"):
+        if page.stem not in listed:
+            page.unlink()
+
+
 def setup(app: Sphinx) -> None:
     """Prepare what the pages are made of."""
     notebooks()
+    without_stale_pages()
     app.connect("autodoc-process-docstring", with_fields, priority=100)  # before numpydoc
