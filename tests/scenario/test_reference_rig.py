@@ -101,7 +101,7 @@ def test_operating_point(scenario: Scenario) -> None:
 
 
 @pytest.mark.parametrize(("stated", "group"), [
-    ("mechanical", "mechanical"), ("cogging_per_pole", "cogging"), ("electrical", "electrical"),
+    ("mechanical", "mechanical"), ("cogging_as_published", "cogging"), ("electrical", "electrical"),
 ])  # fmt: skip
 def test_lines_of_the_motor(stated: str, group: str, scenario: Scenario) -> None:
     ripple = scenario.rig.part(f"motor.{group}")
