@@ -50,8 +50,9 @@ FOLDER = Path(__file__).parent / "shelf"
 
 SCRIPT = """
 import sys
+from dataclasses import replace
 from pathlib import Path
-import torquerig
+import numpy as np
 from torquerig.catalog.search import catalog_for
 from torquerig.document import read_document
 from torquerig.filters.chains.chain_file import read_chains
@@ -65,7 +66,13 @@ catalog = catalog_for(None)
 assert "tram-motor" in catalog.motors, "catalog"
 made = read_scenario(read_document(folder / "rig.yaml"), catalog, seed=1)
 assert type(made.rig.part("hum")).__name__ == "TramLine", "mechanism"
-simulate(made.rig, duration=0.2, seed=1)
+# the laws of tests/mechanisms: zero size changes nothing to the bit, and a real size shows at its frequency
+plain = simulate(made.rig.without("hum"), duration=1.0, seed=1).torque_values()
+nothing = made.rig.changed(replace(made.rig.part("hum"), amplitudes=(0.0,)))
+assert simulate(nothing, duration=1.0, seed=1).torque_values().tobytes() == plain.tobytes(), "zero size"
+rest = simulate(made.rig, duration=1.0, seed=1).torque_values() - plain
+tone = abs(np.exp(-2j * np.pi * 16.7 * np.arange(rest.size) / 25e3) @ rest) * 2 / rest.size
+assert abs(tone - 0.1) < 2e-3, tone
 recording = read_recording(folder / "run.abc")
 assert recording.samples == 4 and recording.sample_rate == 1000.0, "reader"
 assert open_stream(folder / "run.abc").samples == 4, "stream"
