@@ -117,6 +117,7 @@ def test_joint_of_howto_diagnose_measured_motion_is_read(tmp_path: Path) -> None
     assert under_measured_motion(made.rig)
 
 
+@pytest.mark.long
 def test_scripts_of_howto_use_python_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The blocks from simulate to a further effect run in order; those of minutes are parsed and their names exist."""
     text = (ROOT / "docs" / "howto-use-python.md").read_text(encoding="utf-8")
