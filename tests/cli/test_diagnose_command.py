@@ -81,7 +81,7 @@ BAD: dict[str, tuple[tuple[str, ...], str]] = {
         "good.yaml: is one of the inputs; choose another name",
     ),
     "over a stranger": (("good.parquet", "--model", "pressure.csv"), "pressure.csv: is there already and no diagnosis"),
-    "twice the same": (("good.parquet", "--report", "out.json"), "out.json: two results would be written there"),
+    "twice the same": (("good.parquet", "--report", "out.json"), "out.json: two outputs have this path"),
     "no such folder": (("good.parquet", "--model", "no/model.yaml"), "there is no folder no; make it first"),
 }
 

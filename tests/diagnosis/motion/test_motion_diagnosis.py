@@ -77,7 +77,7 @@ def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, c
     assert outcome.diagnosis.fit.improvement[1] > 0.8
     aside = outcome.diagnosis.set_aside
     assert set(aside) == set(CLASSES) - {"stribeck_friction"}
-    assert aside["quadratic_drag"].startswith("tried beside stribeck friction: ")
+    assert aside["quadratic_drag"].startswith("tested together with stribeck friction: ")
     assert (outcome.left, outcome.diagnosis.mismatch) == ((), outcome.missed)
 
 
@@ -90,7 +90,7 @@ def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
     assert outcome.diagnosis.mismatch[0].domain == "speed"
     assert outcome.diagnosis.set_aside["stribeck_friction"] == "not in the library"
-    assert outcome.diagnosis.set_aside["quadratic_drag"].startswith("tried: its gain is ")
+    assert outcome.diagnosis.set_aside["quadratic_drag"].startswith("tested: its gain is ")
 
 
 @pytest.mark.parametrize(
