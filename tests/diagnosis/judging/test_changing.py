@@ -18,7 +18,7 @@ RATE, COUNT = 10_000.0, 120_000
 
 @pytest.fixture(autouse=True)
 def _whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(judged, "moments_lost", lambda recording: recording.lost)
+    monkeypatch.setattr(judged, "moments_without_signal", lambda recording: recording.lost)
 
 
 def rings(force: NDArray[np.float64], hertz: float, damping: float = 0.05) -> NDArray[np.float64]:

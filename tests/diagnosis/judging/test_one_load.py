@@ -46,7 +46,7 @@ def found(monkeypatch: pytest.MonkeyPatch, *runs: Any, corrections: tuple[int, .
         )
 
     monkeypatch.setattr(band_excess, "expected", model)
-    monkeypatch.setattr(one_load, "moments_lost", lambda lost: lost)
+    monkeypatch.setattr(one_load, "moments_without_signal", lambda lost: lost)
     case = SimpleNamespace(seen=runs, model=SimpleNamespace(rig=None, corrections=corrections))
     return [(left.recordings[0], left.at) for left in load_contradictions(cast("Case", case), 100.0)]
 
