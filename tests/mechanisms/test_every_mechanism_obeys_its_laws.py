@@ -365,7 +365,8 @@ def test_it_says_its_equation_its_source_and_where_it_stops_being_true(row: Row)
     told = " ".join((getdoc(type(row.effect)) or "").split())
     assert re.search(r"``|order", told)
     assert re.search(r"Source: |\([A-Z]\w+.* \d{4}, ", told)
-    assert re.search(r"[Nn]ot true|[Tt]rue (while|near)|not in here|clamped at|Below the smoothing|is that of", told)
+    limits = r"[Nn]ot (true|valid)|[Tt]rue (while|near)|not in here|clamped at|Below the smoothing|is that of"
+    assert re.search(limits, told)
 
 
 @pytest.mark.parametrize(

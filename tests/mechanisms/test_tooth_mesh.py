@@ -226,7 +226,7 @@ def test_planets_cancel_the_stiffness_variation_as_they_cancel_the_error() -> No
 @pytest.mark.parametrize(
     ("teeth", "mesh", "told"),
     [
-        (IN_PHASE, ToothMesh(name="it", module=1e-3, wheel_eccentricity=1e-5), "told of a fixed-axis pair"),
+        (IN_PHASE, ToothMesh(name="it", module=1e-3, wheel_eccentricity=1e-5), "needs a fixed-axis pair"),
         (IN_PHASE, ToothMesh(name="it", module=1e-3, planet_shares=(0.5, 0.5)), "write one per planet of gearbox"),
         (Spur(20, 50), ToothMesh(name="it", module=1e-3, planet_shares=(1.0,)), "has no planets"),
         (IN_PHASE, ToothMesh(name="it", gear="sensor", module=1e-3), "'sensor' is no gear"),

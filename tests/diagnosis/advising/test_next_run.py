@@ -120,7 +120,7 @@ def test_what_was_fitted_in_vain_says_how_little_went(comb_at_one_speed: Outcome
     before, model = comb_at_one_speed.before, comb_at_one_speed.after.model
     vain = Trial(Candidate(mechanism="torsional_mode", parts=(), knobs=()), model, 0.5 * excess(before))
     said = set_aside(before, Tried((vain,), ()), known=())["torsional_mode"]
-    assert said.startswith("fitted with all numbers: 50% of the misfit beyond chance goes, and ")
+    assert said.startswith("fitted with all parameters: it removes 50% of the significant residual, and ")
     within = replace(before, model=replace(before.model, cost=0.0))
     assert "within random error" in set_aside(within, Tried((vain,), ()), known=())["torsional_mode"]
     assert "torsional_mode" not in set_aside(before, Tried((vain,), ()), known=("torsional_mode",))

@@ -27,7 +27,7 @@ Record = Callable[..., Recording]
 GAP = 12 / 60 * pi / 180  # [rad]
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_a_gap_is_named_by_the_spectrum_of_its_chatter(known_rig: Scenario, record: Record) -> None:
     rig = known_rig.rig + Backlash(name="hidden", gear="gearbox", gap=GAP)
     runs = [

@@ -66,13 +66,13 @@ def test_info_says_it_in_a_sentence() -> None:
     assert f"comes back {len(info['torque'].rounded_dropouts.starts)} times" in sentence
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_of_a_hundred_at_least_ninety_five_are_found() -> None:
     right = [is_right(drawn, found_in(drawn)) for drawn in map(lossy, range(1000, 1100))]
     assert sum(right) >= 95
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_of_a_hundred_clean_ones_none_is_lost() -> None:
     assert [number for number in range(1000, 1100) if found_in(clean(number)) is not None] == []
 
