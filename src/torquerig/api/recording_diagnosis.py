@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-MOST_WORKERS = 4  # without being told: each holds some 200 MB
+MOST_WORKERS = 4  # where the caller states none: each holds some 200 MB
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import isinf
 from pathlib import Path
 
 import click
 
+from torquerig.api.simulated import default_length
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
 from torquerig.errors import UnitError
@@ -18,8 +18,6 @@ from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.units import IN_A_LINE, parse_quantity
-
-DURATION = 10.0  # [s]
 
 
 @click.command("simulate")
@@ -56,7 +54,7 @@ def command(
     catalog = catalog_for(scenario, catalogs)
     document = edited(scenario, (*settings, *profile_settings(profile)))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
-    seconds = stated or _length(made)
+    seconds = stated or default_length(made)
     flags = check_requirement(made, catalog, duration=seconds)
     wander = made.operating_point.slow_speed_wander
     recording = simulate(made.rig, duration=seconds, seed=seed, wander=wander, scenario=made.title)
@@ -91,9 +89,3 @@ def _seconds(duration: str | None) -> float | None:
         return None if duration is None else parse_quantity(duration, "s")
     except UnitError as error:
         raise UnitError(f"--duration: {error}") from None
-
-
-def _length(made: Scenario) -> float:
-    """Return the default length of the recording [s]: that of the profile table, else ``DURATION``."""
-    points = made.rig.run.set_points
-    return DURATION if points is None or isinf(points.length) else points.length

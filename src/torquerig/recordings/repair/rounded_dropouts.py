@@ -30,7 +30,7 @@ Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 
-RATE = 2500.0  # [Hz] to which faster signals are averaged: lengths from 1 ms on are told by what is below 800 Hz
+RATE = 2500.0  # [Hz] to which faster signals are averaged: content below 800 Hz determines lengths from 1 ms on
 _BAND = 800.0  # [Hz]
 _LEAST, _MOST = 6.0, 200  # robust spreads of a departure that is looked at; how many are
 _SHORTEST, _LONGEST = 0.001, 0.017  # [s]
