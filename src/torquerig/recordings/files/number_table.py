@@ -22,12 +22,19 @@ class Table:
     rates : mapping of str to float
         Sample rates [Hz] of the columns for which the file states one.
     units : mapping of str to str
-        Units that the file states.
+        Units that the file states, as written.
+    skipped : mapping of str to str
+        Columns that are not read, each with the reason: words, states, no numbers.
+    notes : tuple of str
+        What the reader understood beyond names and numbers, one sentence each: the line of the names, a unit row, the
+        source of the times.
     """
 
     columns: Mapping[str, NDArray[np.float64]]
     rates: Mapping[str, float] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)
+    skipped: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     def time_name(self) -> str | None:
         """Return the name of the time column [s], or None; ``time_s`` is preferred to ``time``, and that to ``t``."""

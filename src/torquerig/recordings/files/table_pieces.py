@@ -28,7 +28,7 @@ class TablePieces:
         Samples of each column; empty where they are known only after reading to the end.
     pieces : callable
         Takes names of columns and yields mappings of equally long arrays, from the start.
-    rates, units : mapping
+    rates, units, skipped, notes
         As in :class:`Table`.
     read_whole : str
         The reason why the file was read at once; empty where it was not.
@@ -39,6 +39,8 @@ class TablePieces:
     lengths: Mapping[str, int] = field(default_factory=dict)
     rates: Mapping[str, float] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)
+    skipped: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
     read_whole: str = ""
 
     def time_name(self) -> str | None:
@@ -60,5 +62,7 @@ def pieces_of(table: Table, *, reason: str) -> TablePieces:
         pieces=pieces,
         rates=table.rates,
         units=table.units,
+        skipped=table.skipped,
+        notes=table.notes,
         read_whole=reason,
     )
