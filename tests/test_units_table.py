@@ -20,6 +20,13 @@ RENAMED = {
     "in": "inch",
     "min": "minute",
     "rev": "turn",
+    "g0": "standard_gravity",
+    "lbm*ft^2": "pound*foot**2",
+    "lbm*in^2": "pound*inch**2",
+    "lbf*in*s^2": "pound_force*inch*second**2",
+    "ozf*in*s^2": "force_ounce*inch*second**2",
+    "ozf*in/A": "force_ounce*inch/ampere",
+    "lbf*in/A": "pound_force*inch/ampere",
 }
 
 
@@ -66,7 +73,7 @@ def test_data_sheet_spellings_are_read(text: str, unit: str, value: float) -> No
         ("5,2 N*m", "N*m", "decimal comma; write '5.2 N*m'"),
         ("3 N", "N*m", "is a force; a torque is wanted, write '3 N*m'"),
         ("0.5", "N*m", "has no unit; write '0.5 N*m'"),
-        ("3 oz*in", "N*m", "unknown unit; did you mean 'ozf*in'"),
+        ("3 ozz*in", "N*m", "unknown unit; did you mean 'ozf*in'"),
         ("600 rpm", "Hz", "is a speed; a frequency is wanted"),
         ("3 J", "kg*m^2", "is an energy; an inertia is wanted"),
         ("about 3", "1", "does not start with a number; write for example '1.5'"),

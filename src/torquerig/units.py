@@ -7,10 +7,12 @@ newton-metre of textile count, ``5,2 N*m`` as 52, ``600 rpm`` as a frequency (pi
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from functools import cache
 from math import pi
 
 from torquerig.errors import UnitError, did_you_mean
+from torquerig.unit_spellings import Signature, signatures
 
 # kind of quantity -> the spellings of its units and what one of each is in SI; the first spelling is the SI unit
 UNITS: dict[str, dict[str, float]] = {
@@ -23,9 +25,14 @@ UNITS: dict[str, dict[str, float]] = {
         "Ncm": 1e-2,
         "kN*m": 1e3,
         "kNm": 1e3,
-        "ozf*in": 7.0615518333e-3,
+        "cN*m": 1e-2,
+        "N*mm": 1e-3,
+        "ozf*in": 7.061551814226044e-3,
         "lbf*in": 0.1129848290276167,
         "lbf*ft": 1.3558179483314004,
+        "kgf*m": 9.80665,
+        "kgf*cm": 9.80665e-2,
+        "gf*cm": 9.80665e-5,
     },
     "inertia": {
         "kg*m^2": 1,
@@ -37,6 +44,11 @@ UNITS: dict[str, dict[str, float]] = {
         "g*cm^2": 1e-7,
         "gcm2": 1e-7,
         "gcm^2": 1e-7,
+        "kg*mm^2": 1e-6,
+        "lbm*ft^2": 0.0421401100938048,
+        "lbm*in^2": 2.926396534292e-4,
+        "lbf*in*s^2": 0.1129848290276167,
+        "ozf*in*s^2": 7.061551814226044e-3,
     },
     "speed": {
         "rad/s": 1,
@@ -44,6 +56,7 @@ UNITS: dict[str, dict[str, float]] = {
         "min-1": 2 * pi / 60,
         "1/min": 2 * pi / 60,
         "r/min": 2 * pi / 60,
+        "rev/min": 2 * pi / 60,
         "rev/s": 2 * pi,
         "deg/s": pi / 180,
     },
@@ -68,25 +81,33 @@ UNITS: dict[str, dict[str, float]] = {
     },
     "rotary damping": {"N*m*s/rad": 1, "Nms/rad": 1, "N*m*s": 1, "Nms": 1, "N*m/rpm": 30 / pi},
     "quadratic drag": {"N*m*s^2/rad^2": 1, "N*m*s^2": 1, "Nms2": 1},
-    "time": {"s": 1, "ms": 1e-3, "us": 1e-6, "min": 60, "h": 3600},
+    "time": {"s": 1, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60, "h": 3600},
     "rate": {"1/s": 1, "per second": 1, "per minute": 1 / 60},
     "order": {"1/rev": 1},
-    "length": {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "in": 0.0254},
+    "length": {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "nm": 1e-9, "in": 0.0254},
     "mass": {"kg": 1, "g": 1e-3},
-    "force": {"N": 1, "mN": 1e-3, "kN": 1e3, "lbf": 4.4482216152605, "kip": 4448.2216152605},
+    "force": {"N": 1, "mN": 1e-3, "kN": 1e3, "kgf": 9.80665, "lbf": 4.4482216152605, "kip": 4448.2216152605},
     "linear stiffness": {"N/m": 1, "N/mm": 1e3, "N/um": 1e6},
     "linear damping": {"N*s/m": 1, "Ns/m": 1},
     "linear quadratic drag": {"N*s^2/m^2": 1},
-    "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254},
+    "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254, "m/min": 1 / 60, "km/h": 1 / 3.6},
+    "acceleration": {"m/s^2": 1, "mm/s^2": 1e-3, "g0": 9.80665},
+    "pressure": {"Pa": 1, "hPa": 100, "kPa": 1e3, "MPa": 1e6, "mbar": 100, "bar": 1e5, "psi": 6894.757293168361},
     "voltage": {"V": 1, "mV": 1e-3, "uV": 1e-6, "kV": 1e3},
     "current": {"A": 1, "mA": 1e-3},
     "rms current": {"Arms": 1, "A rms": 1, "mArms": 1e-3},
-    "torque constant (per rms ampere)": {"N*m/Arms": 1, "Nm/Arms": 1},
-    "torque constant": {"N*m/A": 1, "Nm/A": 1},
+    "torque constant (per rms ampere)": {"N*m/Arms": 1, "Nm/Arms": 1, "mN*m/Arms": 1e-3},
+    "torque constant": {
+        "N*m/A": 1,
+        "Nm/A": 1,
+        "mN*m/A": 1e-3,
+        "ozf*in/A": 7.061551814226044e-3,
+        "lbf*in/A": 0.1129848290276167,
+    },
     "resistance": {"ohm": 1, "Ohm": 1, "mohm": 1e-3, "kohm": 1e3},
     "inductance": {"H": 1, "mH": 1e-3, "uH": 1e-6},
     "flux linkage": {"V*s": 1, "Vs": 1, "mV*s": 1e-3, "mVs": 1e-3, "V*s/rad": 1, "Wb": 1, "mWb": 1e-3},
-    "power": {"W": 1, "kW": 1e3, "hp": 745.6998715822702},
+    "power": {"W": 1, "mW": 1e-3, "kW": 1e3, "MW": 1e6, "hp": 745.6998715822702},
     "energy": {"J": 1, "kJ": 1e3, "Wh": 3600},
     "thermal resistance": {"K/W": 1},
     "temperature difference": {"K": 1},
@@ -115,6 +136,50 @@ def kind_of(unit: str) -> str:
     return kind
 
 
+@dataclass(frozen=True, kw_only=True)
+class Meaning:
+    """What a spelled unit may mean: its kind of quantity, the first spelling in ``UNITS``, and its SI value."""
+
+    kind: str
+    symbol: str
+    factor: float
+
+
+@cache
+def meanings(text: str) -> tuple[Meaning, ...]:
+    """Return what ``text`` may mean as a unit, one entry a kind; empty where no kind has it.
+
+    Any order and separator of the symbols is read: ``lb-ft``, ``Newton-meters``, ``RPM``, ``U/min``, ``mN·m/A``.
+    ``"g"`` has two meanings, a mass and an acceleration; the column's name or the wanted kind decides.
+    """
+    found = {kind: spelling for kind, spellings in UNITS.items() for spelling in spellings if spelling == _plain(text)}
+    for signature in sorted(signatures(text), key=sorted):
+        for kind, symbol in _by_signature().get(signature, {}).items():
+            found.setdefault(kind, symbol)
+    return tuple(Meaning(kind=kind, symbol=symbol, factor=UNITS[kind][symbol]) for kind, symbol in found.items())
+
+
+@cache
+def _by_signature() -> dict[Signature, dict[str, str]]:
+    """Return the first spelling of each combination of symbols, by kind."""
+    table: dict[Signature, dict[str, str]] = {}
+    for kind, spellings in UNITS.items():
+        for spelling in spellings:
+            for signature in _signatures_in_table(spelling):
+                table.setdefault(signature, {}).setdefault(kind, spelling)
+    return table
+
+
+def _signatures_in_table(spelling: str) -> frozenset[Signature]:
+    # the table's own spellings mean one thing each: kg is the mass and no kilopond
+    found = signatures(spelling)
+    return found if len(found) == 1 else frozenset(one for one in found if _spells(one, spelling))
+
+
+def _spells(signature: Signature, spelling: str) -> bool:
+    return all(re.search(rf"(?<![A-Za-z]){re.escape(symbol)}(?![A-Za-z])", spelling) for symbol, _ in signature)
+
+
 def parse_quantity(text: str, unit: str) -> float:
     """Return the number that ``text`` states, in the SI unit ``unit``: ``parse_quantity("32 N*cm", "N*m")`` is 0.32.
 
@@ -137,6 +202,9 @@ def parse_quantity(text: str, unit: str) -> float:
         raise UnitError(f"{text!r} has no unit; write {_example(match[1], unit)}")
     if written in factors:
         return number * factors[written]
+    spelled = {one.factor for one in meanings(match[2]) if one.kind == wanted}
+    if len(spelled) == 1:
+        return number * spelled.pop()
     other = _kinds().get(written)
     if other is None:
         raise UnitError(f"{text!r} has an unknown unit; {did_you_mean(match[2], factors)}")

@@ -19,22 +19,6 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-QUANTITIES = (
-    "torque",
-    "force",
-    "motor_torque",
-    "current",
-    "voltage",
-    "motor_angle",
-    "angle",
-    "position",
-    "motor_speed",
-    "speed",
-    "velocity",
-    "temperature",
-    "tacho",
-)
-
 
 @dataclass(frozen=True, kw_only=True)
 class Channel:

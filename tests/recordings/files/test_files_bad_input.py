@@ -85,16 +85,17 @@ def test_wrong_columns(tmp_path: Path) -> None:
     assert "there is no column 'torque_V', which run1.yaml names; did you mean 'torqe_V'?" in told
 
 
-def test_a_column_that_nothing_explains(tmp_path: Path) -> None:
-    told = refusal(made(tmp_path, {"torqe_V": [1, 2]}))
-    assert "the quantity of the column 'torqe_V' is not known (did you mean torque_V?)" in told
-    assert "channels: {torqe_V: {quantity: torque, unit: V, Nm_per_V: 1.0}}" in told
+def test_a_misspelt_torque_is_no_torque(tmp_path: Path) -> None:
+    recording = read_recording(made(tmp_path, {"torqe_V": [1, 2]}))
+    assert recording.channels["torqe_V"].quantity == "voltage"
+    with pytest.raises(RecordingError, match="there is no torque channel among torqe_V"):
+        recording.torque()
 
 
-def test_an_encoder_needs_its_counts(tmp_path: Path) -> None:
-    told = refusal(made(tmp_path, {"torque_V": [1, 2], "encoder_count": [1, 2]}))
-    assert "'encoder_count' is a motor_angle in count" in told
-    assert "counts_per_rev: NUMBER" in told
+def test_an_encoder_without_its_counts_is_no_angle(tmp_path: Path) -> None:
+    recording = read_recording(made(tmp_path, {"torque_V": [1, 2], "encoder_count": [1, 2]}))
+    assert recording.channels["encoder_count"].quantity == "other"
+    assert recording.channels["encoder_count"].unit == "count"
 
 
 def test_words_only(tmp_path: Path) -> None:
@@ -244,10 +245,10 @@ def test_a_wav_header_without_chunks(tmp_path: Path) -> None:
     assert "not a whole WAV file" in refusal(tmp_path / "run1.wav")
 
 
-def test_a_bare_wav_asks_for_its_full_scale(tmp_path: Path) -> None:
+def test_a_bare_wav_is_shares_of_full_scale(tmp_path: Path) -> None:
     wavfile.write(tmp_path / "run1.wav", 48000, np.zeros(4, np.int16))
-    told = refusal(tmp_path / "run1.wav")
-    assert "channels: {channel_1: {quantity: torque, unit: FS, Nm_per_FS: NUMBER}}" in told
+    channel = read_recording(tmp_path / "run1.wav").channels["channel_1"]
+    assert (channel.quantity, channel.unit) == ("other", "FS")
 
 
 @pytest.mark.parametrize("size", [0, 1, 4, 20, 27, 28, 30, 60, 100, 130])

@@ -91,7 +91,7 @@ def test_other_keys_of_the_sheet_are_kept(tmp_path: Path) -> None:
             r"run1\.yaml:4: channels\.a\.unit: a torque in V needs its scale; add Nm_per_V: NUMBER",
         ),
         ("channels:\n  a: {quantity: angle, unit: count}\n", r"an? angle in count needs its scale; add counts_per_rev"),
-        ("channels:\n  a: {quantity: torque, unit: Nmm}\n", r"add Nm_per_Nmm: NUMBER; .*did you mean .*'Nm'"),
+        ("channels:\n  a: {quantity: torque, unit: Nmn}\n", r"add Nm_per_Nmn: NUMBER; .*did you mean .*'Nm'"),
         (
             "channels:\n  a:\n    quantity: torque\n    unit: V\n    Nm_per_mV: 1\n",
             r"run1\.yaml:5: channels\.a\.Nm_per_mV: the scale does not give a torque per 'V'; write Nm_per_V",

@@ -12,7 +12,7 @@
 ``sidecar_schema``      the keys of a sidecar with their bounds; ``sidecar_text``: writes a sidecar
 ``set_point_text``      the points of a profile in a sidecar, read and written
 ``scale``               the SI value of a channel's unit
-``column_names``        quantity and unit from a column's name, where there is no sidecar
+``plain_names``         units taken out of the header cells, times in seconds
 ``number_table``        columns of numbers as a format's reader returns them
 ``table_pieces``        the same, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
 ``delimited``           numbers in rows of text, with the line of a faulty one

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-TIME_NAMES = ("time_s", "time", "t", "x_value", "time (s)", "time [s]")
+from torquerig.recordings.names.time_column import time_column
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,19 +37,14 @@ class Table:
     notes: tuple[str, ...] = ()
 
     def time_name(self) -> str | None:
-        """Return the name of the time column [s], or None; ``time_s`` is preferred to ``time``, and that to ``t``."""
-        return time_among(self.columns)
+        """Return the name of the time column, or None; ``time_s`` is preferred to ``time``, and that to ``t``."""
+        time = time_column(self.columns, self.units)
+        return None if time is None else time.name
 
     def signal_names(self) -> list[str]:
         """Return the names of all columns but the time, in the order of the file."""
         time = self.time_name()
         return [name for name in self.columns if name != time]
-
-
-def time_among(names: Iterable[str]) -> str | None:
-    """Return the name of the time column [s] among ``names``, or None; ``time_s`` before ``time`` before ``t``."""
-    lowered = {name.strip().lower(): name for name in reversed(list(names))}
-    return next((lowered[known] for known in TIME_NAMES if known in lowered), None)
 
 
 def distinct(names: Iterable[str]) -> list[str]:

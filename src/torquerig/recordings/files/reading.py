@@ -8,17 +8,19 @@ from pathlib import Path
 from torquerig.errors import InputError, RecordingError, did_you_mean
 from torquerig.extensions import extensions
 from torquerig.recordings.files.checks import check_finite, check_lengths
-from torquerig.recordings.files.column_names import entry_by_name
 from torquerig.recordings.files.csv import read_csv
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import read_mat
-from torquerig.recordings.files.number_table import Table, time_among
+from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.parquet import read_parquet
+from torquerig.recordings.files.plain_names import with_plain_names
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
 from torquerig.recordings.files.tdms import read_tdms
 from torquerig.recordings.files.text import read_text
 from torquerig.recordings.files.timebase import sample_rate_of
 from torquerig.recordings.files.wav import read_wav
+from torquerig.recordings.names.interpretation import interpret
+from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 
@@ -59,7 +61,7 @@ def read_recording(path: Path) -> Recording:
     reader = readers()[path.suffix.lower()]
     described_in = sidecar_path(path)
     sidecar = read_sidecar(described_in) if described_in.is_file() else None
-    table = reader(path)
+    table = with_plain_names(reader(path), kept=sidecar.channels if sidecar else ())
     entries = channel_entries(list(table.columns), table.units, sidecar, path)
     time = table.time_name()
     check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(entries)}, str(path))
@@ -105,16 +107,28 @@ def check_readable(path: Path) -> None:
 def channel_entries(
     columns: Sequence[str], units: Mapping[str, str], sidecar: Sidecar | None, path: Path
 ) -> Mapping[str, ChannelEntry]:
-    """Return the entry of each channel: from the sidecar, else from the names of the columns without the time."""
-    time = time_among(columns)
-    names = [name for name in columns if name != time]
+    """Return the entry of each channel but the time: from the sidecar, else from the columns' names and units."""
+    time = time_column(columns, units)
+    names = [name for name in columns if time is None or name != time.name]
     if sidecar is None or not sidecar.channels:
         if not names:
             raise RecordingError(f"{path}: there is no channel of numbers in it; add one, for example torque_V")
-        return {name: entry_by_name(name, unit=units.get(name), where=str(path)) for name in names}
+        return {name: entry_by_name(name, units.get(name)) for name in names}
     for name in sidecar.channels:
         if name not in names:
             raise RecordingError(
                 f"{path}: there is no column {name!r}, which {sidecar.path.name} names; {did_you_mean(name, names)}"
             )
     return sidecar.channels
+
+
+def entry_by_name(name: str, unit: str | None) -> ChannelEntry:
+    """Return what a column without a sidecar is; ``other`` where its name and unit do not determine it."""
+    found = interpret(name, unit)
+    return ChannelEntry(
+        quantity=found.quantity,
+        unit=found.unit,
+        si_per_unit=found.si_per_unit,
+        reason=found.reason,
+        missing=found.missing,
+    )

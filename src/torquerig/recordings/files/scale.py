@@ -4,40 +4,23 @@ from __future__ import annotations
 
 from math import isfinite
 
-from torquerig.errors import UnitError, did_you_mean
+from torquerig.errors import did_you_mean
+from torquerig.recordings.names.channel_units import unit_meanings
+from torquerig.recordings.quantities import KINDS, OTHER
 from torquerig.recordings.recording import Channel
-from torquerig.units import UNITS, parse_quantity
-
-# the kind of unit (of units.UNITS) of each quantity; a tacho's reading is a bare number
-KINDS = {
-    "torque": "torque",
-    "motor_torque": "torque",
-    "force": "force",
-    "current": "current",
-    "voltage": "voltage",
-    "motor_angle": "angle",
-    "angle": "angle",
-    "position": "length",
-    "motor_speed": "speed",
-    "speed": "speed",
-    "velocity": "linear speed",
-    "temperature": "temperature difference",
-    "tacho": "share",
-}
+from torquerig.units import UNITS
 
 
 def known_si_per_unit(quantity: str, unit: str) -> float | None:
     """Return the SI value of one ``unit`` of ``quantity``, or None where a scale is required.
 
-    ``None`` for a torque in V and an angle in counts. A tacho's reading is a bare number in any unit, and a
-    temperature in degC is not converted (only its differences are in SI).
+    ``None`` for a torque in V and an angle in counts. A tacho's reading is a bare number in any unit, a channel of an
+    unknown quantity is not converted, and neither is a temperature in degC (only its differences are in SI).
     """
-    if quantity == "tacho" or (quantity == "temperature" and unit == "degC"):
+    if quantity in ("tacho", OTHER):
         return 1.0
-    try:
-        return parse_quantity(f"1 {unit}", next(iter(UNITS[KINDS[quantity]])))
-    except UnitError:
-        return None
+    fitting = {one.factor for one in unit_meanings(unit) if one.kind in KINDS[quantity] and one.symbol != "degF"}
+    return fitting.pop() if len(fitting) == 1 else None
 
 
 def si_per_unit_from(key: str, number: float, *, quantity: str, unit: str) -> float:
@@ -60,15 +43,23 @@ def si_per_unit_from(key: str, number: float, *, quantity: str, unit: str) -> fl
     """
     if isinstance(number, bool) or not isinstance(number, int | float) or not isfinite(number) or number == 0:
         raise ValueError(f"{number!r} cannot be a scale; write a number other than 0")
-    found = _si_per_unit(key, float(number), kind=KINDS[quantity], unit=unit)
+    if quantity == OTHER:
+        raise ValueError("a channel of the quantity 'other' has no scale; leave the scale out, or state the quantity")
+    found = _si_per_unit(key, float(number), kind=_kind(quantity), unit=unit)
     if found is not None:
         return found
-    message = f"the scale does not give a {KINDS[quantity]} per {unit!r}; write {scale_key(quantity, unit)}: NUMBER"
-    fitting = [each for each, kind in KINDS.items() if _si_per_unit(key, 1.0, kind=kind, unit=unit) is not None]
+    message = f"the scale does not give a {_kind(quantity)} per {unit!r}; write {scale_key(quantity, unit)}: NUMBER"
+    scaled = [each for each in KINDS if each != OTHER]
+    fitting = [each for each in scaled if _si_per_unit(key, 1.0, kind=_kind(each), unit=unit) is not None]
     if fitting:  # a current times its torque constant is the motor's torque
         meant = "motor_torque" if "motor_torque" in fitting and quantity == "current" else fitting[0]
         message += f", or quantity: {meant}, whose scale this is"
     raise ValueError(message)
+
+
+def _kind(quantity: str) -> str:
+    """Return the kind of unit of a quantity; a temperature's scale is one of differences."""
+    return "temperature difference" if quantity == "temperature" else KINDS[quantity][0]
 
 
 def _si_per_unit(key: str, number: float, *, kind: str, unit: str) -> float | None:
@@ -84,16 +75,16 @@ def _si_per_unit(key: str, number: float, *, kind: str, unit: str) -> float | No
 
 def scale_key(quantity: str, unit: str) -> str:
     """Return the scale's key in a sidecar: ``Nm_per_V``; ``counts_per_rev`` for an encoder."""
-    if KINDS[quantity] == "angle" and unit == "count":
+    if _kind(quantity) == "angle" and unit == "count":
         return "counts_per_rev"
-    si = {"torque": "Nm"}.get(KINDS[quantity]) or _simple(next(iter(UNITS[KINDS[quantity]])))
+    si = {"torque": "Nm"}.get(_kind(quantity)) or _simple(next(iter(UNITS[_kind(quantity)])))
     return f"{si}_per_{_simple(unit)}"
 
 
 def missing_scale(quantity: str, unit: str) -> str:
     """Return the error text for a unit whose required scale is missing."""
     hint = ""
-    kind = KINDS[quantity]
+    kind = _kind(quantity)
     if unit not in ("V", "mV", "mA", "count", "FS"):
         hint = f"; as a unit of {kind}, {did_you_mean(unit, UNITS[kind])}"
     return f"a {quantity} in {unit} needs its scale; add {scale_key(quantity, unit)}: NUMBER{hint}"

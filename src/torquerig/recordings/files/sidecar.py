@@ -25,12 +25,18 @@ _RUN_SLIPS |= {"particle_size": "particle_size_mm", "ratio": "gear_ratio"}
 
 @dataclass(frozen=True, kw_only=True)
 class ChannelEntry:
-    """One column's quantity, unit, SI value of the unit, and whether it is a truth channel of a simulation."""
+    """One column's quantity, unit, SI value of the unit, and whether it is a truth channel of a simulation.
+
+    ``reason`` and ``missing`` are those of :class:`~torquerig.recordings.names.interpretation.Interpretation`; both
+    are empty where a sidecar describes the column.
+    """
 
     quantity: str
     unit: str
     si_per_unit: float = 1.0
     truth: bool = False
+    reason: str = ""
+    missing: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

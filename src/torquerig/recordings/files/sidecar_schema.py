@@ -8,7 +8,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 from torquerig.errors import did_you_mean
-from torquerig.recordings.recording import QUANTITIES
+from torquerig.recordings.quantities import QUANTITIES
 from torquerig.recordings.run import PROFILES
 
 if TYPE_CHECKING:

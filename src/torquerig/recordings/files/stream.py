@@ -17,6 +17,7 @@ from torquerig.recordings.files.gaps import usual_rate
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
+from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import channel_entries, check_readable, readers
 from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
 from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
@@ -106,7 +107,7 @@ def open_stream(path: Path) -> RecordingStream:
     check_readable(path)
     described_in = sidecar_path(path)
     sidecar = read_sidecar(described_in) if described_in.is_file() else None
-    table = _pieces(path)
+    table = pieces_with_plain_names(_pieces(path), kept=sidecar.channels if sidecar else ())
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
     lengths = {name: table.lengths[name] for name in (*([time] if time else []), *entries) if name in table.lengths}

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.files.number_table import Table, time_among
+from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.names.time_column import time_column
 
 PIECE = 2**18
 """Samples of one piece [1]; a format may return fewer or somewhat more."""
@@ -44,8 +45,9 @@ class TablePieces:
     read_whole: str = ""
 
     def time_name(self) -> str | None:
-        """Return the name of the time column [s], or None."""
-        return time_among(self.names)
+        """Return the name of the time column, or None."""
+        time = time_column(self.names, self.units)
+        return None if time is None else time.name
 
 
 def pieces_of(table: Table, *, reason: str) -> TablePieces:

@@ -9,11 +9,11 @@ from torquerig.errors import InputError
 from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import write_csv
 from torquerig.recordings.files.mat import refuse_variable_names, write_mat
-from torquerig.recordings.files.number_table import TIME_NAMES
 from torquerig.recordings.files.parquet import write_parquet
 from torquerig.recordings.files.sidecar import read_sidecar, sidecar_path
 from torquerig.recordings.files.sidecar_text import sidecar_text
 from torquerig.recordings.files.tdms import write_tdms
+from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Recording
 from torquerig.whole_file import whole_file
 
@@ -84,7 +84,7 @@ def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
 def refuse_names(recording: Recording, path: Path) -> None:
     """Raise InputError for a channel named like the time, or one whose name cannot be written."""
     for name in recording.channels:
-        if name.strip().lower() in (*TIME_NAMES, "sample_rate_hz"):
+        if time_column([name]) is not None or name.strip().lower() == "sample_rate_hz":
             raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")
         if not name.strip() or not name.isprintable():
             raise InputError(f"{path}: {name!r} cannot name a channel; use letters, digits and _")

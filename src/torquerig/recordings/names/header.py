@@ -1,0 +1,53 @@
+"""One header cell, split into the name of the column and its unit."""
+
+from __future__ import annotations
+
+import re
+
+from torquerig.recordings.names.channel_units import unit_meanings
+
+_BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[<{](?P<unit>[^\]>}]*)[\]>}]\s*$")
+_ROUND = re.compile(r"^(?P<name>.*?)\s*\((?P<unit>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*$")
+# what separates a unit without brackets from the name: "Torque / Nm", "Torque, Nm", "Drehmoment in Nm", "torque_Nm"
+_SEPARATED = (
+    re.compile(r"^(?P<name>[^/]+?)\s*/\s*(?P<unit>.+)$"),
+    re.compile(r"^(?P<name>.+?)\s*[,;:|]\s*(?P<unit>[^,;:|]+)$"),
+    re.compile(r"^(?P<name>.+?)\s+in\s+(?P<unit>\S+(?:\s\S+)?)$", re.IGNORECASE),
+    re.compile(r"^(?P<name>.+)\s+(?P<unit>[^\s_(][^\s_]*)$"),
+)
+
+
+def split_header(cell: str) -> tuple[str, str | None]:
+    """Return the name and the unit text of a header cell; the unit is None where the cell states none.
+
+    What stands in square brackets is a unit even if it is not known. Behind a slash, comma, ``in``, blank or
+    underscore, and in round brackets, only a known unit counts: ``Torque (filtered)`` and ``Dev1/ai0`` are names.
+
+    ``"Torque [Nm]"`` gives ``("Torque", "Nm")``, ``"speed_rad_s"`` ``("speed", "rad/s")``.
+    """
+    text = " ".join(cell.split())
+    bracket = _BRACKETS.match(text)
+    if bracket and bracket["name"]:
+        return bracket["name"].rstrip("_/ ,:"), bracket["unit"].strip()
+    matches = [match for pattern in (_ROUND, *_SEPARATED) if (match := pattern.match(text))]
+    units = [match for match in matches if match["name"] and _is_unit(match["unit"])]
+    if units:
+        longest = max(units, key=lambda match: len(match["unit"]))  # "Drehzahl U/min": U/min, not min
+        return longest["name"].rstrip("_/ ,:"), longest["unit"].strip()
+    return _underscored(text)
+
+
+def _underscored(text: str) -> tuple[str, str | None]:
+    """Split ``speed_rad_s`` and ``torque_Nm``: the longest tail that is a unit, with ``_`` for ``/``."""
+    parts = text.split("_")
+    for first in range(1, len(parts)):
+        unit = "/".join(parts[first:])
+        name = "_".join(parts[:first])
+        if name and _is_unit(unit):
+            return name, unit
+    return text, None
+
+
+def _is_unit(text: str) -> bool:
+    found = unit_meanings(text)
+    return bool(found) and found[0].kind != "bare"
