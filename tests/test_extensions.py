@@ -116,11 +116,13 @@ def run(package: Path, script: str) -> subprocess.CompletedProcess[str]:
                           env=os.environ | {"PYTHONPATH": path}, check=False)  # fmt: skip
 
 
+@pytest.mark.long
 def test_an_installed_package_adds_a_mechanism_a_filter_a_reader_and_a_catalog(package):
     done = run(package, SCRIPT)
     assert done.stdout == "all four\n", done.stderr
 
 
+@pytest.mark.long
 def test_a_broken_package_is_named_in_one_sentence(package):
     points = package / "extra_effects-0.1.dist-info" / "entry_points.txt"
     points.write_text("[torquerig.mechanisms]\ntram_line = extra_effects:NotThere\n")

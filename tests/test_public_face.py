@@ -108,6 +108,7 @@ def test_a_result_is_frozen_and_shows_itself(name, results):
     assert json.loads(result.to_json())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", RESULTS)
 def test_a_result_draws_itself(name, results):
     figure = results[name].plot()

@@ -105,6 +105,7 @@ def test_bad_input_is_one_sentence_and_exit_code_2(
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == there
 
 
+@pytest.mark.long
 def test_force_overwrites_an_earlier_recording() -> None:
     main(["simulate", WEAR_RIG, "--duration", "0.1 s", "--out", "there.parquet", "--force"])
     assert Path("there.parquet").read_bytes().startswith(b"PAR1")

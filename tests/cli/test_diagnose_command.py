@@ -86,6 +86,7 @@ BAD: dict[str, tuple[tuple[str, ...], str]] = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", BAD)
 def test_bad_input_is_one_sentence(case: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     arguments, sentence = BAD[case]
@@ -100,6 +101,7 @@ def test_bad_input_is_one_sentence(case: str, folder: Path, capsys: pytest.Captu
     assert sorted(path.name for path in folder.iterdir()) == before
 
 
+@pytest.mark.long
 def test_a_sheet_of_another_gear_ratio_is_held_to_the_lines(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """They fit 5: a mismatch with the scenario of 5; with that of 20 the scenario is another rig's."""
     main(("diagnose", "long_ratio.parquet", "--scenario", WEAR_RIG, "--json", "-"))
@@ -148,6 +150,7 @@ def test_a_fault_of_the_samples_is_named_and_its_model_written(
     assert abs(volts - volts.round()).max() < 0.1
 
 
+@pytest.mark.long
 def test_the_number_of_workers_changes_nothing(capsys: pytest.CaptureFixture[str]) -> None:
     told = []
     for workers in ("1", "2"):
@@ -156,6 +159,7 @@ def test_the_number_of_workers_changes_nothing(capsys: pytest.CaptureFixture[str
     assert told[0] == told[1]
 
 
+@pytest.mark.long
 def test_to_standard_output_goes_the_json_alone(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     main(("diagnose", "good.parquet", "--scenario", WEAR_RIG, "--json", "-"))
     told = capsys.readouterr()

@@ -22,6 +22,7 @@ def short(monkeypatch, tmp_path):
     monkeypatch.setattr("torquerig.study.reference_report.results.CELLS", few)
 
 
+@pytest.mark.long
 def test_it_prints_every_cell_and_writes_the_same_page_twice(tmp_path, capsys):
     main(("reference-results", str(SCENARIOS / "wear_rig.yaml"), "--out", "first.html"))
     told = capsys.readouterr().out

@@ -39,6 +39,7 @@ def test_a_servo_on_the_duty_cycle(capsys):
     assert "is there already" in said(capsys, "size", WEAR_RIG, "--picture", "size.png", code=2)
 
 
+@pytest.mark.long
 def test_every_drive_in_one_table(capsys):
     text = said(capsys, "size", WEAR_RIG, "--all", "--set", "study.motors=[bldc-12n14p, ESM04X-101-302, GP-71M]")
     rows = {line.split("  ")[0]: line for line in text.splitlines()}

@@ -45,6 +45,7 @@ cell = st.one_of(
 tables = st.dictionaries(st.sampled_from("abcd"), st.tuples(cell, cell, cell), min_size=2)
 
 
+@pytest.mark.long
 @settings(max_examples=30, deadline=None)
 @given(tables)
 def test_every_total_is_the_weighted_points_of_the_drawn_values(table):
@@ -90,6 +91,7 @@ def test_the_counts_are_the_shared_ranks_of_the_totals(table):
             assert found.shares[:, place] == pytest.approx((ranks == place + 1).mean(axis=0))
 
 
+@pytest.mark.long
 def test_a_tie_shares_the_ranks_that_it_covers():
     table = {"a": (Cell(value=5.0),) * 3, "b": (Cell(value=4.0),) * 3, "c": (Cell(value=4.0),) * 3}
     found = rank_acceptability(matrix_of(table), uncertainty=Uncertainty(scores=0, weights=0.25), draws=100)
@@ -123,6 +125,7 @@ def test_cells_that_rest_on_one_fact_are_drawn_together():
     assert abs(np.corrcoef(apart)[0, 1]) < 0.5
 
 
+@pytest.mark.long
 def test_threads_change_nothing():
     matrix = matrix_of({"a": (Cell(low=1.0, high=3.0),) * 3, "b": (Cell(low=1.5, high=2.0),) * 3, "c": (Cell(),) * 3})
     draws = CHUNK + 1000

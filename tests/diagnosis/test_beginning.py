@@ -55,6 +55,7 @@ def test_the_reading_that_fits_is_taken(
     assert all(each in remark for each, remark in zip(said, start.remarks, strict=True))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("costs", "taken"), [((912.0, 491.0), 1), ((491.0, 912.0), 0)])
 def test_telegraph_noise_is_judged_at_the_level_that_fits(
     costs: tuple[float, float], taken: int, wear_rig: Scenario, record: Record, monkeypatch: pytest.MonkeyPatch

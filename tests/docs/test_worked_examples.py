@@ -89,6 +89,7 @@ def test_howto_describe_your_own_rig_prints_the_lines_of_the_shipped_scenario() 
     assert [line for line in printed if line.rstrip() not in stated] == []
 
 
+@pytest.mark.long
 def test_table_of_howto_diagnose_measured_motion_lacks_its_dry_friction(tmp_path: Path) -> None:
     """Beside the scenario and the sheet of the page a recording of 4.6 kg on a guide of 20 N, by its own equation."""
     page, rate = "howto-diagnose-measured-motion.md", 500.0

@@ -39,6 +39,7 @@ def test_a_notebook_is_committed_without_outputs(notebook):
     assert all(not cell.get("outputs") for cell in data["cells"])
 
 
+@pytest.mark.long
 def test_the_filter_notebook_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = run(NOTEBOOKS[2])

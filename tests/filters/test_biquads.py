@@ -21,6 +21,7 @@ def noise(samples, seed=0):
     return np.random.default_rng(seed).normal(size=samples)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("samples", [0, 1, 31, 32, 33, 1000, 10007])
 @pytest.mark.parametrize("sections", [NOTCHES, NOTCHES[:1], np.vstack([NOTCHES, LOW_PASS, NOTCHES, NOTCHES])])
 def test_the_cascade_is_scipys_to_the_last_bit(samples, sections):
@@ -37,6 +38,7 @@ def test_both_ways_is_sosfiltfilt_to_the_last_bit(sections):
     assert np.array_equal(zero_phase(values, sections), sosfiltfilt(sections, values))
 
 
+@pytest.mark.long
 def test_away_from_the_edges_quiet_ends_change_no_bit():
     values = 3.0 + noise(300_000)
     changed = np.flatnonzero(zero_phase_notched(values, NOTCHES) != sosfiltfilt(NOTCHES, values))
@@ -81,6 +83,7 @@ def test_causal_pieces_are_the_whole_to_the_last_bit():
     assert np.array_equal(np.concatenate(list(causal_pieces(pieces, NOTCHES))), sosfilt(NOTCHES, values))
 
 
+@pytest.mark.long
 def test_zero_phase_pieces_are_the_whole_but_for_the_stated_share():
     at = np.arange(600_000) / RATE
     values = 1.0 + 0.1 * noise(at.size) + sum(0.5 * np.cos(2 * pi * centre * at) for centre in CENTRES)

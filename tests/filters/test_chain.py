@@ -137,6 +137,7 @@ filters:
 """
 
 
+@pytest.mark.long
 def test_every_stage_can_be_written_keeps_a_constant_and_says_its_reach():
     chain = read_chains(parse_document(STAGES, Path("f.yaml")), kinematics=REPORT_MOTOR)["a"]
     speed = Channel(values=np.full(100_000, SPEED), quantity="motor_speed", unit="rad/s")

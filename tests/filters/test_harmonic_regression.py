@@ -87,6 +87,7 @@ def test_a_line_near_half_the_sample_rate_is_left_alone():
     assert not fitted_lines(values, 2 * pi * AT, [2400.0], block=10000).any()
 
 
+@pytest.mark.long
 def test_without_an_encoder_the_comb_finds_the_speed():
     # a set-point that is wrong by 0.8 % and a wander of 0.02 % (reference rig), with broadband load
     angle = np.cumsum(SPEED * 1.008 * (1 + 2e-4 * np.sin(2 * pi * 0.2 * AT))) / RATE

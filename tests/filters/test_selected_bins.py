@@ -16,6 +16,7 @@ def test_bins_are_those_of_the_whole_transform(size):
     assert bins_at(values, wanted) == pytest.approx(whole[wanted], abs=1e-15 * size * 3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", SIZES)
 def test_a_signal_of_some_bins_is_that_of_a_spectrum_with_nothing_else(size):
     rng = np.random.default_rng(size)

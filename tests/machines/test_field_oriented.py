@@ -36,6 +36,7 @@ def test_sinusoidal_machine_has_no_ripple_and_the_torque_demanded(speed):
     assert found.mean_torque == pytest.approx(0.5, rel=1e-6)
 
 
+@pytest.mark.long
 def test_emf_harmonics_give_the_sixth_order_of_their_difference_simulators_6_4():
     """Where the loop is fast enough to hold the currents sinusoidal; the rest is what the loop lets through."""
     found = ripple_orders(machine(e5=0.04, e7=0.015), control(), speed=1.0, torque=0.5)
@@ -45,6 +46,7 @@ def test_emf_harmonics_give_the_sixth_order_of_their_difference_simulators_6_4()
     assert abs(faster.depth(42) - 0.025) > 0.005
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("offset", [(0.05, 0.0), (0.0, 0.05), (0.05, -0.02)])
 def test_current_offset_gives_order_p_whatever_the_load_signatures_2_1(offset):
     """Two sensors a and b: the offset's space vector is 2/sqrt(3) sqrt(a^2 + a b + b^2), held against the rotor."""

@@ -36,6 +36,7 @@ def commutation_extremes(link_over_emf):
     return last_turn.min() / np.median(last_turn), last_turn.max() / np.median(last_turn)
 
 
+@pytest.mark.long
 def test_small_inductance_meets_the_closed_form_simulators_6_4():
     """On a sinusoidal EMF with currents that commutate in no time: 5.7143, 1.3986, 0.6192 % at 6, 12, 18."""
     found = ripple_orders(
@@ -56,6 +57,7 @@ def test_six_step_ripples_where_field_orientation_does_not():
     assert {line.order_motor % 42 for line in found.above(1e-3)} == {0}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("link_over_emf", [2.5, 3.0, 3.5])
 def test_torque_dips_by_the_closed_form_above_the_speed_where_the_link_is_4e_carlson_1992(link_over_emf):
     """(4E - U) / (U + 2E): what the resting pair loses until the leaving phase is empty."""
@@ -70,6 +72,7 @@ def test_no_net_dip_where_the_link_is_4e_carlson_1992():
     assert highest < 1.01
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("link_over_emf", [6.0, 8.0])
 def test_torque_spikes_below_the_speed_where_the_link_is_4e_carlson_1992(link_over_emf):
     """At most (U - 4E) / (3 (U - 2E)), where the link is fully applied until half the difference is back."""

@@ -126,6 +126,7 @@ def test_rate_and_pulse_follow_the_particle_size_as_the_reference_rig_states(
     assert made.decay == pytest.approx(0.004 * sqrt(millimetres / 0.5))
 
 
+@pytest.mark.long
 def test_as_many_hits_come_as_the_rate_says() -> None:
     """At 5 hits a second of 1 ms nearly every hit stands alone: upward jumps, counted over 2000 s within 3 sigma."""
     values = process(rate=5.0, decay=0.001, slow_rms=0.0).sample(4_000_000, 2000.0, np.random.default_rng(8))

@@ -224,6 +224,7 @@ EXPECTED: dict[str, tuple[Part, tuple[int, ...]]] = {
 }
 
 
+@pytest.mark.long
 @SPEEDS
 @pytest.mark.parametrize("name", sorted(EXPECTED))
 def test_lines_stand_at_the_handbook_s_orders(name: str, speed_rpm: float) -> None:
@@ -256,6 +257,7 @@ def test_dead_time_s_closed_form_is_what_the_phases_make_of_it(speed_rpm: float,
     assert abs(line_of(run, 42 * k) - expected) < 0.15 * k * abs(expected)
 
 
+@pytest.mark.long
 @SPEEDS
 @pytest.mark.parametrize("shares", [{5: 0.04, 7: 0.015}, {5: -0.01, 7: 0.03, 11: 0.01}])
 def test_back_emf_harmonics_are_what_the_phases_make_of_them(speed_rpm: float, shares: dict[int, float]) -> None:

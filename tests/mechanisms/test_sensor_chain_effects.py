@@ -148,6 +148,7 @@ def test_the_cutoff_of_one_sensor_leaves_another_alone() -> None:
     assert sensed(slow).changes_in("other") == (AmplifierCutoff(400.0),)
 
 
+@pytest.mark.long
 @SPEEDS
 def test_a_drift_is_the_same_at_any_speed(speed_rpm: float) -> None:
     time = np.arange(25_000) / 25_000

@@ -93,6 +93,7 @@ def both_levels(
     return lines(run.angle, run.shaft_torque, orders), lines(angle, made.torque(), orders)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("speed", [40.0, 66.0])
 @pytest.mark.parametrize("kind", ["six_step", "field_oriented"])
 def test_the_shaft_s_spectrum_is_the_same_line_by_line(kind: str, speed: float) -> None:
@@ -114,6 +115,7 @@ def test_the_shaft_s_spectrum_is_the_same_line_by_line(kind: str, speed: float) 
     assert (missed < 0.03).all(), missed
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("speed", [40.0, 66.0])
 def test_brushless_ripples_at_6p_and_the_servo_does_not_with_no_harmonic_put_in(speed: float) -> None:
     """The same phases with a sinusoidal back-EMF: six-step commutation makes 6p by itself, field orientation none."""

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import torquerig
 from torquerig.diagnosis.hypotheses import CLASSES
 
@@ -22,6 +24,7 @@ print(torquerig.__path__[0], *sorted(mechanisms.__all__))
 """
 
 
+@pytest.mark.long
 def test_every_module_imports_without_the_files_of_all_that_a_diagnosis_names(tmp_path: Path) -> None:
     copy = tmp_path / "torquerig"
     shutil.copytree(torquerig.__path__[0], copy, ignore=shutil.ignore_patterns("__pycache__"))

@@ -65,6 +65,7 @@ def test_sources_are_taken_in_their_order():
     assert "comb of lines" in best_motor_angle(recording(torque), LINES).origin
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("amplitude", [0.02, 0.2])
 def test_the_uncertainty_of_the_comb_is_of_the_right_size(amplitude):
     found = [best_motor_speed(recording(comb(amplitude, seed)), LINES) for seed in range(6)]

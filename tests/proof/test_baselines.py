@@ -102,6 +102,7 @@ def test_pysindys_stlsq_and_the_plain_one_agree(threshold):
     assert not stlsq(columns, 1e-3 * target, threshold=threshold).any()
 
 
+@pytest.mark.long
 def test_sparse_regression_finds_windage_on_a_ramp_and_nothing_where_nothing_is():
     speed = np.linspace(15.0, 150.0, TIME.size)
     bare = 1.0 + 0.02 * speed / 5 + noise(5)

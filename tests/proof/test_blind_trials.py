@@ -51,6 +51,7 @@ def test_cases_are_drawn_from_seed_and_place():
     assert [case.effects for case in draw_trials(3, 4, same_laws=True)] == [c.effects for c in draw_trials(3, 4)]
 
 
+@pytest.mark.long
 def test_answers_say_what_is_due():
     for case in draw_trials(8, 40):
         answer = answer_of(case)
@@ -109,6 +110,7 @@ def test_the_riddle_has_its_twelve_rigs():
     assert all(case.rig.speed_error == 0.0 for case in cases if not case.wanders)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["gear_mesh", "pwm_aliasing", "torsional_mode"])
 def test_each_rig_of_the_riddle_shows_280_hz_at_1000_rpm(kind):
     case = next(c for c in draw_riddle(3, duration=6.0) if c.effects[0].kind == kind and not c.wanders)
@@ -125,6 +127,7 @@ def test_each_rig_of_the_riddle_shows_280_hz_at_1000_rpm(kind):
     assert {"gear_mesh": (), "pwm_aliasing": ("mains_interference",)}[kind] == effect.also_right()
 
 
+@pytest.mark.long
 def test_recordings_can_be_made_in_several_processes(tmp_path):
     cases = draw_trials(6, 2, duration=1.0)
     make_trials(cases, tmp_path / "two", workers=2)

@@ -46,6 +46,7 @@ def recorded(run: Run, *effects):
     return record(run, RIG, SAME_LAWS, effects=effects, seed=[3]).torque
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", KINDS)
 def test_an_effect_changes_some_run_and_more_so_when_larger(kind):
     plan = setting(kind).plan
@@ -179,6 +180,7 @@ def test_a_gap_is_hidden_only_where_a_recording_shows_it():
     assert seen == [False, True, False, True, True]
 
 
+@pytest.mark.long
 def test_where_no_gap_shows_all_is_drawn_again():
     """Every run of the case that is drawn now for number 83 of seed 137 was one under which flanks stay closed."""
     case = dealt(137, 83)

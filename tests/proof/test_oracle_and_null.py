@@ -92,6 +92,7 @@ def test_only_what_could_have_been_named_counts():
     assert from_rows(as_rows(rigs[0])) == rigs[0]
 
 
+@pytest.mark.long
 def test_a_null_table_is_made_of_rigs_with_nothing_hidden(tmp_path):
     jobs = clean_jobs(5, 40, tmp_path)
     assert len(jobs) == 13
@@ -99,6 +100,7 @@ def test_a_null_table_is_made_of_rigs_with_nothing_hidden(tmp_path):
     assert len({job.gains for job in jobs}) == 13
 
 
+@pytest.mark.long
 def test_too_few_clean_rigs_make_no_table(tmp_path):
     told = CliRunner().invoke(null_table_made, ["--seed", "5", "--cases", "20", "--out", str(tmp_path / "clean")])
     assert told.exit_code != 0

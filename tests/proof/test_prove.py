@@ -129,6 +129,7 @@ def test_oracle_and_gains_are_asked_for_where_they_are_due(tmp_path):
     assert {job.name for job in opened_jobs(answers, tmp_path)} == {"clean", "both"}
 
 
+@pytest.mark.long
 def test_jobs_are_done_in_several_processes_and_progress_counts_them():
     seen = []
     run_jobs(str, list(range(5)), workers=2, progress=lambda done, total, name: seen.append((done, total, name)))
@@ -143,6 +144,7 @@ def threads_of_linear_algebra(_: int) -> str:
     return str({each["num_threads"] for each in threadpool_info() if each["user_api"] == "blas"})
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("workers", [1, 2])
 def test_linear_algebra_of_a_job_has_one_thread_even_in_libraries_that_it_loads_itself(workers, monkeypatch):
     monkeypatch.setenv("OMP_NUM_THREADS", "2")  # what a machine of two cores sets where nobody does

@@ -28,6 +28,7 @@ def _beside(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(VARIABLE, str(REAL))
 
 
+@pytest.mark.long
 @recorded
 def test_emps_friction_by_direction_is_named_and_its_ripple_left_unexplained() -> None:
     """Janot, Gautier & Brunot 2019: Fv 166.7 and 240.4 N s/m, Fc 20.1 and 20.6 N; nobody published the ripple."""
@@ -50,6 +51,7 @@ def test_emps_friction_by_direction_is_named_and_its_ripple_left_unexplained() -
     assert line.after < 0.8 * line.before
 
 
+@pytest.mark.long
 @recorded
 def test_laas_cogging_is_named_at_order_72_with_its_tolerance_orders() -> None:
     outcome = diagnosed("laas")
@@ -64,6 +66,7 @@ def test_laas_cogging_is_named_at_order_72_with_its_tolerance_orders() -> None:
     assert {18, 36} <= set(outcome.after.rig.part("cogging").amplitudes())
 
 
+@pytest.mark.long
 @recorded
 def test_brfd_presliding_and_play_predict_runs_that_their_numbers_never_saw() -> None:
     """Numbers as ``python -m proof.real brfd`` fitted them to the first run; here nothing but the zero is fitted."""

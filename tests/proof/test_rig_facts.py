@@ -108,6 +108,7 @@ def practice():
     return [pq.read_table(folder / f"run{i}.parquet").column("torque_V").to_numpy() for i in range(1, 5)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("same", [True, False])
 def test_clean_rigs_lie_around_the_clean_practice_rig(practice, same):
     """Means, scatter, floor and the shaft's line of six drawn rigs surround practice8's, run by run."""
@@ -138,6 +139,7 @@ def line_levels(volts, orders):
     return np.array([20 * np.log10(spectrum[np.abs(frequency * 0.06 / k - 1.0) < 0.011].max()) for k in orders])
 
 
+@pytest.mark.long
 def test_the_motors_lines_are_as_large_as_the_practice_rigs(practice):
     orders = (6, 7, 12, 18)
     drawn = []

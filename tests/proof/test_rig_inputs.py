@@ -17,6 +17,7 @@ LONG = Run(1000.0, Profile.STEADY, 5.0, duration=120.0)
 SAMPLES = 3_000_000  # 120 s: some 5800 hits
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("pulse", list(Pulse))
 @pytest.mark.parametrize("shape", [1.0, 3.0])
 def test_hits_have_the_mean_and_rms_of_campbells_theorem(pulse, shape):
@@ -52,6 +53,7 @@ def test_the_load_has_its_mean_and_never_pulls():
     assert course.min() >= 0.0
 
 
+@pytest.mark.long
 def test_profiles_go_as_the_contract_says():
     rng = np.random.default_rng(1)
     first = round(nominal.SETTLING * nominal.SAMPLE_RATE)
@@ -85,6 +87,7 @@ def test_the_encoder_counts_a_turn_and_goes_below_zero():
     assert count(np.array([0.0, 2.0 * np.pi * 1.00001, -0.0001])).tolist() == [0, 16384, -1]
 
 
+@pytest.mark.long
 def test_rigs_scatter_as_the_reference_says():
     rng = np.random.default_rng(9)
     rigs = [draw_true_rig(rng) for _ in range(800)]

@@ -1,6 +1,7 @@
 """The picture of a recording is drawn for sound and for faulty ones, the same bytes each time."""
 
 import numpy as np
+import pytest
 
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Channel, Recording
@@ -35,6 +36,7 @@ def test_panels_marks_and_axes() -> None:
     assert levels.get_ylabel() == "share of samples [%]"
 
 
+@pytest.mark.long
 def test_the_same_recording_gives_the_same_bytes() -> None:
     first, second = (svg(info_figure(recording_info(recording(noise(300_000))), main="torque_V")) for _ in range(2))
     assert first == second

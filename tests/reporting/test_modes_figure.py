@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from math import pi
 
+import pytest
+
 from torquerig.mechanisms import GearMesh, TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.reporting.figures.modes_figure import modes_figure
@@ -24,6 +26,7 @@ def twin(*effects: Part) -> Twin:
     return twin_of(Rig(parts, Run(speed=800 * pi / 30), measured="sensor"))
 
 
+@pytest.mark.long
 def test_modes_set_point_and_numbered_crossings_stand_in_the_campbell_diagram() -> None:
     made = twin(
         SpeedController(name="controller", kp=0.05, ki=0.5),

@@ -20,12 +20,14 @@ def written(runs, decided, answer, tmp_path_factory):
     return write_study_report(runs, decided, answer, folder)
 
 
+@pytest.mark.long
 def test_the_page_comes_first_and_nothing_else_is_left_beside(written):
     assert [path.name for path in written] == ["index.html", "combinations.csv", "shares.csv", "matrices.xlsx"]
     assert sorted(path.name for path in written[0].parent.iterdir()) == sorted(path.name for path in written)
     assert [path.name for path in written[0].parent.parent.iterdir()] == ["wear_rig"]
 
 
+@pytest.mark.long
 def test_the_same_study_gives_the_same_bytes(runs, decided, answer, written, tmp_path):
     again = write_study_report(runs, decided, answer, tmp_path / "elsewhere")
     assert [path.read_bytes() for path in again] == [path.read_bytes() for path in written]
@@ -119,12 +121,14 @@ def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
     assert not any("Gear mesh lines are absent" in one for one in limits(meshed))
 
 
+@pytest.mark.long
 def test_a_study_that_nothing_survives_has_a_page_too(runs, decided, answer):
     page = study_page(runs, decided, replace(answer, winner="", certainty=Certainty.NOBODY, facts=()))
     assert "<dd>no alternative meets the requirements</dd>" in page
     assert "No value is missing." in page
 
 
+@pytest.mark.long
 def test_markup_in_names_is_escaped(runs, decided, answer):
     change = Change(
         before="<b>x</b>", after="<b>x</b>", chain_before="none", chain_after="none", error_before=0.1,

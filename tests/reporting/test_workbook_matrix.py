@@ -73,6 +73,7 @@ def calculated(path, changes):
     return lambda cell: float(found[f"{book}KESSELRING'!{cell}"].value[0, 0])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("changes", "edit"),
     [
@@ -147,6 +148,7 @@ CASES = {
 }  # fmt: skip
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("change", "said"), CASES.values(), ids=CASES)
 def test_a_broken_sheet_is_one_sentence_with_its_cell(path, tmp_path, change, said):
     target = broken(path, tmp_path, change)

@@ -23,6 +23,7 @@ def wear_rig_with(motor: str, folder: Path) -> Document:
     return read_document(path)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", [0, 7])
 def test_each_set_of_counts_is_read_once(seed: int, tmp_path: Path) -> None:
     """A class of motors with 4 or 5 pole pairs and 9 or 12 slots: the one that was drawn, and three others."""

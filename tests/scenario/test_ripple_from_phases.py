@@ -35,6 +35,7 @@ def depths(made):
     return {wave.order / pairs: wave.amplitude for wave in waves}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_the_brushless_motor_ripples_at_6p_as_its_class_does_and_servos_hardly(seed):
     """5 to 25 % at 6p is what six-step motors have (Carlson et al. 1992), none of it stated in the scenario."""

@@ -51,6 +51,7 @@ def test_there_are_shipped_rigs() -> None:
     assert "wear_rig.yaml" in RIGS
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", RIGS)
 def test_every_shipped_rig_reads_back_as_itself(name: str, tmp_path: Path) -> None:
     made = read(shipped_scenarios() / name)

@@ -43,6 +43,7 @@ def chain(rig, name):
     return read_chains(shipped_scenarios() / "filters.yaml", kinematics=kinematics_of(rig), response=response)[name]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("occupancy", [5, 11, 15, 21])
 @pytest.mark.parametrize("encoder", [True, False])
 def test_the_default_line_chain_is_as_good_as_perfect_line_removal(occupancy, encoder):
@@ -54,6 +55,7 @@ def test_the_default_line_chain_is_as_good_as_perfect_line_removal(occupancy, en
     assert error <= truth_error(run, run)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("occupancy", [5, 21])
 def test_the_inverse_halves_what_perfect_line_removal_leaves(occupancy):
     rig, run, clean = runs(occupancy)
@@ -61,6 +63,7 @@ def test_the_inverse_halves_what_perfect_line_removal_leaves(occupancy):
     assert error < 0.5 * truth_error(clean, clean)
 
 
+@pytest.mark.long
 def test_a_model_with_springs_ten_per_cent_too_stiff_still_halves_it():
     rig, run, clean = runs(5)
     stiffer = replace(rig, parts=tuple(
@@ -78,6 +81,7 @@ def test_the_response_is_one_for_slow_load_and_rings_at_the_shafts_mode():
     assert 110 < peak < 145  # issue: the load rings the shaft near 130 Hz
 
 
+@pytest.mark.long
 def test_a_mesh_line_at_the_unknown_order_of_the_report_does_no_harm_although_no_teeth_are_known():
     # the 280 Hz of the report: order 84 of the output, named by no tooth count; without it in the chain 1.075 times
     settings = ("operating_point.load.occupancy=5 %",

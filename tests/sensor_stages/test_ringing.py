@@ -83,6 +83,7 @@ def test_energy_is_that_of_independent_ringings():
     assert np.sum(values**2) / RATE == pytest.approx(50 * 3.572 * one, rel=0.01)
 
 
+@pytest.mark.long
 def test_the_density_of_a_band_is_the_mean_of_its_density():
     """A band that a narrow mode stands in at its edge holds far more than the density at its middle says."""
     ring = Ringing(order=3.0, frequency=1000.0, damping=0.01, amplitude=0.3, load_zone=0.4)

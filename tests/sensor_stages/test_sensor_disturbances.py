@@ -109,6 +109,7 @@ def test_rounding_errs_by_half_a_step_and_by_step_over_root_12_rms():
     assert (made - source).std() == pytest.approx(0.05 / np.sqrt(12), rel=1e-3)
 
 
+@pytest.mark.long
 def test_dropouts_are_as_long_and_as_frequent_as_stated():
     """Of a Poisson process: lost share 1 - exp(-rate duration); 400 s at 2 1/s know it to 3.5 % (one sigma)."""
     made = volts(Dropout(duration=0.01, rate=2.0, level=9.0).apply(recording(np.ones(10_000_000))))

@@ -117,6 +117,7 @@ def assert_equal(batch: Sequence[Recording], singles: Sequence[Recording]) -> No
             assert np.abs(channel.values - expected).max() <= 1e-9 * np.abs(expected).max(), name
 
 
+@pytest.mark.long
 def test_all_terms_side_by_side_are_those_of_single_runs() -> None:
     """Forward, backward and creeping, in and out of contact, limited and free, each lane at its own time."""
     speeds = [40.0, -25.0, 3.0, 0.5, 12.0, 80.0, -4.0, 30.0, 6.0, 18.0]

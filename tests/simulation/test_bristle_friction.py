@@ -81,6 +81,7 @@ def test_at_steady_speed_it_is_the_stribeck_curve(speed: float) -> None:
     assert truth(made, "load_Nm") == pytest.approx(expected, rel=1e-6)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("amplitude", [5e-6, 4e-5], ids=["presliding", "through sliding"])
 def test_hysteresis_is_that_of_the_equation_solved_elsewhere(amplitude: float) -> None:
     """DOP853 on ``z' = w - s0 |w| z / g(w)`` under the same motion, to 1e-5 of the static torque."""

@@ -33,6 +33,7 @@ def _blocks(torque: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(means - means.mean())
 
 
+@pytest.mark.long
 def test_slow_torque_of_the_sensor_is_the_load_that_was_drawn(rig: Rig) -> None:
     """Of half a second the inertias behind the sensor take little, and its own zero nothing."""
     recording = simulate(rig, duration=_DURATION, seed=7, sample_rate=_RATE)

@@ -35,6 +35,7 @@ def made(x: Floats) -> Floats:
     return alone
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("reach", [1e-3, 1.0, 30.0, 1e4, 1e6])
 def test_sine_and_cosine_are_right_to_3e16(reach: float) -> None:
     x = np.random.default_rng(1).uniform(-reach, reach, 40_000)

@@ -121,6 +121,7 @@ def test_the_rig_has_every_term() -> None:
     assert kinds == {type(term) for term in TERMS}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(40))
 def test_kinetic_and_elastic_energy_change_by_what_goes_in_and_what_is_lost(seed: int) -> None:
     rng = np.random.default_rng(seed)

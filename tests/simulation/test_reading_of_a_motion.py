@@ -73,6 +73,7 @@ def test_the_reading_is_what_mass_and_friction_by_direction_ask_for(tmp_path: Pa
     assert reading[inner] == pytest.approx(expected[inner], abs=0.02)  # cubic between samples, of 23 N
 
 
+@pytest.mark.long
 def test_play_lets_the_actuator_travel_freely_after_each_reversal(tmp_path: Path) -> None:
     """Free travel, by which the force stays below a tenth, is the play and the springs' short way beside it."""
     made = rig(tmp_path, PLAY, "play: {kind: backlash, gear: link, gap: 8 mm}")

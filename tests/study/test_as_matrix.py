@@ -42,6 +42,7 @@ def case() -> MatrixCase:
     return as_matrix(small(), name="wear rig", seed=1)
 
 
+@pytest.mark.long
 def test_each_drive_that_is_left_stands_in_it_with_its_best_filter_and_the_present_one_as_datum() -> None:
     made = case()
     assert made.baseline == DATUM

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.document import read_document
@@ -15,6 +17,7 @@ CATALOG = load_catalog(shipped_folder())
 STUDY = open_study(read_document(shipped_scenarios() / "bldc_or_servo.yaml"), CATALOG)
 
 
+@pytest.mark.long
 def test_each_candidate_has_the_commutation_of_its_kind_and_the_brushless_one_the_deepest() -> None:
     """At 2.5:1 and 5:1, for two drawn copies: no servo reaches half of the brushless motor's 6p."""
     for seed in (1, 2):

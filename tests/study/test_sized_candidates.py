@@ -41,6 +41,7 @@ def test_the_cycle_of_the_scenario_is_what_is_sized(study):
     assert with_cycle(ramp) is ramp
 
 
+@pytest.mark.long
 def test_a_study_measures_what_its_criteria_ask_for(study):
     rows = {
         name: CriterionRow(

@@ -59,6 +59,7 @@ def drive(name: str) -> DriveResult:
     return next(one for one in small().drives if one.candidate.name == name)
 
 
+@pytest.mark.long
 def test_candidates_are_all_motors_on_all_gearboxes_and_an_alias_keeps_its_name() -> None:
     assert [one.candidate.name for one in small().drives] == [
         "bldc-12n14p 5:1", "bldc-12n14p 20:1", "HDS5C-102A 5:1", "HDS5C-102A 20:1", "GP-71M 5:1", "GP-71M 20:1",
@@ -145,6 +146,7 @@ def test_a_ratio_stated_in_the_rig_pins_the_gearbox() -> None:
     assert rig.run.speed_rpm == pytest.approx(2000)
 
 
+@pytest.mark.long
 def test_one_worker_and_two_give_the_same_numbers() -> None:
     one, two = tiny(), run_study(study_with(TINY), workers=2)
     for a, b in zip(one.drives, two.drives, strict=True):

@@ -44,6 +44,7 @@ def of(alternative: str, name: str) -> CellTrace:
     return traced_cell(*small(), alternative, name)
 
 
+@pytest.mark.long
 def test_every_cell_has_its_way_and_every_rating_comes_from_the_catalog_or_says_why_not() -> None:
     traced = traced_combinations(*small())
     cells = [cell for one in traced for cell in (*one.criteria, *one.requirements)]

@@ -60,6 +60,7 @@ def seen(rig: Rig, recording: Recording) -> Features:
     return features(run, [*lines, *tones], held=None)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", EFFECTS)
 def test_the_twin_of_a_rig_expects_what_that_rig_records(name: str, wear_rig: Scenario, record: Record) -> None:
     """Mean squares of residuals are about 1 for the true model: 80 bands scatter by 16 %, so 2 is beyond chance."""
@@ -74,6 +75,7 @@ def test_the_twin_of_a_rig_expects_what_that_rig_records(name: str, wear_rig: Sc
         assert np.abs(residuals.all()).max() < 6.0, rpm
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [name for name in EFFECTS if name != "none"])
 def test_the_twin_without_the_effect_does_not(name: str, wear_rig: Scenario, record: Record) -> None:
     effect = EFFECTS[name]

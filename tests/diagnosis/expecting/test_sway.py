@@ -71,6 +71,7 @@ def told(rig: Rig, seen: Features) -> dict[float, float]:
     return {at: float(size.mean()) for at, size in each if at in SIDES}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("slow", [0.03, 0.06, 0.12])
 def test_a_line_loses_what_the_slow_one_takes_from_its_phase(slow: float, wear_rig: Scenario) -> None:
     """Bessel's J0, from a twentieth to most of it; whole along an angle that was measured or followed within a turn."""

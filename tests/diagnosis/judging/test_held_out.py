@@ -43,6 +43,7 @@ def test_a_wide_guess_foretells_less(
     assert fit.after > fit.before == fit.nominal
 
 
+@pytest.mark.long
 def test_the_improvement_is_of_the_mean_squares(wear_rig: Scenario, held: tuple[Features, ...]) -> None:
     true = wear_rig.rig
     fit = held_out(true, loaded(true, by=1.5), true, held, seed=1)
@@ -51,6 +52,7 @@ def test_the_improvement_is_of_the_mean_squares(wear_rig: Scenario, held: tuple[
     assert fit.improvement[1] < fit.improvement[0] < fit.improvement[2]
 
 
+@pytest.mark.long
 def test_a_run_of_a_load_that_no_fit_has_seen_is_judged_by_its_values_alone(
     wear_rig: Scenario, held: tuple[Features, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:

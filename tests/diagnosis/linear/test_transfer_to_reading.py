@@ -47,6 +47,7 @@ def test_between_the_points_of_the_grid_a_resonance_is_kept(wear_rig: Scenario) 
     assert fine[response.argmax()] == pytest.approx(fine[exact.argmax()], rel=0.01)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("damping", [0.002, 0.01])
 def test_a_sharp_mode_keeps_its_height_and_its_power(damping: float, wear_rig: Scenario) -> None:
     """Peak within 3 % of the state equations', and the mean power of a band 8 to the octave within 3 %."""

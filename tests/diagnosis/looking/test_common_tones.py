@@ -62,6 +62,7 @@ def test_its_lines_are_then_tones_and_no_orders(led: tuple[Observed, ...], wear_
     assert [place.at for place in places] == pytest.approx([NEAR * k for k in HARMONICS], abs=2e-3)
 
 
+@pytest.mark.long
 def test_a_comb_that_stands_on_a_whole_order_is_left_open(plain: list[Recording], wear_rig: Scenario) -> None:
     recordings = hummed(plain, ON)
     runs = followed(recordings, recordings, wear_rig.rig)

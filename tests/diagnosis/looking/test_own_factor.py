@@ -24,6 +24,7 @@ def asked_less(recording: Recording, factor: float) -> Recording:
     return replace(recording, run=replace(recording.run, speed=speed / factor))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("profile", ["ramp", "reversal"])
 @pytest.mark.parametrize("own", [1.0, 1.005, 0.987])
 def test_a_moving_run_has_its_own_error(

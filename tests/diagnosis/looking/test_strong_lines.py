@@ -66,6 +66,7 @@ def test_a_hum_beside_an_order_does_not_swing_the_angle(wear_rig: Scenario, reco
     assert swing(opening._less(blind, [TONE])) < 0.5 * swing(blind)
 
 
+@pytest.mark.long
 def test_at_one_speed_an_order_counts_where_the_wander_tells_it(
     wear_rig: Scenario, record: Callable[..., Recording]
 ) -> None:

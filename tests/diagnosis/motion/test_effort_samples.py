@@ -34,6 +34,7 @@ def named(outcome: MotionOutcome) -> list[str]:
     return [finding.mechanism for finding in outcome.diagnosis.findings]
 
 
+@pytest.mark.long
 def test_a_reading_that_stops_is_named_and_the_friction_beside_it_found() -> None:
     outcome = diagnosed(carriage(lambda force: np.clip(force, -25.0, 25.0), friction=12.0))
     assert outcome.diagnosis.verdict == "missing_physics"
@@ -44,6 +45,7 @@ def test_a_reading_that_stops_is_named_and_the_friction_beside_it_found() -> Non
     assert outcome.completed.part("clipping").limit == pytest.approx(25.0)  # type: ignore[attr-defined]
 
 
+@pytest.mark.long
 def test_a_drive_that_gives_no_more_than_its_limit_clips_nothing() -> None:
     """The motion is what a force that stops at 30 N makes of the mass: the model takes just that."""
     fine = np.arange(FINE * moved_rigs.COUNT) / moved_rigs.RATE / FINE
@@ -67,6 +69,7 @@ def test_a_reading_that_hardly_leaves_its_limit_is_refused_with_a_sentence() -> 
         diagnosed(carriage(lambda force: np.clip(force, -0.3, 0.3)))
 
 
+@pytest.mark.long
 def test_moments_without_signal_are_named_and_left_out() -> None:
     lost = [(700, 712), (1500, 1512), (2900, 2912), (4100, 4112)]
 
@@ -87,6 +90,7 @@ def test_moments_without_signal_are_named_and_left_out() -> None:
     assert any("excluded from fits" in remark for remark in outcome.diagnosis.remarks)
 
 
+@pytest.mark.long
 def test_codes_that_make_most_of_the_noise_are_named_and_fine_ones_are_not() -> None:
     outcome = diagnosed(carriage(lambda force: 5.0 * np.round(force / 5.0)))
     assert named(outcome) == ["quantization"]
@@ -94,6 +98,7 @@ def test_codes_that_make_most_of_the_noise_are_named_and_fine_ones_are_not() -> 
     assert named(diagnosed(carriage(lambda force: 0.5 * np.round(force / 0.5)))) == []
 
 
+@pytest.mark.long
 def test_hum_has_a_phase_of_its_own_in_every_run() -> None:
     time = np.arange(moved_rigs.COUNT) / moved_rigs.RATE * 0.1  # as if at 4 kHz: 50 Hz lies in the compared band
     runs = []

@@ -48,6 +48,7 @@ def swung() -> Recording:
     return Recording(sample_rate=RATE, channels=channels, name="swing.csv")
 
 
+@pytest.mark.long
 def test_a_peak_on_stated_friction_is_named_with_the_whole_friction(swung: Recording, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(swung, FLAT)
     (finding,) = outcome.diagnosis.findings

@@ -28,6 +28,7 @@ def said(outcome: MotionOutcome) -> str:
     return told
 
 
+@pytest.mark.long
 def test_an_effort_that_comes_late_is_told_with_its_delay(carriage: Carriage, diagnosed: Diagnosed) -> None:
     made = carriage(lambda time, position, speed: 0 * time)
     late = made.with_values("force_N", np.roll(made.channels["force_N"].values, 8))  # 20 ms at 400 Hz
@@ -36,6 +37,7 @@ def test_an_effort_that_comes_late_is_told_with_its_delay(carriage: Carriage, di
     assert float(told.split("force is ")[1].split(" ms")[0]) == pytest.approx(20.0, rel=0.15)
 
 
+@pytest.mark.long
 def test_friction_that_falls_as_a_guide_warms_up_is_told_by_its_course(
     carriage: Carriage, diagnosed: Diagnosed
 ) -> None:
@@ -44,11 +46,13 @@ def test_friction_that_falls_as_a_guide_warms_up_is_told_by_its_course(
     assert "dry friction that varies over the runs" in told
 
 
+@pytest.mark.long
 def test_a_spring_to_the_frame_is_no_friction_that_never_slides(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 300.0 * position))
     assert outcome.diagnosis.findings == ()
 
 
+@pytest.mark.long
 def test_a_zero_that_settles_is_a_drift(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 10.0 * (1 - np.exp(-time / 3.0))))
     (finding,) = outcome.diagnosis.findings

@@ -81,6 +81,7 @@ def test_friction_by_direction_is_named_with_its_numbers(diagnosed: Diagnosed, c
     assert (outcome.left, outcome.diagnosis.mismatch) == ((), outcome.missed)
 
 
+@pytest.mark.long
 def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(
     monkeypatch: pytest.MonkeyPatch, diagnosed: Diagnosed, carriage: Carriage
 ) -> None:
@@ -93,6 +94,7 @@ def test_without_its_mechanism_friction_is_unexplained_and_gets_no_other_name(
     assert outcome.diagnosis.set_aside["quadratic_drag"].startswith("tested: its gain is ")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("extra", "domain", "axis", "at"), [(ripple, "order", "cycles/m", 150.0), (hum, "frequency", "Hz", 23.0)]
 )
@@ -109,6 +111,7 @@ def test_a_line_of_no_known_cause_is_located_and_left_without_a_name(
     assert first.after < 0.7 * first.before  # 0.71 N of the line beside 0.22 N of noise in the compared band
 
 
+@pytest.mark.long
 def test_cogging_of_a_turned_motor_is_named_by_its_native_order(diagnosed: Diagnosed) -> None:
     """12 slots, 14 poles: order 84 and, of unequal magnets, 12."""
     time = np.arange(6000) / 100.0
@@ -127,6 +130,7 @@ def test_cogging_of_a_turned_motor_is_named_by_its_native_order(diagnosed: Diagn
     assert outcome.diagnosis.verdict == "missing_physics"
 
 
+@pytest.mark.long
 def test_the_command_writes_a_model_that_simulates_to_the_figures_after(
     tmp_path: Path, carriage: Carriage, stated: str
 ) -> None:

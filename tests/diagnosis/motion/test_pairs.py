@@ -63,6 +63,7 @@ def weight(angle: Floats, speed: Floats) -> Floats:
     return dry(angle, speed) + 0.012 * np.cos(angle + 0.5)
 
 
+@pytest.mark.long
 def test_cogging_and_friction_that_are_missing_together_are_both_named(diagnosed: Diagnosed) -> None:
     outcome = diagnosed(turned(both), MOTOR)
     found = {one.mechanism: one.parameters for one in outcome.diagnosis.findings}
@@ -77,6 +78,7 @@ def test_cogging_and_friction_that_are_missing_together_are_both_named(diagnosed
     assert outcome.diagnosis.fit.after < 0.1 * outcome.diagnosis.fit.before
 
 
+@pytest.mark.long
 def test_a_weight_beside_friction_makes_no_pair(diagnosed: Diagnosed) -> None:
     """Of order 1, which neither slots nor poles allow: friction may be named, cogging never, and a rest stays."""
     outcome = diagnosed(turned(weight), MOTOR)
@@ -93,6 +95,7 @@ def test_over_what_speed_a_stated_friction_changes_sign_is_no_missing_physics(di
     assert [knob.name for knob in knobs_of_the_sign(outcome.nominal, ())] == ["bearings.smoothing"]
 
 
+@pytest.mark.long
 def test_a_wave_is_told_by_samples_that_go_round_it_and_by_no_others(diagnosed: Diagnosed) -> None:
     """Backwards over a fiftieth of a cycle, a wave of any size would fit with its mean to match."""
     outcome = diagnosed(turned(both), MOTOR)

@@ -39,6 +39,7 @@ def turned(hum: Callable[[Floats], Floats]) -> Recording:
     return Recording(sample_rate=RATE, channels=channels, name="turn.csv")
 
 
+@pytest.mark.long
 def test_a_spring_to_the_frame_is_told_by_its_place(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 60.0 * np.maximum(position - 0.04, 0.0)))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
@@ -47,6 +48,7 @@ def test_a_spring_to_the_frame_is_told_by_its_place(carriage: Carriage, diagnose
     assert there.at > 0.06  # of a stroke from -0.12 to 0.12 m
 
 
+@pytest.mark.long
 def test_a_load_that_steps_is_told_by_its_moment_and_is_no_drift(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 8.0 * (time > 7.0)))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
@@ -54,12 +56,14 @@ def test_a_load_that_steps_is_told_by_its_moment_and_is_no_drift(carriage: Carri
     assert step.at == pytest.approx(7.0, abs=step.width)
 
 
+@pytest.mark.long
 def test_viscous_friction_that_the_scenario_lacks_is_no_dry_friction(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 60.0 * speed))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
     assert "speed" in {one.domain for one in outcome.diagnosis.mismatch}
 
 
+@pytest.mark.long
 def test_friction_that_holds_more_than_it_slides_is_told_with_its_peak(
     carriage: Carriage, diagnosed: Diagnosed
 ) -> None:
@@ -73,12 +77,14 @@ def test_friction_that_holds_more_than_it_slides_is_told_with_its_peak(
     assert told["stribeck_rad_s"] == pytest.approx(0.04, rel=0.25)
 
 
+@pytest.mark.long
 def test_motion_one_way_tells_no_friction_of_the_other(diagnosed: Diagnosed) -> None:
     outcome = diagnosed(turned(lambda time: 0.03 + 0 * time), BROAD)
     for finding in outcome.diagnosis.findings:
         assert not [name for name in finding.parameters if name.endswith("backward")]
 
 
+@pytest.mark.long
 def test_hum_in_the_channel_is_named_and_is_no_mode(diagnosed: Diagnosed) -> None:
     """A branch could amplify the little that the angle moves at 50 Hz: it explains that line and nothing else."""
     outcome = diagnosed(turned(lambda time: 8e-3 * np.cos(2 * np.pi * 50.0 * time + 1.0)), BROAD)
@@ -88,6 +94,7 @@ def test_hum_in_the_channel_is_named_and_is_no_mode(diagnosed: Diagnosed) -> Non
     assert finding.parameters["amplitude_V"].value == pytest.approx(8e-3, rel=0.05)
 
 
+@pytest.mark.long
 def test_a_rotor_whose_numbers_are_wrong_lacks_nothing(diagnosed: Diagnosed) -> None:
     outcome = diagnosed(turned(lambda time: 0 * time), BROAD.replace("1.0e-4 kg", "1.3e-4 kg"))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("adequate", ())

@@ -105,6 +105,7 @@ def test_knobs_turn_what_they_name(wear_rig: Scenario) -> None:
         assert changed == [knob.part]
 
 
+@pytest.mark.long
 def test_a_fit_stays_within_its_limits_and_pays_for_its_way(known_rig: Scenario, mesh_outcome: Outcome) -> None:
     case = mesh_outcome.before
     again = calibrated(case.nominal, case.seen, case.model.knobs)

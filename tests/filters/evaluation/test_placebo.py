@@ -83,6 +83,7 @@ def test_a_constant_torque_has_no_placebo():
     assert placebo(report_filter_code_chain(DRIVE), recording(np.ones(20000)), known=DRIVE.lines(20)) is None
 
 
+@pytest.mark.long
 def test_without_an_encoder_chain_and_placebo_share_the_angle_that_the_true_lines_give():
     time = np.arange(20 * int(RATE)) / RATE
     lines = tuple(line for line in DRIVE.lines(4) if line.family in ("motor", "electrical"))

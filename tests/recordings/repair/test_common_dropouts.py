@@ -28,6 +28,7 @@ def lost(recording: Recording, starts: tuple[float, ...]) -> Recording:
     return recording.with_values(recording.torque_name(), behind + noise)
 
 
+@pytest.mark.long
 def test_two_runs_tell_what_one_does_not(wear_rig: Scenario, record: Callable[..., Recording]) -> None:
     whole = [record(wear_rig.rig, seed, duration=6.0, occupancy=5.0) for seed in (3, 4)]
     spoilt = [

@@ -64,6 +64,7 @@ def test_a_moment_at_the_end_is_scaled_back_too(clean: Recording) -> None:
     assert np.std(volts_of(mended)[START:] - volts_of(clean)[START:]) < 1e-3 * np.std(volts_of(clean))
 
 
+@pytest.mark.long
 def test_it_is_told_and_placed(clean: Recording, wear_rig: Scenario) -> None:
     volts = volts_of(clean)
     volts[START:STOP] *= 0.5

@@ -24,6 +24,7 @@ def smooth() -> np.ndarray:
     return np.sin(2 * np.pi * 7.3 * time) + 0.01 * np.random.default_rng(5).standard_normal(time.size)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("every", [2.0, 5.0, 12.34, 55.08])
 def test_a_rhythm_is_told_whole_or_not(every: float, smooth: np.ndarray) -> None:
     at = (np.floor(np.arange(smooth.size) / every) * every).astype(int)

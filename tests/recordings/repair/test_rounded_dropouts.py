@@ -46,6 +46,7 @@ def test_what_could_mislead_is_no_loss(number: int) -> None:
     assert found_in(clean(number, duration=SHORT)) is None
 
 
+@pytest.mark.long
 def test_unit_and_sign_change_nothing() -> None:
     drawn = lossy(3, duration=SHORT)
     found = found_in(drawn)
@@ -77,6 +78,7 @@ def test_of_a_hundred_clean_ones_none_is_lost() -> None:
     assert [number for number in range(1000, 1100) if found_in(clean(number)) is not None] == []
 
 
+@pytest.mark.long
 def test_orders_and_filters_name_the_losses() -> None:
     drawn = lossy(3, duration=SHORT)
     channel = Channel(values=drawn.values, quantity="torque", unit=drawn.unit, si_per_unit=drawn.nm_per_unit)

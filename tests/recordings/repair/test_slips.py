@@ -64,6 +64,7 @@ def test_smaller_ones_are_known_by_the_larger(made: Callable[..., Recording]) ->
     assert slips([made(0.5, seed=1), idle]) == (None, None), "flanks strike so where there is no load"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", ["one way", "a few", "not in all", "none under load", "sides change", "a rhythm"])
 def test_what_is_none(case: str, made: Callable[..., Recording]) -> None:
     runs = {
