@@ -18,7 +18,8 @@
 ``delimited``           numbers in rows of text, with the line of a faulty one
 ``parquet``, ``csv``    read and written
 ``mat``, ``tdms``       read and written
-``text``, ``lvm``       read: the bare two-column table, the LabVIEW measurement text
+``text``                read: the bare two-column table
+``lvm``                 read: the LabVIEW measurement text, with ``lvm_text``, ``lvm_rows`` and ``lvm_times``
 ``wav``                 read: shares of full scale
 ======================= ===========================================================================
 """

@@ -2,118 +2,163 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.delimited import Dialect
+from torquerig.recordings.files.lvm_text import X_LABEL, Segment, aligned, segments_of
+from torquerig.recordings.files.lvm_times import TIME_UNITS, Sampling, sampling
 from torquerig.recordings.files.number_table import Table, distinct
-from torquerig.recordings.files.timebase import shortest_rate
 
-_END = "***End_of_Header***"
-
-
-@dataclass
-class _Segment:
-    """One call of LabVIEW's writer: tags of its header, labels of its columns, and its rows."""
-
-    tags: dict[str, list[str]]
-    labels: list[str] = field(default_factory=list)
-    rows: list[list[float]] = field(default_factory=list)
-
-    def tag(self, name: str, index: int) -> str:
-        cells = self.tags.get(name, [])
-        return cells[index] if index < len(cells) else ""
+Numbers = NDArray[np.float64]
 
 
 def read_lvm(path: Path) -> Table:
-    """Read all segments, one after the other; ``Delta_X`` gives the rate, else the column ``X_Value`` the time.
+    """Read all segments, one after the other; each channel has its own rate.
 
-    With several segments the time column is kept, so that a gap between them is detected.
+    ``Delta_X`` and the X values give the rate (see :func:`sampling`). The X values are kept as ``time_s`` where they
+    are uneven, where no rate is stated, and between segments, so that a gap is detected. X values that begin anew in
+    each segment are continued by the segments' Date and Time. Units are passed on as written.
 
     Raises
     ------
     RecordingError
-        With the line: no LVM header, a faulty row, segments of different channels.
+        With the line: no LVM header, a faulty row, segments that differ in channels, units or Delta_X.
 
     Source: National Instruments, "Specification for the LabVIEW Measurement File (.lvm)": tags Separator,
-    Decimal_Separator, X_Columns, Delta_X, Y_Unit_Label; special blocks are skipped.
+    Decimal_Separator, X_Columns, Delta_X, Samples, Y_Unit_Label, X_Unit_Label, X_Dimension; special blocks are skipped.
     """
-    lines = path.read_text(encoding="utf-8", errors="replace").removeprefix("\ufeff").splitlines()
-    if not lines or not lines[0].startswith("LabVIEW Measurement"):
-        raise RecordingError(f"{path}:1: the first line is not 'LabVIEW Measurement'; rename the file to .txt or .csv")
-    end = next((number for number, line in enumerate(lines) if line.startswith(_END)), None)
-    if end is None:
-        raise RecordingError(f"{path}: it has no {_END}; the file is incomplete, copy it again from its source")
-    separator = "," if any(line.lower().startswith("separator,comma") for line in lines[:end]) else "\t"
-    tags = {cells[0]: cells[1:] for cells in (line.split(separator) for line in lines[1:end])}
-    dialect = Dialect(separator, (tags.get("Decimal_Separator") or ["."])[0].strip() or ".")
-    segments = _segments(path, lines, end + 1, dialect)
-    return _table(path, segments, x_columns=(tags.get("X_Columns") or ["One"])[0].strip().lower())
-
-
-def _segments(path: Path, lines: list[str], start: int, dialect: Dialect) -> list[_Segment]:
-    segments: list[_Segment] = []
-    tags: dict[str, list[str]] = {}
-    special = in_header = False
-    for number, line in enumerate(lines[start:], start + 1):
-        cells = line.split(dialect.separator)
-        if line.startswith(("***Start_Special***", "***End_Special***")):
-            special = line.startswith("***Start")
-        elif special or not line.strip():
-            continue
-        elif line.startswith(_END):
-            segments.append(_Segment(tags))
-            tags, in_header = {}, False
-        elif cells[0] == "Channels" or in_header:
-            tags[cells[0]], in_header = [cell.strip() for cell in cells[1:]], True
-        elif cells[0] == "X_Value":
-            segments = segments or [_Segment({})]
-            segments[-1].labels = [cell.strip() for cell in cells]
-        elif segments and segments[-1].labels:
-            segments[-1].rows.append(_row(f"{path}:{number}", cells, segments[-1].labels, dialect))
-        else:
-            raise RecordingError(
-                f"{path}:{number}: a row of numbers comes before the line of labels that starts with X_Value; save the "
-                "file again"
-            )
-    return segments
-
-
-def _row(place: str, cells: list[str], labels: list[str], dialect: Dialect) -> list[float]:
-    width = len(labels) - (labels[-1] == "Comment")
-    if len(cells) < width:
-        raise RecordingError(
-            f"{place}: the row has {len(cells)} cells and the table {width} columns; complete or delete the row"
-        )
-    numbers = [dialect.number(cell.strip()) for cell in cells[:width]]
-    for label, cell, number in zip(labels, cells, numbers, strict=False):
-        if number is None:
-            raise RecordingError(f"{place}: {label}: {cell!r} is no number; correct the cell or delete the row")
-    return [number for number in numbers if number is not None]
-
-
-def _table(path: Path, segments: list[_Segment], *, x_columns: str) -> Table:
-    segments = [segment for segment in segments if segment.labels]
-    if not segments:
-        raise RecordingError(f"{path}: there is no line of labels that starts with X_Value; the file has no data")
+    segments = segments_of(path)
     first = segments[0]
-    if any(segment.labels != first.labels for segment in segments):
+    headers = [aligned(segment.tags, segment.labels) for segment in segments]
+    _refuse_different(path, segments, headers)
+    skipped: dict[str, str] = {"Comment": "remarks"} if any(segment.has_remarks for segment in segments) else {}
+    notes = [f"{len(segments)} segments are joined in the order of the file"] if len(segments) > 1 else []
+    offsets = _segment_starts(segments, headers)
+    signals = [index for index, label in enumerate(first.labels) if label != X_LABEL]
+    columns: dict[str, Numbers] = {}
+    rates, units, times = {}, {}, {}
+    for name, index in zip(distinct(first.labels[index] for index in signals), signals, strict=True):
+        header = {tag: cells.get(index, "") for tag, cells in headers[0].items()}
+        reason = _unreadable(segments, headers, index)
+        if reason:
+            skipped[name] = reason
+            continue
+        columns[name], x_values = _joined(segments, index, offsets)
+        found, x_values = _sampling(x_values, header, decimals=first.decimals, name=name)
+        notes += [found.note] if found.note else []
+        if found.rate > 0:
+            rates[name] = found.rate
+        if x_values is not None and (found.keep_times or found.rate == 0 or len(segments) > 1):
+            times[name] = x_values
+        if header.get("Y_Unit_Label"):
+            units[name] = header["Y_Unit_Label"]
+    columns, skipped = _with_times(columns, times, rates, skipped)
+    return Table(columns=columns, rates=rates, units=units, skipped=skipped, notes=tuple(dict.fromkeys(notes)))
+
+
+def _sampling(
+    x_values: Numbers | None, header: Mapping[str, str], *, decimals: int, name: str
+) -> tuple[Sampling, Numbers | None]:
+    """Return the sampling of a channel and its X values in seconds."""
+    unit = TIME_UNITS[header.get("X_Unit_Label", "").lower()]
+    times = None if x_values is None else x_values * unit
+    increment = _number(header.get("Delta_X", "")) * unit
+    # a digit of a minute or an hour is more than one of a second
+    printed = decimals - round(np.log10(unit))
+    return sampling(times, increment, decimals=printed, name=name), times
+
+
+def _refuse_different(path: Path, segments: list[Segment], headers: list[dict[str, dict[int, str]]]) -> None:
+    if any(segment.labels != segments[0].labels for segment in segments):
         raise RecordingError(f"{path}: its segments hold different channels; save each segment to a separate file")
-    width = len(first.labels) - (first.labels[-1] == "Comment")
-    rows = np.array([row for segment in segments for row in segment.rows], dtype=np.float64).reshape(-1, width)
-    step = 2 if x_columns == "multi" else 1
-    signals = [index for index in range(width) if (index % step if step == 2 else index > 0)]
-    names = distinct(first.labels[index] for index in signals)
-    columns = {name: rows[:, index].copy() for name, index in zip(names, signals, strict=True)}
-    increments = [_number(first.tag("Delta_X", order)) for order in range(len(names))]
-    rates = {name: shortest_rate(1 / dx, tolerance=1e-11) for name, dx in zip(names, increments, strict=True) if dx > 0}
-    if x_columns != "no" and (len(segments) > 1 or len(rates) < len(names)):
-        columns = {"time_s": rows[:, 0].copy(), **columns}
-    units = {name: unit for order, name in enumerate(names) if (unit := first.tag("Y_Unit_Label", order))}
-    return Table(columns=columns, rates=rates, units=units)
+    for tag in ("Delta_X", "Y_Unit_Label", "X_Unit_Label"):
+        # a segment without a header, or without samples of the channel, states nothing
+        stated = [header[tag] for header in headers if tag in header]
+        for index, label in enumerate(segments[0].labels):
+            found = list(dict.fromkeys(cells[index] for cells in stated if cells.get(index)))
+            if len(found) > 1:
+                raise RecordingError(
+                    f"{path}: {label}: its segments state different {tag} ({found[0]} and {found[1]}); save each "
+                    "segment to a separate file"
+                )
+
+
+def _unreadable(segments: list[Segment], headers: list[dict[str, dict[int, str]]], index: int) -> str:
+    """Return why a column is no recording over time, or nothing."""
+    first = {tag: cells.get(index, "") for tag, cells in headers[0].items()}
+    if first.get("X_Dimension", "").lower() not in ("", "time", "zeit"):
+        return f"its X dimension is {first['X_Dimension']}, not time"
+    if first.get("X_Unit_Label", "").lower() not in TIME_UNITS:
+        return f"its X unit {first['X_Unit_Label']!r} is no unit of time"
+    if all(bool(segment.blank[index].all()) for segment in segments):
+        return "it has no samples"
+    for segment, header in zip(segments, headers, strict=True):
+        counts = {column: int(cell) for column, cell in header.get("Samples", {}).items() if cell.isdigit()}
+        blank = _cut(segment.blank[index])
+        if blank.any() and counts.get(index, 0) < max(counts.values(), default=0):
+            return (
+                f"it has values in only {int(np.count_nonzero(~blank))} of {blank.size} rows; save it to its own file"
+            )
+    return ""
+
+
+def _joined(segments: list[Segment], index: int, offsets: list[float]) -> tuple[Numbers, Numbers | None]:
+    """Return the samples of a column and its X values, without the blank cells at the end of each segment."""
+    x_index = max(place for place in range(index) if segments[0].labels[place] == X_LABEL)
+    values, x_values = [], []
+    for segment, offset in zip(segments, offsets, strict=True):
+        count = _cut(segment.blank[index]).size
+        values.append(segment.columns[index][:count])
+        x_values.append(segment.columns[x_index][:count] + offset)
+    samples, x_joined = np.concatenate(values), np.concatenate(x_values)
+    without_x = all(bool(segment.blank[x_index].all()) for segment in segments)
+    return samples, None if without_x else x_joined
+
+
+def _cut(blank: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the mask without the blank cells at its end."""
+    filled = np.flatnonzero(~blank)
+    return blank[: filled[-1] + 1 if filled.size else 0]
+
+
+def _segment_starts(segments: list[Segment], headers: list[dict[str, dict[int, str]]]) -> list[float]:
+    """Return what is added to the X values of each segment [X units]: 0, unless they begin anew in each."""
+    starts = [float(segment.columns[0][0]) if segment.columns[0].size else np.nan for segment in segments]
+    moments = [_moment(header) for header in headers]
+    if len(segments) == 1 or len(set(starts)) > 1 or any(moment is None for moment in moments):
+        return [0.0] * len(segments)
+    return [(moment - moments[0]).total_seconds() for moment in moments if moment and moments[0]]
+
+
+def _moment(header: Mapping[str, dict[int, str]]) -> datetime | None:
+    date, time = (next(iter(header.get(tag, {}).values()), "") for tag in ("Date", "Time"))
+    whole, _, fraction = time.replace(",", ".").partition(".")
+    try:
+        return datetime.strptime(f"{date} {whole}.{(fraction or '0')[:6]}", "%Y/%m/%d %H:%M:%S.%f")
+    except ValueError:
+        return None
+
+
+def _with_times(
+    columns: dict[str, Numbers], times: dict[str, Numbers], rates: Mapping[str, float], skipped: dict[str, str]
+) -> tuple[dict[str, Numbers], dict[str, str]]:
+    """Return the columns after the times of the first; one with other uneven times is skipped."""
+    if not times:
+        return columns, skipped
+    kept = next(iter(times.values()))
+    for name, own in times.items():
+        if name not in rates and not np.array_equal(own, kept, equal_nan=True):
+            columns.pop(name)
+            skipped[name] = (
+                "its X values are uneven and differ from those of the first channel; save it to its own file"
+            )
+    return {"time_s": kept, **columns}, skipped
 
 
 def _number(cell: str) -> float:
