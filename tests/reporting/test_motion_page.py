@@ -31,6 +31,8 @@ from torquerig.reporting.diagnosis.motion_window_figure import motion_window_fig
 from torquerig.reporting.diagnosis.parameter_tables import added_parameters_table, fitted_parameters_table
 from torquerig.reporting.figures.picture import svg
 
+pytestmark = pytest.mark.long  # one whole diagnosis for the file
+
 
 def uneven(time: Floats, position: Floats, speed: Floats) -> Floats:
     """6 N of dry friction, viscous friction, and 1 N at 150 per m."""
@@ -151,7 +153,6 @@ def test_the_next_experiment_is_told_where_there_is_one(found: MotionOutcome) ->
     assert re.search(r"quadratic drag [^a-z]+ not distinguished by these recordings", text)
 
 
-@pytest.mark.long
 def test_the_same_outcome_gives_the_same_page(page: str, found: MotionOutcome) -> None:
     assert paged(found) == page
 
@@ -205,7 +206,6 @@ def test_the_speed_picture_shows_what_friction_adds(found: MotionOutcome) -> Non
     assert np.abs(curve(right, "with findings")[1]).max() < 0.2 * np.abs(curve(right, "calibrated model")[1]).max()
 
 
-@pytest.mark.long
 def test_lines_are_marked_at_their_place_and_in_turns_where_it_turns(turned: MotionOutcome) -> None:
     assert [one.mechanism for one in turned.diagnosis.findings] == ["cogging"]
     figure = motion_lines_figure(lines_compared(turned), scale=TURNING)
@@ -221,7 +221,6 @@ def test_lines_are_marked_at_their_place_and_in_turns_where_it_turns(turned: Mot
     assert "No figure over speed" in text
 
 
-@pytest.mark.long
 def test_nothing_missing_is_said_in_words_without_a_picture_of_places(fine: MotionOutcome) -> None:
     assert fine.diagnosis.verdict == "adequate"
     page = paged(fine)
@@ -236,7 +235,6 @@ def test_nothing_missing_is_said_in_words_without_a_picture_of_places(fine: Moti
     assert page.count("<img ") == 4
 
 
-@pytest.mark.long
 def test_places_without_a_share_are_told_and_not_drawn(found: MotionOutcome) -> None:
     bare = tuple(replace(one, share_of_misfit=0.0) for one in found.missed)
     page = paged(replace(found, missed=bare))
@@ -268,7 +266,6 @@ def test_no_picture_is_squeezed_by_a_run_that_stands_still_where_it_was_held_out
     assert all(svg(figure) for figure in figures)
 
 
-@pytest.mark.long
 def test_the_command_writes_the_page_and_nothing_else_on_standard_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, found: MotionOutcome, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -284,7 +281,6 @@ def test_the_command_writes_the_page_and_nothing_else_on_standard_error(
     assert str(tmp_path) not in page
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("friction", [0.0, 12.0])
 def test_what_the_samples_show_stands_on_the_page_without_rivals(friction: float) -> None:
     made = recorded(lambda time, position, speed: friction * np.tanh(speed / 1e-3))

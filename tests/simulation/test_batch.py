@@ -130,6 +130,7 @@ def test_all_terms_side_by_side_are_those_of_single_runs() -> None:
     assert sum(bool((torque == 0.0).any() and torque.any()) for torque in torques) > 3  # they rattle
 
 
+@pytest.mark.long
 def test_unlike_rigs_come_back_in_their_order() -> None:
     """Two shapes, one of them with two steps, in turns; the last is alone."""
     light = Body(name="pulley", after="load", inertia=1e-5)

@@ -24,6 +24,8 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.writing import scenario_text
 
+pytestmark = pytest.mark.long  # one whole diagnosis for the file
+
 ThreeRuns = Callable[..., list[Recording]]
 MESH = GearMesh(name="hidden", order_output=84.0, transmission_error=(6e-5, 1.5e-5))
 
@@ -55,7 +57,6 @@ def drawn_rig(scenario: Scenario, seed: int) -> Scenario:
 
 
 @pytest.mark.parametrize("seed", [11, 12])
-@pytest.mark.long
 def test_wrong_numbers_are_not_missing_physics(seed: int, wear_rig: Scenario, three_runs: ThreeRuns) -> None:
     """Every uncertain number of the rig is drawn; what is left after calibration is chance."""
     made = diagnose(wear_rig, three_runs(drawn_rig(wear_rig, seed).rig, seed)).diagnosis
@@ -66,7 +67,6 @@ def test_wrong_numbers_are_not_missing_physics(seed: int, wear_rig: Scenario, th
     assert made.fit.after == made.fit.before
 
 
-@pytest.mark.long
 def test_calibration_finds_a_wrong_number(known_rig: Scenario, three_runs: ThreeRuns) -> None:
     wear_part = known_rig.rig.part("wear_part")
     heavier = known_rig.rig.changed(replace(wear_part, inertia=1.2 * wear_part.inertia))  # type: ignore[attr-defined, call-arg]
@@ -77,7 +77,6 @@ def test_calibration_finds_a_wrong_number(known_rig: Scenario, three_runs: Three
     assert outcome.diagnosis.verdict == "adequate"
 
 
-@pytest.mark.long
 def test_each_feature_of_a_true_model_lies_about_one_spread_off(known_rig: Scenario, three_runs: ThreeRuns) -> None:
     outcome = diagnose(known_rig, three_runs(known_rig.rig, 8))
     misfits = outcome.before.model.misfits
@@ -105,7 +104,6 @@ def test_knobs_turn_what_they_name(wear_rig: Scenario) -> None:
         assert changed == [knob.part]
 
 
-@pytest.mark.long
 def test_a_fit_stays_within_its_limits_and_pays_for_its_way(known_rig: Scenario, mesh_outcome: Outcome) -> None:
     case = mesh_outcome.before
     again = calibrated(case.nominal, case.seen, case.model.knobs)
@@ -114,7 +112,6 @@ def test_a_fit_stays_within_its_limits_and_pays_for_its_way(known_rig: Scenario,
     assert again.cost <= still.cost
 
 
-@pytest.mark.long
 def test_the_same_input_and_seed_give_the_same_json(
     known_rig: Scenario, meshed: list[Recording], mesh_outcome: Outcome
 ) -> None:
@@ -156,7 +153,6 @@ def test_the_written_json_keeps_the_contract(mesh_outcome: Outcome, meshed: list
     assert data["recordings"][0]["speed_rpm"] == pytest.approx(1004.0, rel=1e-3)
 
 
-@pytest.mark.long
 def test_the_written_model_simulated_again_gives_the_figures_after(
     known_rig: Scenario, mesh_outcome: Outcome, tmp_path: Path
 ) -> None:
@@ -169,7 +165,6 @@ def test_the_written_model_simulated_again_gives_the_figures_after(
     assert again.after < 0.5 * again.before
 
 
-@pytest.mark.long
 def test_without_its_class_a_mesh_is_unexplained(
     known_rig: Scenario, meshed: list[Recording], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -180,7 +175,6 @@ def test_without_its_class_a_mesh_is_unexplained(
     assert any(place.axis == "output_shaft" and round(place.at) == 84 for place in made.mismatch)
 
 
-@pytest.mark.long
 def test_what_no_library_has_stays_unexplained_and_is_located(known_rig: Scenario, three_runs: ThreeRuns) -> None:
     """A whistle that sweeps from 300 to 900 Hz over each run: no order, no fixed frequency, no mode."""
     runs = []
@@ -199,7 +193,6 @@ def test_what_no_library_has_stays_unexplained_and_is_located(known_rig: Scenari
     assert sum("a line sweeps from" in remark for remark in made.remarks) == len(runs)
 
 
-@pytest.mark.long
 def test_a_second_effect_of_a_kind_is_found_beside_the_scenarios_own(
     known_rig: Scenario, three_runs: ThreeRuns
 ) -> None:
@@ -211,7 +204,6 @@ def test_a_second_effect_of_a_kind_is_found_beside_the_scenarios_own(
     assert made.findings[0].parameters["order_output"].value == pytest.approx(84.0)
 
 
-@pytest.mark.long
 def test_a_sheet_that_the_lines_of_the_torque_contradict_is_said_and_located(
     known_rig: Scenario, three_runs: ThreeRuns
 ) -> None:
@@ -225,7 +217,6 @@ def test_a_sheet_that_the_lines_of_the_torque_contradict_is_said_and_located(
     assert place.at == pytest.approx(1004.0, rel=1e-3)
 
 
-@pytest.mark.long
 def test_a_sheet_that_the_encoder_contradicts_is_said_and_located(known_rig: Scenario, three_runs: ThreeRuns) -> None:
     runs = three_runs(known_rig.rig, 8)
     wrong = replace(runs[0].run, speed=1.3 * (runs[0].run.speed or 0.0))
