@@ -16,29 +16,13 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import yaml
 
 from torquerig.errors import InputError, did_you_mean
+from torquerig.safe_yaml import LONGEST_TEXT, read_yaml
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 Model = TypeVar("Model")
 Renamed = Mapping[tuple[str, ...], str]
-
-
-class _Loader(getattr(yaml, "CSafeLoader", yaml.SafeLoader)):  # type: ignore[misc]
-    """The safe loader with the scalar rules of YAML 1.2."""
-
-    yaml_implicit_resolvers: dict[str, list[tuple[str, re.Pattern[str]]]] = {}  # noqa: RUF012 (PyYAML's own protocol)
-
-
-for _tag, _pattern, _first in (
-    ("bool", r"^(?:true|True|TRUE|false|False|FALSE)$", "tTfF"),
-    ("null", r"^(?:null|Null|NULL|~|)$", "nN~\0"),
-    ("int", r"^[-+]?(?:0|[1-9][0-9]*)$", "-+0123456789"),
-    ("float", r"^[-+]?(?:\.[0-9]+|(?:0|[1-9][0-9]*)(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?$", "-+0123456789."),
-):
-    _Loader.add_implicit_resolver(f"tag:yaml.org,2002:{_tag}", re.compile(_pattern), list(_first))
-# an empty scalar (``key:``) is null; PyYAML looks it up under the empty first character
-_Loader.add_implicit_resolver("tag:yaml.org,2002:null", re.compile(r"^$"), [""])
 
 
 @dataclass(frozen=True)
@@ -64,33 +48,26 @@ class Document:
 
 
 def read_document(path: Path) -> Document:
-    """Read one YAML file; InputError where it is missing, is no YAML, is empty, or has a duplicate key."""
+    """Read one YAML file; InputError where it is missing, no YAML, empty, or beyond the limits of ``safe_yaml``."""
     try:
-        text = path.read_text(encoding="utf-8")
+        with path.open("rb") as file:  # a device or pipe may have no end
+            content = file.read(LONGEST_TEXT + 1)
+        if len(content) > LONGEST_TEXT:
+            raise InputError(f"{path}: has more than {LONGEST_TEXT / 1e6:g} MB, too much for a YAML file; is it a "
+                             "recording or table?")  # fmt: skip
+        text = content.decode("utf-8")
     except FileNotFoundError:
         near = [sibling.name for sibling in path.parent.glob("*.y*ml")] if path.parent.is_dir() else []
         hint = did_you_mean(path.name, near) if near else "check the path"
         raise InputError(f"{path}: there is no such file; {hint}") from None
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read ({error}); it must be a UTF-8 text file") from None
     return parse_document(text, path)
 
 
 def parse_document(text: str, path: Path) -> Document:
     """Parse YAML text that came from ``path``; errors as in :func:`read_document`."""
-    try:
-        node = yaml.compose(text, Loader=_Loader)
-        if node is None:
-            raise InputError(f"{path}: the file is empty; copy a shipped one and change it")
-        _refuse_doubles(node, path)
-        data = yaml.load(text, Loader=_Loader)  # noqa: S506 (a subclass of the safe loader)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = f":{mark.line + 1}" if mark else ""
-        problem = " ".join(str(getattr(error, "problem", error)).split())
-        raise InputError(
-            f"{path}{line}: not YAML: {problem}; check the indentation and the colons of this line and the one above"
-        ) from None
+    data, node = read_yaml(text, path)
     return Document(path, data, node)
 
 
@@ -273,19 +250,3 @@ def _child(node: yaml.Node, key: str | int) -> tuple[int, yaml.Node] | None:
         item: yaml.Node = node.value[key]
         return item.start_mark.line, item
     return None
-
-
-def _refuse_doubles(node: yaml.Node, path: Path) -> None:
-    if isinstance(node, yaml.MappingNode):
-        seen: dict[str, int] = {}
-        for name, value in node.value:
-            line = name.start_mark.line + 1
-            if name.value in seen:
-                raise InputError(
-                    f"{path}:{line}: the key {name.value!r} is already in line {seen[name.value]}; keep one of them"
-                )
-            seen[name.value] = line
-            _refuse_doubles(value, path)
-    elif isinstance(node, yaml.SequenceNode):
-        for item in node.value:
-            _refuse_doubles(item, path)
