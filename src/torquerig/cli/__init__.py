@@ -13,6 +13,7 @@ from importlib import import_module
 import click
 
 from torquerig.errors import TorquerigError
+from torquerig.harmless import harmless
 from torquerig.version import __version__
 
 COMMANDS = {
@@ -80,8 +81,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -> None:
     """Run a command by this name; exit codes as in :func:`main`."""
+    from torquerig.cli.console import close_output, harmless_streams, system_sentence
+
     try:
-        command.main(args=None if arguments is None else list(arguments), prog_name=name, standalone_mode=False)
+        with harmless_streams():
+            command.main(args=None if arguments is None else list(arguments), prog_name=name, standalone_mode=False)
     except TorquerigError as error:
         _say(f"torquerig: {error}")
         sys.exit(2)
@@ -94,9 +98,13 @@ def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -
     except (KeyboardInterrupt, click.Abort):
         _say("torquerig: interrupted; no file is incomplete")
         sys.exit(130)
-    except BrokenPipeError:
-        sys.stderr.close()
-        sys.exit(0)
+    except OSError as error:
+        close_output()
+        _say(f"torquerig: {system_sentence(error)}")
+        sys.exit(2)
+    except MemoryError:
+        _say("torquerig: there is not enough memory for this; shorten the recording or run, or close other programs")
+        sys.exit(2)
 
 
 def _sentence(error: click.ClickException) -> str:
@@ -110,4 +118,4 @@ def _sentence(error: click.ClickException) -> str:
 
 
 def _say(text: str) -> None:
-    click.echo(text, err=True)
+    click.echo(harmless(text), err=True)

@@ -29,6 +29,7 @@ from torquerig.study.scoring import Decided, decide
 from torquerig.study.trace import check_traced, traced_cell
 from torquerig.study.verdict import Verdict, verdict
 from torquerig.study.what_if import Change, changes
+from torquerig.whole_file import refuse_unwritable
 
 
 @click.command("compare")
@@ -63,6 +64,7 @@ def command(
     folder = out or Path("reports") / scenario.stem
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder} is a file; name a folder for the report with --out")
+    refuse_unwritable(folder)
     check_traced(study, traced)
     for path in matrices:
         check_target(path, force=force)

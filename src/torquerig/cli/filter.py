@@ -83,7 +83,7 @@ def command(
     if judge:
         evaluate = True
         current_name("--judge", {"--judge": "--evaluate"}, what="option")
-    _check_targets(names, out, None if evaluate else picture, force=force)
+    _check_targets(recording, names, out, None if evaluate else picture, force=force)
     names = names or ("report_filter_code", "report_filter_text")
     panels = evaluation_pictures(recording, names, picture, force=force) if evaluate else {}
     stream = open_stream(recording)
@@ -167,11 +167,13 @@ def _print_effects(
     click.echo(f"speed for energy and lines: {first.speed_origin}")
 
 
-def _check_targets(names: tuple[str, ...], out: Path | None, picture: Path | None, *, force: bool) -> None:
+def _check_targets(
+    recording: Path, names: tuple[str, ...], out: Path | None, picture: Path | None, *, force: bool
+) -> None:
     if (out or picture) and len(names) != 1:
         raise InputError("--out and --picture need exactly one --chain")
     if out is not None:
-        check_target(out, overwrite=force)
+        check_target(out, overwrite=force, inputs=[recording])
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
 

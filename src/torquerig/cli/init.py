@@ -9,6 +9,7 @@ import click
 
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.errors import InputError
+from torquerig.whole_file import clear_leftovers, refuse_unwritable, remove, temporary_name
 
 
 @click.command("init")
@@ -19,7 +20,14 @@ def command(folder: Path) -> None:
     there = [str(folder / name) for name in sources if (folder / name).exists()]
     if there:
         raise InputError(f"{there[0]}: is there already and was not changed; choose another folder or move it")
+    refuse_unwritable(folder / "catalogs")
+    clear_leftovers(folder)
     for name, source in sources.items():
-        shutil.copytree(source, folder / name)
+        fresh = temporary_name(folder / name, "partial")
+        try:
+            shutil.copytree(source, fresh)
+            fresh.rename(folder / name)
+        finally:
+            remove(fresh)
     study = folder / "scenarios" / "wear_rig.yaml"
     click.echo(f"catalogs and scenarios are in {folder.resolve()}; now: torquerig compare {study}")

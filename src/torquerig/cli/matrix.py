@@ -10,6 +10,7 @@ import click
 
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError
+from torquerig.whole_file import refuse_unwritable
 
 if TYPE_CHECKING:
     from torquerig.decide.matrix_analysis import MatrixAnalysis
@@ -99,3 +100,4 @@ def check_target(path: Path, *, force: bool) -> None:
         raise InputError(f"{path}: is there already; choose another name, or overwrite it with --force")
     if not path.parent.is_dir():
         raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    refuse_unwritable(path)

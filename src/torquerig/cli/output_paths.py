@@ -7,6 +7,7 @@ from itertools import combinations
 from pathlib import Path
 
 from torquerig.errors import InputError
+from torquerig.whole_file import refuse_unwritable
 
 _MARK_WITHIN = 4096  # [byte] the mark of an earlier file must be in these first bytes
 
@@ -34,6 +35,7 @@ def check_output_paths(targets: Iterable[tuple[Path, str]], *, inputs: Iterable[
             raise InputError(f"{path}: is one of the inputs; choose another name to write to")
         if path.is_file() and not _replaceable(path, mark):
             raise InputError(f"{path}: is there already and no diagnosis; choose another name, or delete it")
+        refuse_unwritable(path)
 
 
 def _replaceable(path: Path, mark: str) -> bool:

@@ -6,6 +6,9 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from torquerig.cli.console import terminal
+from torquerig.harmless import harmless
+
 
 @contextmanager
 def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
@@ -20,32 +23,35 @@ def drive_progress(title: str) -> Iterator[Callable[[int, int, str], None]]:
         TimeRemainingColumn,
     )
 
-    console = Console(file=sys.stderr)
+    console = Console(file=terminal(sys.stderr))
     if not console.is_terminal:
         yield (
             lambda done, total, name: (
-                console.print(f"{title}: {done}/{total} {name}") if _is_shown(done, total) else None
+                console.print(f"{title}: {done}/{total} {harmless(name)}", markup=False)
+                if _is_shown(done, total)
+                else None
             )
         )
         return
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
-               TimeRemainingColumn(), TextColumn("{task.fields[name]}"))  # fmt: skip
+               TimeRemainingColumn(), TextColumn("{task.fields[name]}", markup=False))  # fmt: skip
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(title, total=None, name="")
-        yield lambda done, total, name: bar.update(task, completed=done, total=total, name=name)
+        yield lambda done, total, name: bar.update(task, completed=done, total=total, name=harmless(name))
 
 
 @contextmanager
 def stages(title: str) -> Iterator[Callable[[str], None]]:
     """Yield a function that shows the present stage of a command on a terminal; elsewhere it prints nothing."""
     from rich.console import Console
+    from rich.markup import escape
 
-    console = Console(file=sys.stderr)
+    console = Console(file=terminal(sys.stderr))
     if not console.is_terminal:
         yield lambda stage: None
         return
     with console.status(title) as status:
-        yield lambda stage: status.update(f"{title}: {stage}")
+        yield lambda stage: status.update(f"{title}: {escape(harmless(stage))}")
 
 
 def _is_shown(done: int, total: int) -> bool:

@@ -12,6 +12,7 @@ from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
 from torquerig.document import read_document
 from torquerig.errors import InputError
+from torquerig.whole_file import refuse_unwritable
 
 if TYPE_CHECKING:
     from torquerig.study.reference_decision.decision import ReferenceDecision
@@ -81,3 +82,4 @@ def _check_target(path: Path, *, force: bool) -> None:
         raise InputError(f"{path}: is there already; choose another name, or overwrite it with --force")
     if not path.parent.is_dir():
         raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    refuse_unwritable(path)

@@ -12,7 +12,7 @@ from torquerig.cli.common_options import catalog_option, edited, set_option
 from torquerig.cli.progress import drive_progress
 from torquerig.errors import InputError
 from torquerig.plain_table import grid, wrapped
-from torquerig.whole_file import whole_file
+from torquerig.whole_file import refuse_unwritable, whole_file
 
 
 @click.command("reference-results")
@@ -35,6 +35,7 @@ def command(
         raise InputError(f"{out}: is there already; choose another name, or overwrite it with --force")
     if not out.resolve().parent.is_dir():
         raise InputError(f"{out}: there is no folder {out.parent}; make it first")
+    refuse_unwritable(out)
     path = scenario or shipped_scenarios() / "wear_rig.yaml"
     from torquerig.reporting.reference_report.results_page import reference_results_page
     from torquerig.study.reference_report.reasons import fit_sentences, mechanical_sentences, table_sentences

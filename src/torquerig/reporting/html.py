@@ -6,7 +6,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from torquerig.harmless import harmless
 from torquerig.version import __version__
+
+
+def _harmless(value: Any) -> Any:
+    """Return text of foreign files without acting control characters; text that is HTML already stays HTML."""
+    return type(value)(harmless(value)) if isinstance(value, str) else value
 
 
 def html(template: str, content: Mapping[str, Any], *, folder: Path | None = None) -> str:
@@ -19,6 +25,6 @@ def html(template: str, content: Mapping[str, Any], *, folder: Path | None = Non
     own = [] if folder is None else [FileSystemLoader(folder)]
     environment = Environment(
         loader=ChoiceLoader([*own, PackageLoader("torquerig.reporting")]), autoescape=True, undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
+        trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, finalize=_harmless,
     )  # fmt: skip
     return environment.get_template(template).render({"version": __version__, **content})

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
 from torquerig.errors import InputError
+from torquerig.harmless import csv_cell
 from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import write_csv
 from torquerig.recordings.files.mat import refuse_variable_names, write_mat
@@ -15,7 +16,7 @@ from torquerig.recordings.files.sidecar_text import sidecar_text
 from torquerig.recordings.files.tdms import write_tdms
 from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Recording
-from torquerig.whole_file import whole_file
+from torquerig.whole_file import refuse_unwritable, whole_files
 
 WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
     ".parquet": write_parquet,
@@ -60,16 +61,28 @@ def put_in_place(
     """
     check_target(path, overwrite=overwrite)
     sidecar = sidecar_path(path)
-    with whole_file(sidecar) as partial_sidecar, whole_file(path) as partial:
+    with whole_files([path, sidecar]) as (partial, partial_sidecar):
         write(partial)
         partial_sidecar.write_bytes(sidecar_text(recording).encode())
     return [path, sidecar]
 
 
-def check_target(path: Path, *, overwrite: bool = False) -> None:
-    """Raise the InputError that writing to ``path`` would raise; called before a long run."""
+def check_target(path: Path, *, overwrite: bool = False, inputs: Iterable[Path] = ()) -> None:
+    """Raise the InputError that writing to ``path`` would raise; called before a long run.
+
+    Parameters
+    ----------
+    inputs : iterable of Path
+        Recordings that are read; neither they nor their sidecars are ever replaced.
+    """
     _writer_of(path)
+    for read in inputs:
+        for target in (path, sidecar_path(path)):
+            for what, source in (("the input", read), (f"the sidecar of the input {read}", sidecar_path(read))):
+                if target.exists() and source.exists() and target.samefile(source):
+                    raise InputError(f"{target}: is {what}; choose another name to write to")
     _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+    refuse_unwritable(path)
 
 
 def _writer_of(path: Path) -> Callable[[Recording, Path], None]:
@@ -88,6 +101,9 @@ def refuse_names(recording: Recording, path: Path) -> None:
             raise InputError(f"{path}: {name!r} names the time or its rate, not a channel; rename the channel")
         if not name.strip() or not name.isprintable():
             raise InputError(f"{path}: {name!r} cannot name a channel; use letters, digits and _")
+        if path.suffix.lower() == ".csv" and name != csv_cell(name):
+            raise InputError(f"{path}: a spreadsheet would take the name {name!r} for a formula; write .parquet, or "
+                             f"rename the channel")  # fmt: skip
     if path.suffix.lower() == ".mat":
         refuse_variable_names(recording.channels, path)
 

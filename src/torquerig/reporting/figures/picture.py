@@ -13,7 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from torquerig.errors import InputError
-from torquerig.whole_file import whole_file
+from torquerig.whole_file import refuse_unwritable, whole_file
 
 STYLE: dict[Any, Any] = {
     "svg.hashsalt": "torquerig",  # ids of clip paths, otherwise new in each run
@@ -77,6 +77,7 @@ def check_picture(path: Path, *, overwrite: bool = False) -> None:
         raise InputError(f"{path}: is there already; choose another name, or overwrite it with --force")
     if not path.parent.is_dir():
         raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    refuse_unwritable(path)
 
 
 def svg(figure: Figure) -> bytes:

@@ -8,6 +8,7 @@ from io import StringIO
 from typing import TYPE_CHECKING
 
 from torquerig.filters.filter_effect import FilterEffect
+from torquerig.harmless import csv_cell
 from torquerig.metrics.figure import Figure
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.study.tables import decision_words
@@ -116,6 +117,6 @@ def _number(value: float | None) -> str:
 def _csv(rows: Sequence[Fields]) -> str:
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
-    writer.writerow([label for label, _ in rows[0]])
-    writer.writerows([text for _, text in row] for row in rows)
+    writer.writerow([csv_cell(label) for label, _ in rows[0]])
+    writer.writerows([csv_cell(text) for _, text in row] for row in rows)
     return buffer.getvalue()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,8 @@ def write_matrix_workbook(path: Path, worked: MatrixAnalysis) -> None:
     """
     import xlsxwriter
 
-    book = xlsxwriter.Workbook(str(path), {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
+    archive = BytesIO()  # the library leaves an open archive behind where the disk is full
+    book = xlsxwriter.Workbook(archive, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
     book.set_properties({"title": worked.case.matrix.name, "created": CREATED})
     looks = formats(book)
     made: dict[str, Any] = {
@@ -42,3 +44,4 @@ def write_matrix_workbook(path: Path, worked: MatrixAnalysis) -> None:
     write_ask(made["Ask"], looks, worked)
     write_findings(made["Lints"], looks, worked.findings)
     book.close()
+    path.write_bytes(archive.getvalue())

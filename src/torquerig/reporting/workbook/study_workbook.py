@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,8 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     """
     import xlsxwriter
 
-    book = xlsxwriter.Workbook(str(path), {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
+    archive = BytesIO()  # the library leaves an open archive behind where the disk is full
+    book = xlsxwriter.Workbook(archive, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
     book.set_properties({"title": "torquerig study", "created": CREATED})
     looks = formats(book)
     sheets.write_ranking(book.add_worksheet("Ranking"), looks, decided)
@@ -38,6 +40,7 @@ def write_workbook(path: Path, runs: StudyRuns, decided: Decided, verdict: Verdi
     write_trace(book.add_worksheet("Trace"), looks, traced)
     write_catalog_values(book.add_worksheet("Catalog"), looks, traced)
     book.close()
+    path.write_bytes(archive.getvalue())
 
 
 def formats(book: Any) -> dict[str, Any]:
