@@ -180,7 +180,7 @@ def test_utf_16_is_named(tmp_path: Path) -> None:
 def test_mat_without_vectors(tmp_path: Path) -> None:
     savemat(tmp_path / "run1.mat", {"kp": 3.0, "who": "me"})
     told = refusal(tmp_path / "run1.mat")
-    assert "there is no vector of two or more numbers among its variables (kp)" in told
+    assert "there is no vector of two or more numbers among its variables (kp: a single number; who: a text)" in told
 
 
 def test_mat_without_the_expected_variable(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@
 ``table_pieces``        the same, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
 ``delimited``           numbers in rows of text, with the line of a faulty one
 ``parquet``, ``csv``    read and written
-``mat``, ``tdms``       read and written
+``mat``, ``tdms``       read and written; ``matlab``: what a .mat file of each version holds
 ``text``                read: the bare two-column table
 ``lvm``                 read: the LabVIEW measurement text, with ``lvm_text``, ``lvm_rows`` and ``lvm_times``
 ``wav``                 read: shares of full scale

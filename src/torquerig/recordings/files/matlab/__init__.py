@@ -1,0 +1,11 @@
+"""What a MATLAB file holds: its variables as a tree, from each version of the format, and the channels in them.
+
+============== =====================================================================================
+``tree``       numbers, texts, structs, and variables that are not read, with the reason
+``version4``   the variables of a v4 file
+``version5``   the variables of a v5, v6 or v7 file; each size is checked before it is used
+``version73``  the variables of a v7.3 file (HDF5), without their numbers
+``leaves``     the numbers of the tree with their paths, labels and units
+``channels``   the channels: names, units, rates and times from variables and structs
+============== =====================================================================================
+"""
