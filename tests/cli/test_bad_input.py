@@ -18,7 +18,7 @@ SIDECAR = "sample_rate_Hz: 1000\nchannels: {torque_V: {quantity: torque, unit: V
 @pytest.fixture(autouse=True)
 def _in_a_folder_with_bad_recordings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    rows = {"nan": "0.1\nnan\n0.2\n", "none": "", "text": "0.1\nabc\n", "short": "0.1\n"}
+    rows = {"nan": "0.1\nnan\n0.2\n", "none": "", "text": "0.1\n0.2x\n0.3\n", "short": "0.1\n"}
     for name, text in rows.items():
         Path(f"{name}.csv").write_text(f"torque_V\n{text}")
         Path(f"{name}.yaml").write_text(SIDECAR)

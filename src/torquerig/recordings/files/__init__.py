@@ -15,10 +15,10 @@
 ``plain_names``         units taken out of the header cells, times in seconds
 ``number_table``        columns of numbers as a format's reader returns them
 ``table_pieces``        the same, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
-``delimited``           numbers in rows of text, with the line of a faulty one
+``text_tables``         text tables in the dialects of loggers, Excel and MATLAB
 ``parquet``, ``csv``    read and written
 ``mat``, ``tdms``       read and written; ``matlab``: what a .mat file of each version holds
-``text``                read: the bare two-column table
+``gz``, ``xlsx``        read: compressed text tables, Excel workbooks
 ``lvm``                 read: the LabVIEW measurement text, with ``lvm_text``, ``lvm_rows`` and ``lvm_times``
 ``wav``                 read: shares of full scale
 ======================= ===========================================================================

@@ -1,70 +1,112 @@
-"""CSV: a header and rows, separated by comma, semicolon or tab, with decimal point or comma."""
+"""CSV and other text tables: any separator, preamble, units and footer; see ``text_tables``."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.errors import RecordingError
-from torquerig.recordings.files.delimited import (
-    Text,
-    number_columns,
-    numbers,
-    parsed,
-    read_delimited,
-    read_head,
-    texts_of,
-)
-from torquerig.recordings.files.number_table import Table, distinct
+from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.table_pieces import Columns, TablePieces, pieces_of
+from torquerig.recordings.files.text_tables.source import TextSource, open_text
+from torquerig.recordings.files.text_tables.table import TextTable, open_table
+from torquerig.recordings.names.header import split_header
+from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Recording
 
-_UNNAMED = "(unnamed)"
+# bytes that are parsed at a time
+_STEP = 2**25
 
 
-def read_csv(path: Path) -> Table:
-    """Read a CSV file; without a header it must be the bare table of time and volts (or volts alone).
+def read_csv(path: Path, only: Collection[str] = ()) -> Table:
+    """Read a text table; without a line of names, one or two columns are volts, or time and volts.
+
+    Parameters
+    ----------
+    path : Path
+    only : collection of str
+        Columns of which alone the numbers are read, with the time; a faulty cell in another one does not matter.
+        All where it is empty.
 
     Raises
     ------
     RecordingError
-        With file and line: a faulty row, a cell that is not a number, three or more columns without a header.
+        With file and line: a faulty row, a cell that is not a number, numbers with two readings.
+
+    Source: the bare table, the reference report, Appendix A, lines 1-2 (``time``, ``volt``, 1 V = 1 N m).
     """
-    text = read_delimited(path)
-    return Table(columns=_named(numbers(text, _names(text))))
+    return table_of(open_text(path), only)
 
 
-def csv_pieces(path: Path, *, step: int = 2**25) -> TablePieces:
-    """Return a CSV file in pieces of ``step`` bytes; a smaller file is read at once.
+def table_of(source: TextSource, only: Collection[str] = ()) -> Table:
+    """Return the table of a text that is in a file, or in memory; as :func:`read_csv`."""
+    table = open_table(source, _STEP)
+    names = _among(table, only)
+    parts: dict[str, list[NDArray[np.float64]]] = {name: [] for name in names}
+    missing: Counter[str] = Counter()
+    comments, below = 0, []
+    for parsed, footer in table.pieces(names, _STEP):
+        for name, values in parsed.columns.items():
+            parts[name].append(values)
+        missing += parsed.missing
+        comments += parsed.comments
+        below += [footer.note()] if footer else []
+    notes = [*table.notes(), *below, table.missing_note(missing)]
+    notes += [f"{comments} comment line{'s' * (comments > 1)} between the rows"] if comments else []
+    return Table(
+        columns={name: np.concatenate(part) if len(part) > 1 else part[0] for name, part in parts.items()},
+        rates=_rates(table),
+        units=table.units(),
+        skipped=table.plan.skipped,
+        notes=tuple(note for note in notes if note),
+    )
 
-    The first piece determines separator, decimal sign and columns of words. The number of samples is known only at
-    the end.
+
+def csv_pieces(path: Path, *, step: int = _STEP) -> TablePieces:
+    """Return a text table in pieces of ``step`` bytes; a smaller file is read at once.
+
+    The first piece determines the layout. The number of samples is known only at the end.
     """
     if path.stat().st_size <= step:
         return pieces_of(read_csv(path), reason="")
-    head = read_head(path, step)
-    every = _names(head)
-    kept = [name for name in number_columns(head, every) if not name.startswith(_UNNAMED)]
+    return source_pieces(open_text(path), step=step)
+
+
+def source_pieces(source: TextSource, *, step: int = _STEP) -> TablePieces:
+    """Return the table of a text in pieces of about ``step`` bytes."""
+    table = open_table(source, step)
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
-        for text in texts_of(head, step):
-            columns = parsed(text, every, kept)
-            yield {name: columns[name] for name in names}
+        for parsed, _ in table.pieces(names, step):
+            yield parsed.columns
 
-    return TablePieces(names=tuple(kept), pieces=pieces)
+    return TablePieces(
+        names=table.plan.names,
+        pieces=pieces,
+        rates=_rates(table),
+        units=table.units(),
+        skipped=table.plan.skipped,
+        notes=table.notes(),
+    )
 
 
-def _names(text: Text) -> list[str]:
-    # a separator at the end of each row makes a column without a name, which is ignored
-    return distinct([name or _UNNAMED for name in text.names] or _bare_names(text))
+def _rates(table: TextTable) -> dict[str, float]:
+    rate = table.layout.rate
+    return {} if rate is None else dict.fromkeys(table.plan.numbers, rate)
 
 
-def _named(columns: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
-    return {name: values for name, values in columns.items() if not name.startswith(_UNNAMED)}
+def _among(table: TextTable, only: Collection[str]) -> tuple[str, ...]:
+    """Return the columns to read: all, or those in ``only`` (as written or without their unit) and the time."""
+    names = table.plan.names
+    chosen = [name for name in names if name in only or split_header(name)[0] in only]
+    if len(chosen) < len(only) or not only:
+        return names
+    time = time_column(names, table.units())
+    return tuple(name for name in names if name in chosen or (time is not None and name == time.name))
 
 
 def write_csv(recording: Recording, path: Path) -> None:
@@ -86,17 +128,6 @@ def append_csv(file: BinaryIO, columns: Mapping[str, NDArray[np.float64]], *, ti
 
     table = pa.table({"time_s": times, **columns})
     csv.write_csv(table, file, csv.WriteOptions(include_header=False))
-
-
-def _bare_names(text: Text) -> list[str]:
-    row = text.dialect.cells(text.body.partition(b"\n")[0].decode())
-    if len(row) > 2 or not text.body.strip():
-        problem = f"{len(row)} columns and no header" if text.body.strip() else "nothing in it"
-        raise RecordingError(
-            f"{text.path}:{text.first_line}: the table has {problem}; put a line with the names of the columns at the "
-            "top, for example time_s,torque_V,encoder_count"
-        )
-    return ["time_s", "torque_V"][-len(row) :]
 
 
 def _quoted(name: str) -> str:

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.delimited import Dialect
 from torquerig.recordings.files.lvm_text import X_LABEL, Segment, aligned, segments_of
 from torquerig.recordings.files.lvm_times import TIME_UNITS, Sampling, sampling
 from torquerig.recordings.files.number_table import Table, distinct
+from torquerig.recordings.files.text_tables.cells import Dialect
 
 Numbers = NDArray[np.float64]
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.delimited import Dialect
 from torquerig.recordings.files.number_table import distinct
+from torquerig.recordings.files.text_tables.cells import Dialect
 
 _REMARKS = "Comment"
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.delimited import Dialect
 from torquerig.recordings.files.lvm_rows import Rows, decoded
+from torquerig.recordings.files.text_tables.cells import Dialect
 
 END = b"***End_of_Header***"
 X_LABEL = "X_Value"

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from torquerig.errors import InputError, RecordingError, did_you_mean
 from torquerig.extensions import extensions
 from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import read_csv
+from torquerig.recordings.files.gz import TEXT_ENDINGS, read_gz
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import read_mat
 from torquerig.recordings.files.number_table import Table
@@ -16,20 +17,26 @@ from torquerig.recordings.files.parquet import read_parquet
 from torquerig.recordings.files.plain_names import with_plain_names
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
 from torquerig.recordings.files.tdms import read_tdms
-from torquerig.recordings.files.text import read_text
 from torquerig.recordings.files.timebase import sample_rate_of
 from torquerig.recordings.files.wav import read_wav
+from torquerig.recordings.files.xlsx import read_xlsx
 from torquerig.recordings.names.interpretation import interpret
 from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 
+TEXT_READERS: dict[str, Callable[[Path, Collection[str]], Table]] = {
+    **dict.fromkeys(TEXT_ENDINGS, read_csv),
+    ".gz": read_gz,
+    ".xlsx": read_xlsx,
+}
+"""Readers that can read some columns alone, so that a faulty cell in another column does not matter."""
+
 READERS: dict[str, Callable[[Path], Table]] = {
     ".parquet": read_parquet,
-    ".csv": read_csv,
-    ".tsv": read_csv,
-    ".txt": read_text,
-    ".dat": read_text,
+    **dict.fromkeys(TEXT_ENDINGS, read_csv),
+    ".gz": read_gz,
+    ".xlsx": read_xlsx,
     ".mat": read_mat,
     ".tdms": read_tdms,
     ".lvm": read_lvm,
@@ -58,10 +65,10 @@ def read_recording(path: Path) -> Recording:
     """
     path = Path(path)
     check_readable(path)
-    reader = readers()[path.suffix.lower()]
     described_in = sidecar_path(path)
     sidecar = read_sidecar(described_in) if described_in.is_file() else None
-    table = with_plain_names(reader(path), kept=sidecar.channels if sidecar else ())
+    kept = sidecar.channels if sidecar else ()
+    table = with_plain_names(_table(path, kept), kept=kept)
     entries = channel_entries(list(table.columns), table.units, sidecar, path)
     time = table.time_name()
     check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(entries)}, str(path))
@@ -85,6 +92,13 @@ def read_recording(path: Path) -> Recording:
             name=path.name,
         )
     )
+
+
+def _table(path: Path, only: Collection[str]) -> Table:
+    ending = path.suffix.lower()
+    if ending in TEXT_READERS:
+        return TEXT_READERS[ending](path, only)
+    return readers()[ending](path)
 
 
 def check_readable(path: Path) -> None:

@@ -51,7 +51,12 @@ class Sidecar:
 
 
 def sidecar_path(recording: Path) -> Path:
-    """Return the path of the sidecar of a recording's table file: the same name with the ending ``.yaml``."""
+    """Return the path of the sidecar of a recording's table file: the same name with the ending ``.yaml``.
+
+    That of ``run.csv.gz`` is ``run.yaml``.
+    """
+    if recording.suffix.lower() == ".gz" and recording.with_suffix("").suffix:
+        recording = recording.with_suffix("")
     return recording.with_suffix(".yaml")
 
 

@@ -14,6 +14,7 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.files.checks import check_counts
 from torquerig.recordings.files.csv import csv_pieces
 from torquerig.recordings.files.gaps import usual_rate
+from torquerig.recordings.files.gz import TEXT_ENDINGS, gz_pieces
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
@@ -34,10 +35,8 @@ def _lvm_pieces(path: Path) -> TablePieces:
 
 STREAMS: Mapping[str, Callable[[Path], TablePieces]] = {
     ".parquet": parquet_pieces,
-    ".csv": csv_pieces,
-    ".tsv": csv_pieces,
-    ".txt": csv_pieces,
-    ".dat": csv_pieces,
+    **dict.fromkeys(TEXT_ENDINGS, csv_pieces),
+    ".gz": gz_pieces,
     ".mat": mat_pieces,
     ".tdms": tdms_pieces,
     ".lvm": _lvm_pieces,
