@@ -57,7 +57,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "planets without sun": (("orders", "--planets", "3"), "--planets needs --sun and --ring"),
     "ring without sun": (("orders", "--ring", "84"), "--sun and --ring need each other"),
     "not a number": (("filter", "nan.csv", "--motor", "REF", "--ratio", "5"), "nan.csv: torque_V has 1 sample not a finite number, the first at sample 1"),
-    "no samples": (("info", "none.csv"), "none.csv: "),
+    "no samples": (("filter", "none.csv"), "none.csv: "),
     "text among numbers": (("info", "text.csv"), "text.csv:3"),
     "wrong columns": (("filter", "wrong.csv", "--motor", "REF", "--ratio", "5"), "wrong.csv: "),
     "a picture of another kind": (("info", "good.csv", "--picture", "x.gif"), "x.gif: a picture is written as .svg or .png"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from contextlib import suppress
 from dataclasses import replace
 from math import isfinite, pi
@@ -12,39 +13,76 @@ import numpy as np
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
-from torquerig.errors import TorquerigError, UnknownNameError
+from torquerig.cli.contents_shown import show_contents, show_reading
+from torquerig.cli.recordings_named import recordings_in
+from torquerig.errors import InputError, RecordingError, TorquerigError, UnknownNameError
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import open_stream
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.recordings.inspection.recording_info import RecordingInfo, stream_info
 from torquerig.recordings.recording import Recording
 
 
 @click.command("info")
-@click.argument("recording", type=click.Path(path_type=Path))
+@click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option("--json", "as_json", is_flag=True, help="Print all of it as JSON instead of text.")
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
-              help="Draw channels, spectrum and levels: .svg or .png.")  # fmt: skip
+              help="Draw channels, spectrum and levels of one recording: .svg or .png.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
-def command(*, recording: Path, picture: Path | None, force: bool) -> None:
-    """Show channels, rate, length, levels and speed of RECORDING, and its faults with sample numbers.
+def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None, force: bool) -> None:
+    """Show channels, rate, length, levels and speed of RECORDINGS, and their faults with sample numbers.
 
-    Faults are gaps in time, samples without a number, clipping, dropouts, spikes and constant stretches. A long
-    recording is read block by block.
+    A folder stands for all recordings in it. Of a file that cannot be used as it is, info shows what is in it and what
+    is missing; torquerig sheet drafts the sidecar. Faults are gaps in time, samples without a number, clipping,
+    dropouts, spikes and constant stretches. A long recording is read block by block.
+
+    Example: torquerig info run1.tdms
     """
+    paths = [path for one in recordings for path in recordings_in(one)]
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
 
+        if len(paths) > 1:
+            raise InputError(f"{picture}: one picture shows one recording, and {len(paths)} are named; name one")
         check_picture(picture, overwrite=force)
-    stream = open_stream(recording)
-    info = stream_info(stream)
-    click.echo(f"{recording}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s")
+    if as_json:
+        click.echo(json.dumps([file_contents(path).as_dict() for path in paths], indent=2, ensure_ascii=False))
+        return
+    failed = 0
+    for count, path in enumerate(paths):
+        if count:
+            click.echo()
+        try:
+            _show(path, picture, force=force)
+        except TorquerigError as error:
+            if len(paths) == 1:
+                raise
+            failed += 1
+            click.echo(f"{path}: cannot be read: {error}")
+    if failed:
+        raise RecordingError(f"{failed} of {len(paths)} files cannot be read; the reasons are above")
+
+
+def _show(path: Path, picture: Path | None, *, force: bool) -> None:
+    """Print one file; where it cannot be used as it is, its contents and what is missing."""
+    try:
+        stream = open_stream(path)
+        info = stream_info(stream)
+    except (InputError, RecordingError):
+        if picture is not None:
+            raise
+        show_contents(file_contents(path))
+        return
+    click.echo(f"{path}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s")
     rows = [["channel", "quantity", "unit", "minimum", "mean", "maximum", "std"]]
     for name, one in info.channels.items():
         figures = (f"{number:.6g}" for number in (one.minimum, one.mean, one.maximum, one.std))
         rows.append([name, one.quantity, one.unit, *figures])
     click.echo(grid(rows))
+    show_reading(stream.table.notes, stream.table.skipped, {name: one.missing for name, one in stream.entries.items()})
     speed, speed_text = _speed(stream)
     click.echo(wrapped(speed_text))
     if stream.table.read_whole:

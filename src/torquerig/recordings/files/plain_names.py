@@ -88,6 +88,6 @@ def _names(names: Iterable[str], units: Mapping[str, str], kept: Collection[str]
 
 def _plain(cell: str, name: str, unit: str | None, *, kept: Collection[str]) -> str:
     # torque_Nm is a name in one word and stays
-    if cell in kept or unit is None or cell.strip() == f"{name}_{unit.replace('/', '_')}":
+    if cell in kept:
         return cell
-    return name
+    return cell.strip() if unit is None or cell.strip() == f"{name}_{unit.replace('/', '_')}" else name

@@ -106,7 +106,7 @@ def open_stream(path: Path) -> RecordingStream:
     check_readable(path)
     described_in = sidecar_path(path)
     sidecar = read_sidecar(described_in) if described_in.is_file() else None
-    table = pieces_with_plain_names(_pieces(path), kept=sidecar.channels if sidecar else ())
+    table = pieces_with_plain_names(pieces_of_file(path), kept=sidecar.channels if sidecar else ())
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
     lengths = {name: table.lengths[name] for name in (*([time] if time else []), *entries) if name in table.lengths}
@@ -124,7 +124,7 @@ def open_stream(path: Path) -> RecordingStream:
     )
 
 
-def _pieces(path: Path) -> TablePieces:
+def pieces_of_file(path: Path) -> TablePieces:
     """Return the table of a file in pieces; a format that comes with another package is read whole."""
     ending = path.suffix.lower()
     if ending in STREAMS:

@@ -18,6 +18,7 @@ _BY_KIND = {
 }  # fmt: skip
 _OF_MOTOR = {"torque": "motor_torque", "speed": "motor_speed", "angle": "motor_angle"}
 _VOLTAGE_INPUT = re.compile(r"^(?:(?:Voltage|Spannung)(?:[_ ]\d+)?|(?:.*/)?ai\d+|AI ?\d+)$")
+_MEASURED = "what the voltage measures, with its scale"
 _OUTPUTS = ("voltage", "current", "count", "bare")  # what a sensor gives that is not scaled yet
 
 
@@ -87,12 +88,12 @@ def _without_unit(kept: str, name: str, by_words: str | None) -> Interpretation:
     if _VOLTAGE_INPUT.match(name):
         return Interpretation(
             name=kept, quantity="voltage", unit="V", si_per_unit=1.0, reason="the default name of a voltage input",
-            missing="what the voltage measures, with its scale",
+            missing=_MEASURED,
         )  # fmt: skip
     if by_words == "tacho":
         return Interpretation(name=kept, quantity="tacho", unit="1", si_per_unit=1.0, reason="its name")
     if by_words is not None:
-        reason = f"its name says {by_words.replace('_', ' ')}, and no unit is stated"
+        reason = f"its name says {_said(by_words)}, and no unit is stated"
         return Interpretation(name=kept, quantity=OTHER, unit="", si_per_unit=1.0, reason=reason,
                               missing=f"quantity: {by_words}, with its unit")  # fmt: skip
     return Interpretation(name=kept, quantity=OTHER, unit="", si_per_unit=1.0, reason="neither name nor unit is known",
@@ -100,31 +101,41 @@ def _without_unit(kept: str, name: str, by_words: str | None) -> Interpretation:
 
 
 def _with_unit(kept: str, written: str, by_words: str | None, words: list[str]) -> Interpretation:
-    found = {one.kind: one for one in unit_meanings(written)}
+    spelled = unit_meanings(written)
+    found = {one.kind: one for one in spelled if one.symbol != "degF"}  # whose zero is not that of K or degC
     if by_words == "tacho":
-        symbol = next(iter(found.values())).symbol if found else written
+        symbol = next((one.symbol for one in found.values()), written)
         return Interpretation(name=kept, quantity="tacho", unit=symbol, si_per_unit=1.0, reason="its name")
-    if by_words is not None:
-        for kind in KINDS[by_words]:
-            if kind in found and found[kind].symbol != "degF":
-                return _known(kept, by_words, found[kind], "its name and unit")
-    usable = [kind for kind in found if kind in _BY_KIND and found[kind].symbol != "degF"]
-    if len(usable) == 1 and len(found) == 1:
-        quantity = _BY_KIND[usable[0]]
-        if "motor" in words or (by_words or "").startswith("motor_"):
-            quantity = _OF_MOTOR.get(quantity, quantity)
-        meant = by_words or close_quantity(kept)
-        if meant in (None, quantity) or usable[0] not in _OUTPUTS:
-            return _known(kept, quantity, found[usable[0]], "its unit")
-        return _known(kept, quantity, found[usable[0]], "its unit", missing=_scale_missing(meant))
-    symbol = next(iter(found.values())).symbol if len(found) == 1 else written
+    agreed = next((found[kind] for kind in KINDS[by_words or OTHER] if kind in found), None)
+    if by_words is not None and agreed is not None:
+        return _known(kept, by_words, agreed, "its name and unit")
+    if len(found) == 1 and next(iter(found)) in _BY_KIND:
+        return _by_unit(kept, next(iter(found.values())), by_words, words)
+    symbol = spelled[0].symbol if len(spelled) == 1 else written
     if by_words is not None and any(kind in found for kind in _OUTPUTS):
-        return Interpretation(name=kept, quantity=OTHER, unit=symbol, si_per_unit=1.0,
-                              reason=f"its name says {by_words.replace('_', ' ')}, and its scale is not stated",
-                              missing=_scale_missing(by_words))  # fmt: skip
-    reason = f"its unit {written!r} is " + ("not that of a known quantity" if found else "not known")
-    return Interpretation(name=kept, quantity=OTHER, unit=symbol, si_per_unit=1.0, reason=reason,
-                          missing="its quantity, if it is to be used")  # fmt: skip
+        reason, missing = f"its name says {_said(by_words)}, and its scale is not stated", _scale_missing(by_words)
+    else:
+        reason = f"its unit {written!r} is " + ("not that of a known quantity" if spelled else "not known")
+        missing = "its quantity, if it is to be used"
+    return Interpretation(name=kept, quantity=OTHER, unit=symbol, si_per_unit=1.0, reason=reason, missing=missing)
+
+
+def _by_unit(kept: str, meaning: Meaning, by_words: str | None, words: list[str]) -> Interpretation:
+    """Return what a unit of one kind says; a sensor's output stays one, whatever its name says."""
+    quantity = _BY_KIND[meaning.kind]
+    if "motor" in words or (by_words or "").startswith("motor_"):
+        quantity = _OF_MOTOR.get(quantity, quantity)
+    missing = ""
+    if meaning.kind == "voltage" and _VOLTAGE_INPUT.match(kept):
+        missing = _MEASURED
+    elif meaning.kind in _OUTPUTS:
+        meant = by_words or close_quantity(kept)
+        missing = "" if meant in (None, quantity) else _scale_missing(meant)
+    return _known(kept, quantity, meaning, "its unit", missing=missing)
+
+
+def _said(quantity: str) -> str:
+    return quantity.replace("_", " ")
 
 
 def _known(name: str, quantity: str, meaning: Meaning, reason: str, *, missing: str = "") -> Interpretation:
@@ -135,4 +146,4 @@ def _known(name: str, quantity: str, meaning: Meaning, reason: str, *, missing: 
 
 def _scale_missing(quantity: str) -> str:
     scale = "counts_per_rev" if KINDS[quantity] == ("angle",) else "its SI value per unit"
-    return f"the scale, if it is the {quantity.replace('_', ' ')}: quantity: {quantity} and {scale}"
+    return f"the scale, if it is the {_said(quantity)}: quantity: {quantity} and {scale}"

@@ -1,0 +1,100 @@
+"""``torquerig info`` and ``torquerig sheet`` on files that do not say all that is needed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nptdms import ChannelObject, TdmsWriter
+
+from torquerig.cli import main
+from torquerig.recordings.files import read_recording
+
+
+@pytest.fixture
+def foreign(tmp_path: Path) -> Path:
+    """A logger's TDMS file: two voltage inputs without a scale, a torque, no rate."""
+    path = tmp_path / "run.tdms"
+    level = np.linspace(1.0, 2.0, 50)
+    with TdmsWriter(path) as file:
+        file.write_segment([
+            ChannelObject("log", "Dev1/ai0", level, {"unit_string": "Volts"}),
+            ChannelObject("log", "Drehmoment", 2 * level, {"unit_string": "N-m"}),
+            ChannelObject("log", "Weight", level, {"unit_string": "stone"}),
+        ])  # fmt: skip
+    return path
+
+
+def test_info_shows_every_column_of_a_file_that_cannot_be_used_yet(
+    foreign: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    main(("info", str(foreign)))
+    shown = capsys.readouterr().out
+    lines = {line.split()[0]: line.split()[1:3] for line in shown.splitlines() if line.split()}
+    assert lines["Dev1/ai0"] == ["voltage", "V"]
+    assert lines["Drehmoment"] == ["torque", "N*m"]
+    assert lines["Weight"] == ["other", "stone"]
+    assert "cannot be used yet" in shown
+    assert "sample rate is not stated" in " ".join(shown.split())
+
+
+def test_a_draft_opens_the_file_after_one_edit(foreign: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(("sheet", str(foreign)))
+    draft = foreign.with_suffix(".yaml")
+    assert "complete its 1 lines with EDIT" in capsys.readouterr().out
+    draft.write_text(draft.read_text().replace("# EDIT: sample_rate_Hz: NUMBER", "sample_rate_Hz: 500"))
+    recording = read_recording(foreign)
+    assert recording.sample_rate == 500
+    assert recording.torque().max() == 4.0
+    assert recording.channels["Weight"].unit == "stone"
+
+
+def test_a_draft_guesses_no_scale(tmp_path: Path) -> None:
+    path = tmp_path / "run.csv"
+    path.write_text("time_s,Torque [mV],encoder_count\n0,1,0\n0.001,2,5\n0.002,3,9\n")
+    main(("sheet", str(path)))
+    text = path.with_suffix(".yaml").read_text()
+    assert "{quantity: torque, unit: mV, Nm_per_mV: NUMBER}" in text
+    assert "{quantity: motor_angle, unit: count, counts_per_rev: NUMBER}" in text
+    channels = read_recording(path).channels
+    assert {name: one.quantity for name, one in channels.items()} == {"Torque": "voltage", "encoder_count": "other"}
+
+
+def test_a_draft_overwrites_nothing(foreign: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    foreign.with_suffix(".yaml").write_text("sample_rate_Hz: 10\n")
+    with pytest.raises(SystemExit) as stopped:
+        main(("sheet", str(foreign)))
+    assert stopped.value.code == 2
+    assert foreign.with_suffix(".yaml").read_text() == "sample_rate_Hz: 10\n"
+    assert "is there already" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "name", ["a b", "x: y", "# 1", "'q'", '"q"', "no", "1e5", "[x]", "{y}", "Größe", "a, b", "-", "~"]
+)
+def test_a_draft_of_any_name_is_read_back(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "run.tdms"
+    with TdmsWriter(path) as file:
+        file.write_segment([ChannelObject("log", name, np.arange(3.0), {"wf_increment": 0.1})])
+    main(("sheet", str(path)))
+    assert list(read_recording(path).channels) == [name]
+
+
+def test_a_folder_stands_for_its_recordings_and_json_holds_them(
+    foreign: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (foreign.parent / "b.csv").write_text("time_s,torque_Nm\n0,1\n1,2\n2,3\n")
+    main(("info", str(foreign.parent), "--json"))
+    first, second = json.loads(capsys.readouterr().out)
+    assert (Path(first["path"]).name, Path(second["path"]).name) == ("b.csv", "run.tdms")
+    assert first["columns"][0] | {"mean": 2.0, "rate": 1.0, "samples": 3} == first["columns"][0]
+    assert second["problem"]
+
+
+def test_an_empty_folder_is_one_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(("info", str(tmp_path)))
+    assert stopped.value.code == 2
+    assert "there is no recording in this folder" in capsys.readouterr().err
