@@ -19,20 +19,29 @@ _LARGEST_GROUP = 2**20
 
 
 def read_parquet(path: Path) -> Table:
-    """Read the columns of numbers of a Parquet file; missing values become NaN, columns of words are ignored."""
+    """Read the columns of numbers of a Parquet file; missing values become NaN, other columns are skipped by name."""
     import pyarrow as pa
     from pyarrow import parquet
 
     try:
         table = parquet.read_table(path)
-    except (pa.ArrowException, OSError) as error:
+        kept, skipped = _kinds(table.schema)
+        columns = {name: _numbers(table[name]) for name in kept}
+    except (pa.ArrowException, OSError, ValueError, LookupError) as error:
         raise _not_whole(path, error) from None
-    columns = {
-        name: _numbers(table[name])
-        for name, kind in zip(table.schema.names, table.schema.types, strict=True)
-        if not name.startswith("__index") and (pa.types.is_floating(kind) or pa.types.is_integer(kind))
-    }
-    return Table(columns=columns)
+    return Table(columns=columns, skipped=skipped)
+
+
+def _kinds(schema: Any) -> tuple[list[str], dict[str, str]]:
+    """Return the names of the columns of numbers, and of the others with the reason."""
+    import pyarrow as pa
+
+    names = [name for name in schema.names if not name.startswith("__index")]
+    if len(set(names)) < len(names):
+        raise ValueError("two columns have the same name")
+    kinds = {name: schema.field(name).type for name in names}
+    kept = [name for name, kind in kinds.items() if pa.types.is_floating(kind) or pa.types.is_integer(kind)]
+    return kept, {name: f"values of the type {kind}" for name, kind in kinds.items() if name not in kept}
 
 
 def parquet_pieces(path: Path) -> TablePieces:
@@ -42,16 +51,11 @@ def parquet_pieces(path: Path) -> TablePieces:
 
     try:
         with parquet.ParquetFile(path) as file:
-            schema, rows = file.schema_arrow, file.metadata.num_rows
-            groups = file.num_row_groups
+            kept, skipped = _kinds(file.schema_arrow)
+            rows, groups = file.metadata.num_rows, file.num_row_groups
             largest = max((file.metadata.row_group(group).num_rows for group in range(groups)), default=0)
-    except (pa.ArrowException, OSError) as error:
+    except (pa.ArrowException, OSError, ValueError, LookupError) as error:
         raise _not_whole(path, error) from None
-    kept = [
-        name
-        for name, kind in zip(schema.names, schema.types, strict=True)
-        if not name.startswith("__index") and (pa.types.is_floating(kind) or pa.types.is_integer(kind))
-    ]
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
         try:
@@ -70,10 +74,10 @@ def parquet_pieces(path: Path) -> TablePieces:
             with parquet.ParquetFile(path, buffer_size=2**20, pre_buffer=False) as file:
                 for batch in file.iter_batches(PIECE, columns=list(names), use_threads=False):
                     yield _columns(batch, names)
-        except (pa.ArrowException, OSError) as error:
+        except (pa.ArrowException, OSError, ValueError, LookupError) as error:
             raise _not_whole(path, error) from None
 
-    return TablePieces(names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces)
+    return TablePieces(names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces, skipped=skipped)
 
 
 def write_parquet(recording: Recording, path: Path) -> None:
@@ -136,5 +140,5 @@ def _numbers(column: Any) -> NDArray[np.float64]:
 
 
 def _not_whole(path: Path, error: Exception) -> RecordingError:
-    reason = str(error).splitlines()[0].rstrip(". ")
+    reason = " ".join(str(error).split()).rstrip(". ")
     return RecordingError(f"{path}: not a whole Parquet file ({reason}); copy it again from its source")

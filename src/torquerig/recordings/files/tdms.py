@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import logging
-import struct
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.files.lvm_times import TIME_UNITS
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timebase import shortest_rate
@@ -26,6 +27,9 @@ _CUT_SHORT = ("incomplete", "less data", "multiple of the chunk", "Cropping")
 def read_tdms(path: Path) -> Table:
     """Read the channels of numbers, scaled as the file states; a name that two groups share becomes ``group/name``.
 
+    Texts, time stamps, channels without samples and channels over another axis than time are skipped by name. Each
+    channel has the rate of its waveform, so that groups of several rates can be read.
+
     Raises
     ------
     RecordingError
@@ -34,17 +38,23 @@ def read_tdms(path: Path) -> Table:
     """
     from nptdms import TdmsFile
 
-    with nptdms_warnings() as warnings:
+    with nptdms_warnings() as warnings, path.open("rb") as raw:
+        # npTDMS raises errors of many kinds for a damaged file
         try:
-            file = TdmsFile.read(path)
-            named = channel_names([channel for group in file.groups() for channel in group.channels()])
-            columns = {name: np.asarray(channel[:], dtype=np.float64) for name, channel in named.items()}
+            file = TdmsFile.read(raw)
+            found = channels_in(file)
+            columns = {name: numbers_of(channel[:]) for name, channel in found.channels.items()}
             incomplete = file.file_status.incomplete_final_segment
-        except (ValueError, EOFError, OSError, KeyError, TypeError, struct.error) as error:
+        except Exception as error:
             raise not_whole(path, error) from None
     check_whole(path, warnings, incomplete=incomplete)
-    rates, units = stated(named)
-    return Table(columns=columns, rates=rates, units=units)
+    return Table(columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes)
+
+
+def numbers_of(samples: Any) -> NDArray[np.float64]:
+    """Return samples as float64; a damaged float may be a signalling NaN."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(samples, dtype=np.float64)
 
 
 def write_tdms(recording: Recording, path: Path) -> None:
@@ -91,26 +101,78 @@ def append_tdms(writer: tuple[Any, Recording], columns: Mapping[str, NDArray[np.
     )
 
 
-def channel_names(channels: list[Any]) -> dict[str, Any]:
-    """Return the channels of numbers by name; ``group/name`` where two groups share a name."""
-    doubled = {name for name, count in Counter(channel.name for channel in channels).items() if count > 1}
-    return {
-        f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name: channel
-        for channel in channels
-        if channel.dtype.kind in "fiu"
-    }
+@dataclass(frozen=True, kw_only=True)
+class TdmsChannels:
+    """The channels of numbers of a file by name, their rates [Hz] and units, and what is skipped."""
+
+    channels: Mapping[str, Any]
+    rates: Mapping[str, float]
+    units: Mapping[str, str]
+    skipped: Mapping[str, str]
+    notes: tuple[str, ...]
 
 
-def stated(named: Mapping[str, Any]) -> tuple[dict[str, float], dict[str, str]]:
-    """Return the rates [Hz] and the units that the file states, by channel."""
-    rates, units = {}, {}
-    for name, channel in named.items():
-        increment = float(channel.properties.get("wf_increment", 0.0))
+def channels_in(file: Any) -> TdmsChannels:
+    """Return the channels of an open file; ``group/name`` where two groups share a name."""
+    every = [channel for group in file.groups() for channel in group.channels()]
+    doubled = {name for name, count in Counter(channel.name for channel in every).items() if count > 1}
+    channels, rates, units, skipped = {}, {}, {}, {}
+    for channel in every:
+        name = f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name
+        reason = _reason(channel)
+        if reason:
+            skipped[name] = reason
+            continue
+        channels[name] = channel
+        increment = _number(channel, "wf_increment") * TIME_UNITS[_text(channel, "wf_xunit_string").lower()]
         if increment > 0:
             rates[name] = shortest_rate(1 / increment, tolerance=1e-11)
-        if channel.properties.get("unit_string"):
-            units[name] = str(channel.properties["unit_string"])
-    return rates, units
+        if _text(channel, "unit_string"):
+            units[name] = _text(channel, "unit_string")
+    return TdmsChannels(channels=channels, rates=rates, units=units, skipped=skipped, notes=_late(channels, rates))
+
+
+def _reason(channel: Any) -> str:
+    """Return why a channel is no recording over time, or nothing."""
+    if not len(channel):
+        return "it has no samples"
+    kind = channel.dtype.kind
+    if kind not in "fiub":
+        return {"O": "texts", "U": "texts", "M": "time stamps", "c": "complex numbers"}.get(kind, "no numbers")
+    axis = _text(channel, "wf_xname")
+    if _text(channel, "wf_xunit_string").lower() not in TIME_UNITS:
+        return f"its X unit is {_text(channel, 'wf_xunit_string')}, not one of time"
+    return f"its X axis is {axis}, not time" if axis.lower() not in ("", "time", "zeit") else ""
+
+
+def _late(channels: Mapping[str, Any], rates: Mapping[str, float]) -> tuple[str, ...]:
+    """Return a sentence for each channel that starts a tenth of a sample or more before or after the first."""
+    starts = {name: _start(channel) for name, channel in channels.items() if name in rates}
+    first = next(iter(starts), "")
+    return tuple(
+        f"{name} starts {start - starts[first]:.6g} s after {first}; the samples are read as if they started together"
+        for name, start in starts.items()
+        if abs(start - starts[first]) * rates[name] > 0.1
+    )
+
+
+def _start(channel: Any) -> float:
+    """Return when the waveform starts [s]."""
+    moment = channel.properties.get("wf_start_time")
+    whole = 0.0
+    if isinstance(moment, np.datetime64):
+        whole = float((moment - np.datetime64("2000-01-01")) / np.timedelta64(1, "us")) * 1e-6
+    return whole + _number(channel, "wf_start_offset")
+
+
+def _number(channel: Any, key: str) -> float:
+    value = channel.properties.get(key, 0.0)
+    return float(value) if isinstance(value, int | float | np.number) and np.isfinite(value) else 0.0
+
+
+def _text(channel: Any, key: str) -> str:
+    value = channel.properties.get(key, "")
+    return value.strip() if isinstance(value, str) else ""
 
 
 def check_whole(path: Path, warnings: list[str], *, incomplete: bool) -> None:
@@ -136,7 +198,8 @@ def check_whole(path: Path, warnings: list[str], *, incomplete: bool) -> None:
 
 def not_whole(path: Path, error: Exception) -> RecordingError:
     """Return the error for a file that npTDMS cannot read."""
-    return RecordingError(f"{path}: not a whole TDMS file ({error}); copy it again from its source")
+    reason = " ".join(str(error).split())
+    return RecordingError(f"{path}: not a whole TDMS file ({reason}); copy it again from its source")
 
 
 class _Collector(logging.Handler):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -11,13 +10,24 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.errors import RecordingError
-from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces
-from torquerig.recordings.files.tdms import channel_names, check_whole, not_whole, nptdms_warnings, stated
+from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces, pieces_of
+from torquerig.recordings.files.tdms import channels_in, check_whole, not_whole, nptdms_warnings, numbers_of, read_tdms
 
 # npTDMS reads a chunk at once; the values of chunks with more samples are read here
 _LARGEST_CHUNK = PIECE
-_BROKEN = (ValueError, EOFError, OSError, KeyError, TypeError, struct.error)
+
+PRIVATE = {
+    "nptdms.tdms.TdmsFile": ("_reader",),
+    "nptdms.tdms.TdmsChannel": ("_scale_data",),
+    "nptdms.reader.TdmsReader": ("_segments",),
+    "nptdms.tdms_segment.TdmsSegment": (
+        "get_segment_object", "_get_data_objects", "_have_daqmx_objects", "_have_interleaved_data",
+        "data_position", "num_chunks", "toc_mask",
+    ),
+    "nptdms.base_segment.BaseSegmentObject": ("path", "number_values", "has_data", "data_type"),
+    "nptdms.base_segment.RawChannelDataChunk": ("channel_data",),
+}  # fmt: skip
+"""What is used of npTDMS beyond its documented interface, by class; a test reads each of them."""
 
 
 def tdms_pieces(path: Path) -> TablePieces:
@@ -30,21 +40,33 @@ def tdms_pieces(path: Path) -> TablePieces:
     """
     from nptdms import TdmsFile
 
-    with nptdms_warnings() as warnings:
+    with nptdms_warnings() as warnings, path.open("rb") as raw:
         try:
-            with TdmsFile.open(path) as file:
-                named = channel_names([channel for group in file.groups() for channel in group.channels()])
-                lengths = {name: len(channel) for name, channel in named.items()}
-                rates, units = stated(named)
+            with TdmsFile.open(raw) as file:
+                found = channels_in(file)
+                lengths = {name: len(channel) for name, channel in found.channels.items()}
                 incomplete = file.file_status.incomplete_final_segment
-        except _BROKEN as error:
+                is_raw = any(segment._have_daqmx_objects() for segment in file._reader._segments)
+                largest = max((_largest_chunk(file, one.path) for one in found.channels.values()), default=0)
+        except Exception as error:
             raise not_whole(path, error) from None
     check_whole(path, warnings, incomplete=incomplete)
+    if is_raw and largest > _LARGEST_CHUNK:
+        reason = f"raw DAQmx data in chunks of {largest} samples are read whole; write scaled values in LabVIEW"
+        return pieces_of(read_tdms(path), reason=reason)
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
         yield from _pieces(path, names)
 
-    return TablePieces(names=tuple(named), lengths=lengths, pieces=pieces, rates=rates, units=units)
+    return TablePieces(
+        names=tuple(found.channels),
+        lengths=lengths,
+        pieces=pieces,
+        rates=found.rates,
+        units=found.units,
+        skipped=found.skipped,
+        notes=found.notes,
+    )
 
 
 def _pieces(path: Path, names: Sequence[str]) -> Iterator[Columns]:
@@ -52,21 +74,25 @@ def _pieces(path: Path, names: Sequence[str]) -> Iterator[Columns]:
 
     with ExitStack() as opened:
         opened.enter_context(nptdms_warnings())
+        raw = opened.enter_context(path.open("rb"))
+        again = opened.enter_context(path.open("rb"))
         try:
-            file = opened.enter_context(TdmsFile.open(path))
-            every = channel_names([channel for group in file.groups() for channel in group.channels()])
+            file = opened.enter_context(TdmsFile.open(again))
+            every = channels_in(file).channels
             named = {name: every[name] for name in names}
-            raw = opened.enter_context(path.open("rb"))
             spans = {
                 name: _spans(file, channel.path) if _largest_chunk(file, channel.path) > _LARGEST_CHUNK else None
                 for name, channel in named.items()
             }
-            for first in range(0, max((len(channel) for channel in named.values()), default=0), PIECE):
-                yield {
-                    name: _read(channel, raw, spans[name], first=first, count=PIECE) for name, channel in named.items()
-                }
-        except _BROKEN as error:
+            starts = range(0, max((len(channel) for channel in named.values()), default=0), PIECE)
+        except Exception as error:
             raise not_whole(path, error) from None
+        for first in starts:
+            try:
+                piece = {name: _read(one, raw, spans[name], first=first, count=PIECE) for name, one in named.items()}
+            except Exception as error:
+                raise not_whole(path, error) from None
+            yield piece
 
 
 Spans = list[tuple[int, int, int, np.dtype[Any]]]
@@ -74,7 +100,7 @@ Spans = list[tuple[int, int, int, np.dtype[Any]]]
 
 def _read(channel: Any, raw: BinaryIO, spans: Spans | None, *, first: int, count: int) -> NDArray[np.float64]:
     if spans is None:
-        return np.asarray(channel.read_data(first, count), dtype=np.float64)
+        return numbers_of(channel.read_data(first, count))
     from nptdms.base_segment import RawChannelDataChunk
 
     parts, start = [], 0
@@ -85,7 +111,7 @@ def _read(channel: Any, raw: BinaryIO, spans: Spans | None, *, first: int, count
             raw.seek(position + low * stride)
             parts.append(_column(raw, high - low, stride=stride, kind=kind))
     chunk = RawChannelDataChunk.channel_data(np.concatenate(parts) if parts else np.empty(0))
-    return np.asarray(channel._scale_data(chunk), dtype=np.float64)
+    return numbers_of(channel._scale_data(chunk))
 
 
 def _column(raw: BinaryIO, count: int, *, stride: int, kind: np.dtype[Any]) -> NDArray[Any]:
@@ -104,15 +130,12 @@ def _largest_chunk(file: Any, path: str) -> int:
 def _spans(file: Any, path: str) -> Spans:
     """Return (samples, place in the file, bytes from one value to the next, type) of each chunk of one channel.
 
-    npTDMS has no function that reads part of a chunk, so its private list of segments is used here; the tests fail
-    where it changes.
+    npTDMS has no function that reads part of a chunk, so its private list of segments is used here (see ``PRIVATE``).
     """
     from nptdms.common import toc_properties
 
     spans: Spans = []
     for segment in file._reader._segments:
-        if segment._have_daqmx_objects():
-            raise RecordingError(f"{path}: its DAQmx chunks are too large to be read in pieces; save scaled values")
         objects = segment._get_data_objects()
         order = ">" if segment.toc_mask & toc_properties["kTocBigEndian"] else "<"
         kinds = [one.data_type.nptype.newbyteorder(order) for one in objects]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 import warnings
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -66,10 +65,12 @@ def _opened(path: Path, *, mapped: bool) -> tuple[int, Any]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            # scipy raises a NameError where a file has no chunks
             rate, samples = wavfile.read(path, mmap=mapped)
-        except (ValueError, EOFError, OSError, TypeError, NameError, struct.error) as error:
+        # scipy raises errors of many kinds for a damaged header: division by zero, a name that is not set
+        except Exception as error:
             raise RecordingError(f"{path}: not a whole WAV file ({error}); copy it again from its source") from None
+    if rate <= 0:
+        raise RecordingError(f"{path}: the header of the WAV file states {rate} samples per second; copy it again")
     # other warnings are about skipped text chunks
     if any("prematurely" in str(warning.message) for warning in caught):
         raise RecordingError(
@@ -80,7 +81,8 @@ def _opened(path: Path, *, mapped: bool) -> tuple[int, Any]:
 
 def _share_of_full_scale(samples: np.ndarray) -> np.ndarray:
     if samples.dtype.kind == "f":
-        return samples.astype(np.float64)
+        with np.errstate(invalid="ignore"):  # a damaged float may be a signalling NaN
+            return samples.astype(np.float64)
     half = 2.0 ** (8 * samples.dtype.itemsize - 1)
     centre = half if samples.dtype.kind == "u" else 0.0
     shares: np.ndarray = (samples.astype(np.float64) - centre) / half
