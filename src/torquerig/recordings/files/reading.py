@@ -17,7 +17,7 @@ from torquerig.recordings.files.parquet import read_parquet
 from torquerig.recordings.files.plain_names import with_plain_names
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
 from torquerig.recordings.files.tdms import read_tdms
-from torquerig.recordings.files.timebase import sample_rate_of
+from torquerig.recordings.files.timebase import refuse_two_rates, sample_rate_of
 from torquerig.recordings.files.wav import read_wav
 from torquerig.recordings.files.xlsx import read_xlsx
 from torquerig.recordings.names.interpretation import interpret
@@ -71,6 +71,7 @@ def read_recording(path: Path) -> Recording:
     table = with_plain_names(_table(path, kept), kept=kept)
     entries = channel_entries(list(table.columns), table.units, sidecar, path)
     time = table.time_name()
+    refuse_two_rates(table.rates, entries, where=str(path))
     check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(entries)}, str(path))
     rate = sample_rate_of(table, entries, sidecar=sidecar, where=str(path))
     channels = {

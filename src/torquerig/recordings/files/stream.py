@@ -23,7 +23,7 @@ from torquerig.recordings.files.reading import channel_entries, check_readable, 
 from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
 from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
 from torquerig.recordings.files.tdms_pieces import tdms_pieces
-from torquerig.recordings.files.timebase import agreed_rate
+from torquerig.recordings.files.timebase import agreed_rate, refuse_two_rates
 from torquerig.recordings.files.wav import wav_pieces
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
@@ -109,6 +109,7 @@ def open_stream(path: Path) -> RecordingStream:
     table = pieces_with_plain_names(pieces_of_file(path), kept=sidecar.channels if sidecar else ())
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
+    refuse_two_rates(table.rates, entries, where=str(path))
     lengths = {name: table.lengths[name] for name in (*([time] if time else []), *entries) if name in table.lengths}
     samples = check_counts(lengths, str(path)) if lengths else None
     by_time = None if time is None else usual_rate(_first_times(table, time, path), name=time, where=str(path))

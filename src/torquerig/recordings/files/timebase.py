@@ -30,6 +30,18 @@ def sample_rate_of(table: Table, names: Iterable[str], *, sidecar: Sidecar | Non
     return agreed_rate(table.rates, names, by_time=by_time, time_name=time, sidecar=sidecar, where=where)
 
 
+def refuse_two_rates(rates: Mapping[str, float], names: Iterable[str], *, where: str) -> None:
+    """Raise RecordingError, with both rates, where the file states two rates for the channels ``names``."""
+    stated = {name: rates[name] for name in names if name in rates}
+    first = next(iter(stated), "")
+    for other, rate in stated.items():
+        if abs(rate - stated[first]) > _CONTRADICTION * stated[first]:
+            raise RecordingError(
+                f"{where}: {first} has {stated[first]:.10g} samples per second and {other} has {rate:.10g}; name only "
+                f"channels of one rate in the sidecar's channels, or resample them with: torquerig join {where}"
+            )
+
+
 def agreed_rate(
     rates: Mapping[str, float], names: Iterable[str], *, by_time: float | None, time_name: str | None,
     sidecar: Sidecar | None, where: str,
