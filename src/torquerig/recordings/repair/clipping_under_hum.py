@@ -16,7 +16,8 @@ Floats = NDArray[np.float64]
 
 _HARMONICS = 3
 _TOP = 1e-3  # share of the samples above which a first guess of the limit lies
-_FIRST, _LAST = 0.02, 2e-3  # of the signal's span, and [V]: around a guess, within which samples are taken as its pile
+_FIRST, _LAST = 0.02, 1e-3  # of the signal's span, around a first and the last guess: within are samples of the pile
+_BELOW = 0.999  # of the full range: what stops above stops in the converter
 _CLOSER, _ROUNDS = 0.6, 12
 _OVER_BESIDE = 4.0  # samples of a pile over those just below, on twice its width
 
@@ -28,9 +29,9 @@ def flat_under_hum(recordings: Sequence[Recording], *, full_range: float = float
 
     The hum is fitted by least squares with the harmonics 1 to 3 of the grid, their amplitudes straight in time (which
     takes up what its frequency is misjudged by), and once more on the samples near the limit alone, closer and closer:
-    a limit leaves these nothing but the hum, so that they come to lie within 2 mV of one level. Noise behind the
-    limit of more than that hides it. So is the strongest line above 400 Hz, without harmonics: what turns with the
-    shafts is cut itself, and leaves no pile when it is taken off. None where nothing piles up.
+    a limit leaves these nothing but the hum, so that they come to lie within 0.1 % of the span of one level. Noise
+    behind the limit of more than that hides it. So is the strongest line above 400 Hz, without harmonics: what turns
+    with the shafts is cut itself, and leaves no pile when it is taken off. None where nothing piles up.
     """
     found: dict[str, tuple[float, float]] = {}
     for recording in recordings:
@@ -40,7 +41,7 @@ def flat_under_hum(recordings: Sequence[Recording], *, full_range: float = float
             hum = np.hstack([np.ones((volts.size, 1)), waves])
             for sign in (1.0, -1.0):
                 pile = _pile(sign * volts, hum)
-                if pile is not None and pile[0] < full_range - _LAST:
+                if pile is not None and pile[0] < _BELOW * full_range:
                     found[recording.name] = pile
     return FlatTops.of_runs(found) if found else None
 
@@ -58,14 +59,15 @@ def _tones(volts: Floats, rate: float) -> Iterator[tuple[float, int]]:
 def _pile(volts: Floats, hum: Floats) -> tuple[float, float] | None:
     """Return the level [V] at which the largest values pile up with the hum off, and their share, else None."""
     left = volts - hum[:, 1:] @ _fitted(hum, volts)[1:]
-    limit, within = float(np.quantile(left, 1 - _TOP)), _FIRST * float(np.ptp(left))
+    limit, span = float(np.quantile(left, 1 - _TOP)), float(np.ptp(left))
+    within = _FIRST * span
     for _ in range(_ROUNDS):
         near = np.abs(left - limit) < within
         if near.sum() < 2 * hum.shape[1]:
             return None
         fitted = _fitted(hum[near], volts[near])
         limit, left = float(fitted[0]), volts - hum[:, 1:] @ fitted[1:]
-        within = max(_CLOSER * within, _LAST)
+        within = max(_CLOSER * within, _LAST * span)
     piled = int((np.abs(left - limit) < within).sum())
     beside = int(((left <= limit - within) & (left > limit - 3 * within)).sum())
     beyond = int((np.abs(left) > abs(limit) + within).sum())

@@ -26,7 +26,7 @@ def grid_line(power: Floats, step: float) -> float | None:
     for grid in GRIDS:
         low, high = int(grid * (1 - TOLERANCE) / step), int(np.ceil(grid * (1 + TOLERANCE) / step)) + 1
         near = power[max(int((grid - _BESIDE) / step), 0) : int((grid + _BESIDE) / step)]
-        if low < 1 or high >= power.size:
+        if low < 1 or high >= power.size or not near.size:
             continue
         at = low + int(np.argmax(power[low:high]))
         height = float(power[at] / (np.median(near) + 1e-300))

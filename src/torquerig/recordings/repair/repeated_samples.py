@@ -16,6 +16,7 @@ _NATS = 90.0  # by which a copy must be unlikelier than one chance in e^x for a 
 _LONGEST = 0.1  # [s] codes so coarse that copies would have to be longer show none
 _MOVING = 0.5  # share of the steps of a window that must show the noise
 _UNEVEN = 0.3  # of the median second difference of the steps: less is no noise
+_ROUNDING = 1e-9  # of the range of the samples: steps that differ by less are the same
 _MOST = 0.5  # share of the samples: what repeats more is periodic and has no noise
 
 
@@ -35,7 +36,8 @@ def copied(recording: Recording) -> tuple[Copied, ...]:
     """
     volts = recording.torque_values()
     steps = np.diff(volts)
-    _, found_codes, counts = np.unique(np.round(steps, 9), return_inverse=True, return_counts=True)
+    rounding = _ROUNDING * float(np.ptp(volts)) or 1.0
+    _, found_codes, counts = np.unique(np.round(steps / rounding), return_inverse=True, return_counts=True)
     codes = found_codes.astype(np.int64)
     alike = float(((counts / steps.size) ** 2).sum())
     length = ceil(_NATS / -log(alike)) if 0 < alike < 1 else steps.size

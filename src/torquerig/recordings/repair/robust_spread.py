@@ -14,10 +14,15 @@ _HALF_WITHIN = 0.6745
 
 
 def spread_about_zero(values: Floats) -> float:
-    """Return the standard deviation that a normal variate of mean zero has whose half lies as near to it."""
+    """Return the standard deviation that a normal variate of mean zero has whose half lies as near to it.
+
+    It is 0 where there are no values.
+    """
+    if not values.size:
+        return 0.0
     return float(np.median(np.abs(values))) / _HALF_WITHIN
 
 
 def spread_about_median(values: Floats) -> float:
     """Return the same of values whose mean is not known."""
-    return spread_about_zero(values - np.median(values))
+    return spread_about_zero(values - np.median(values)) if values.size else 0.0

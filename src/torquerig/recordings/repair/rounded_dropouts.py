@@ -31,6 +31,7 @@ Flags = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 
 RATE = 2500.0  # [Hz] to which faster signals are averaged: content below 800 Hz determines lengths from 1 ms on
+_SLOWEST = 125.0  # [Hz] at which the longest moment that is found holds two samples
 _BAND = 800.0  # [Hz]
 _LEAST, _MOST = 6.0, 200  # robust spreads of a departure that is looked at; how many are
 _SHORTEST, _LONGEST = 0.001, 0.017  # [s]
@@ -74,7 +75,7 @@ def rounded_dropouts(values: Floats, rate: float) -> RoundedDropouts | None:
         [Hz].
     """
     signal, rate = averaged(values, rate)
-    if signal.size < 20 * window_size(rate) or not np.ptp(signal):
+    if rate < _SLOWEST or signal.size < 20 * window_size(rate) or not np.ptp(signal):
         return None
     noise = window_noise(signal, rate)
     band = min(_BAND, 0.4 * rate)

@@ -33,7 +33,7 @@ def strongest_tone(power: Floats, step: float) -> float | None:
     first = int(_FROM / step)
     if first + 1 >= power.size - 1:
         return None
-    at, beside = first + int(np.argmax(power[first:-1])), int(_BESIDE / step)
+    at, beside = first + int(np.argmax(power[first:-1])), max(int(_BESIDE / step), 1)
     near = power[max(at - beside, 0) : at + beside]
     return step * between_bins(power, at) if power[at] > _STANDS_OUT * np.median(near) else None
 
