@@ -12,6 +12,7 @@ from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.common_options import catalog_option
 from torquerig.cli.filter_blocks import blocks_for, described, filter_long
 from torquerig.cli.filter_evaluation import evaluation_pictures, print_evaluations
+from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.chain_file import read_chains
 from torquerig.filters.chains.filter_chain import Chain
@@ -23,14 +24,15 @@ from torquerig.plain_table import grid
 from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
-from torquerig.recordings.repair.common_dropouts import lost_signal_sentences
 from torquerig.renamed import current_name
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
 # rounding error of the mean of equal numbers
 _ROUNDING = 1e-14
+_AS_THEY_ARE = "suspicious samples are filtered as they are"
 _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "energy change %")
 
 
@@ -112,8 +114,7 @@ def _filtered_whole(
 ) -> tuple[Recording, Recording]:
     """Filter, print and write; return the recording before and after the first chain."""
     before = read_recording(path)
-    for sentence in lost_signal_sentences(before):
-        click.echo(f"suspicious: {sentence}; these moments are filtered like the rest")
+    print_suspicions(recording_info(before), before, note=_AS_THEY_ARE)
     results = [chain.apply(before) for chain in chains]
     effects = [
         chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines)
@@ -139,6 +140,7 @@ def _filtered_in_blocks(
     force: bool,
 ) -> tuple[Recording, Recording]:  # fmt: skip
     """Filter and write block by block; return a section of the recording before and after the first chain."""
+    print_suspicions_of_start(stream, note=_AS_THEY_ARE)
     made = filter_long(stream, chains, blocking, ratio=kinematics.ratio, out=out, force=force)
     seconds, overlap = (samples / stream.sample_rate for samples in (blocking.samples, blocking.overlap))
     click.echo(f"filtered in blocks of {seconds:.4g} s with an overlap of {overlap:.3g} s on each side")

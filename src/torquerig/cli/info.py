@@ -4,25 +4,24 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
-from dataclasses import replace
 from math import isfinite, pi
 from pathlib import Path
 
 import click
-import numpy as np
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
 from torquerig.cli.contents_shown import show_contents, show_reading
 from torquerig.cli.recordings_named import recordings_in
+from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, TorquerigError, UnknownNameError
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import open_stream
-from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.recordings.inspection.recording_info import RecordingInfo, stream_info
+from torquerig.recordings.inspection.stretch_faults import head_of, sound_stretch
 from torquerig.recordings.recording import Recording
 
 
@@ -37,7 +36,8 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
 
     A folder stands for all recordings in it. Of a file that cannot be used as it is, info shows what is in it and what
     is missing; torquerig sheet drafts the sidecar. Faults are gaps in time, samples without a number, clipping,
-    dropouts, spikes and constant stretches. A long recording is read block by block.
+    dropouts, spikes and constant stretches, and in the first stretch of a torque all faults that diagnose finds in
+    samples. A long recording is read block by block.
 
     Example: torquerig info run1.tdms
     """
@@ -83,22 +83,21 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
         rows.append([name, one.quantity, one.unit, *figures])
     click.echo(grid(rows))
     show_reading(stream.table.notes, stream.table.skipped, {name: one.missing for name, one in stream.entries.items()})
-    speed, speed_text = _speed(stream)
+    head = head_of(stream)
+    speed, speed_text = _speed(stream, head)
     click.echo(wrapped(speed_text))
     if stream.table.read_whole:
         click.echo(f"read whole: {stream.table.read_whole}")
-    for suspicion in info.suspicions():
-        click.echo(f"suspicious: {suspicion}")
+    print_suspicions(info, head)
     if picture is not None:
         _draw(info, stream, speed, picture, force=force)
 
 
-def _speed(stream: RecordingStream) -> tuple[float | None, str]:
+def _speed(stream: RecordingStream, head: Recording) -> tuple[float | None, str]:
     """Return the mean motor speed over the first block [rad/s], and a text with its source."""
     from torquerig.orders.angle.best_angle import best_motor_speed
 
-    head = next(Blocking(samples=2**20).cut(stream)).without_overlap()
-    first, head = _sound_stretch(head)
+    first, head = sound_stretch(head)
     try:
         found = best_motor_speed(head, _lines(stream))
     except TorquerigError as error:
@@ -112,20 +111,6 @@ def _speed(stream: RecordingStream) -> tuple[float | None, str]:
     set_point = stream.run.speed_rpm
     stated = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
     return found.value, f"motor speed: {rpm:.6g} rpm{uncertainty}{where} ({found.origin}{stated})"
-
-
-def _sound_stretch(head: Recording) -> tuple[int, Recording]:
-    """Return the longest stretch in which every channel that has numbers has them, and its first sample."""
-    finite = {name: np.isfinite(one.values) for name, one in head.channels.items()}
-    kept = {name: one for name, one in head.channels.items() if finite[name].any()}
-    sound = np.logical_and.reduce([finite[name] for name in kept]) if kept else np.zeros(head.samples, dtype=bool)
-    ends = np.flatnonzero(np.diff(np.concatenate([[0], sound.astype(np.int8), [0]])))
-    if not ends.size:
-        return 0, head
-    longest = int(np.argmax(ends[1::2] - ends[::2]))
-    first, last = int(ends[2 * longest]), int(ends[2 * longest + 1])
-    cut = {name: replace(one, values=one.values[first:last]) for name, one in kept.items()}
-    return first, replace(head, channels=cut)
 
 
 def _span(first: int, head: Recording) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
+from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, UnitError
 from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
 from torquerig.orders.analysis.labels import label_of
@@ -23,8 +24,8 @@ from torquerig.orders.angle.measured_angle import MotorAngle
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.recordings.files import read_recording
+from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
-from torquerig.recordings.repair.common_dropouts import lost_signal_sentences
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
 
@@ -80,8 +81,7 @@ def command(
     click.echo(_found_table(found))
     for sentence in _sentences(found, kinematics):
         click.echo(wrapped(sentence))
-    for sentence in lost_signal_sentences(read):
-        click.echo(f"suspicious: {sentence}; the lines are those of the samples as they are")
+    print_suspicions(recording_info(read), read, note="the lines are those of the samples as they are")
     if picture is not None:
         from torquerig.reporting.figures.order_figure import order_figure, order_picture
         from torquerig.reporting.figures.picture import write_picture

@@ -88,8 +88,8 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
         else:
             candidates.append(Candidate(mechanism=kind, parts=(made(name=kind, **values),), knobs=()))
 
-    if seen.codes is not None:
-        add("quantization", "Quantization", step=seen.codes.step)
+    if seen.coarse_code is not None:
+        add("quantization", "Quantization", step=seen.coarse_code)
     lost, cut = seen.dropouts, seen.limit
     if lost is not None:
         add("signal_dropout", "SignalDropout", duration=lost.duration, rate=lost.rate, level=lost.level)
@@ -97,9 +97,10 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
         add("clipping", "Clipping", limit=cut.limit, where="amplifier")
     elif cut is not None:
         add("clipping", "Clipping", limit=cut.limit)
+    untrue = tuple(_located(fault) for fault in seen.faults if fault.mechanism is None)
     return SampleFindings(
         tuple(candidates), seen.recordings, seen.clipped, seen.rebuilt, tuple(unnamed), seen.lost,
-        tuple(map(_located, seen.faults)), seen.stepping, seen.swept, seen.to_the_other, seen.broken, seen.struck,
+        untrue, seen.stepping, seen.swept, seen.to_the_other, seen.broken, seen.struck,
     )  # fmt: skip
 
 

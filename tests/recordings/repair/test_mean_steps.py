@@ -132,7 +132,8 @@ def test_a_drift_and_a_friction_pay_for_what_a_step_that_was_not_seen_would_gain
 
 
 def test_many_steps_are_told_and_left_in(clean: Recording, wear_rig: Scenario) -> None:
-    to_and_fro = 1.5 * (np.arange(clean.samples) // 9_000 % 2)
+    """Within 4 ms: a signal that jumps so within a sample is telegraph noise."""
+    to_and_fro = 1.5 * np.convolve(np.arange(clean.samples) // 9_000 % 2, np.full(40, 1 / 40), "same")
     spoilt = clean.with_values("torque_V", volts_of(clean) + to_and_fro)
     found = sample_findings([spoilt], wear_rig.rig)
     ((sentence, _),) = found.untrue

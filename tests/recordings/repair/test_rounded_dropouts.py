@@ -9,9 +9,9 @@ from tests.recordings.repair.drawn_losses import CLEAN, Drawn, clean, lossy
 from tests.recordings.repair.drawn_rig import RATE
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.recordings.repair.common_dropouts import lost_signal_sentences
 from torquerig.recordings.repair.dropout_search import DropoutSearch
 from torquerig.recordings.repair.lost_moments import RoundedDropouts
+from torquerig.recordings.repair.recording_faults import recording_faults
 from torquerig.recordings.run import Run
 
 SHORT = 30.0  # [s] of the recordings that are drawn in every run of the tests
@@ -79,14 +79,13 @@ def test_of_a_hundred_clean_ones_none_is_lost() -> None:
 
 
 @pytest.mark.long
-def test_orders_and_filters_name_the_losses() -> None:
-    drawn = lossy(3, duration=SHORT)
+def test_all_commands_name_the_losses() -> None:
+    (fault,) = recording_faults(recorded(lossy(3, duration=SHORT)))
+    assert fault.mechanism == "signal_dropout"
+    assert "falls to" in fault.seen
+    assert recording_faults(recorded(clean(13, duration=SHORT))) == ()
+
+
+def recorded(drawn: Drawn) -> Recording:
     channel = Channel(values=drawn.values, quantity="torque", unit=drawn.unit, si_per_unit=drawn.nm_per_unit)
-    recording = Recording(name="lost", sample_rate=RATE, channels={"torque": channel}, run=Run())
-    (sentence,) = lost_signal_sentences(recording)
-    assert "falls to" in sentence
-    quiet = clean(13, duration=SHORT)
-    channel = Channel(values=quiet.values, quantity="torque", unit=quiet.unit, si_per_unit=quiet.nm_per_unit)
-    assert (
-        lost_signal_sentences(Recording(name="whole", sample_rate=RATE, channels={"torque": channel}, run=Run())) == []
-    )
+    return Recording(name="drawn", sample_rate=RATE, channels={"torque": channel}, run=Run(speed=100.0))

@@ -138,7 +138,7 @@ def test_it_is_told_in_words(clean: list[Recording], wear_rig: Scenario) -> None
     assert len(found.untrue) == len(clean)
     for sentence, place in found.untrue:
         assert "random telegraph" in sentence
-        assert "1.5 N m apart, within a sample" in sentence
+        assert "1.5 V apart, within a sample" in sentence
         assert place.domain == "time"
     assert found.untrue[0][1].at == pytest.approx(FLIPS[0][0] / RATE)
     assert found.stepping, "a jump that was not seen stays in the mean"

@@ -10,5 +10,6 @@
 ``mean_power``       averaged spectrum
 ``channel_summary``  all of these for one channel, in one pass
 ``recording_info``   the summaries of a recording as figures, and suspicious findings in sentences
+``stretch_faults``   faults of the samples of a recording's first stretch, as ``recordings.repair`` finds them
 ==================== =============================================================================
 """

@@ -17,12 +17,15 @@ from torquerig.recordings.inspection.channel_info import POSITIONS, ChannelInfo,
 from torquerig.recordings.inspection.channel_summary import LONGEST_DROPOUT, ChannelSummary, joined_summaries, summarise
 from torquerig.recordings.inspection.outliers import MARGIN
 from torquerig.recordings.inspection.runs import Run as SampleRun
+from torquerig.recordings.inspection.stretch_faults import StretchFaults
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.clipping import CLIPPING
+from torquerig.recordings.repair.common_dropouts import DROPOUTS
 from torquerig.recordings.repair.dropout_search import DropoutSearch
+from torquerig.recordings.repair.faults import Fault
+from torquerig.recordings.repair.recording_faults import MEASURED
 from torquerig.recordings.run import Run
 
-# dropouts behind a low-pass are searched in these
-_MEASURED = ("torque", "motor_torque", "force")
 _NAMED = 5  # most places that are named in a sentence
 
 
@@ -50,8 +53,11 @@ class RecordingInfo:
         """Return plain nested dicts, for JSON; without the summaries."""
         return {key: value for key, value in asdict(self).items() if key != "summaries"}
 
-    def suspicions(self) -> list[str]:
-        """Return one sentence per suspicious finding; empty where there is none."""
+    def suspicions(self, stretch: StretchFaults | None = None) -> list[str]:
+        """Return one sentence per suspicious finding, with those of a stretch; empty where there is none.
+
+        Dropouts and clipping of the whole recording are named before the same of a stretch of it.
+        """
         gaps = [
             f"{self.time_name} jumps by {gap.step:.6g} s instead of {1 / self.sample_rate:.6g} s after sample "
             f"{gap.sample} ({gap.time:.6g} s)"
@@ -62,7 +68,14 @@ class RecordingInfo:
             *gaps,
             *more,
             *chain.from_iterable(self._of(name, one) for name, one in self.channels.items() if not one.truth),
+            *(fault.of_channel for fault in (stretch.faults if stretch else ()) if self._is_new(fault)),
         ]
+
+    def _is_new(self, fault: Fault) -> bool:
+        one = self.channels[fault.channel]
+        if fault.kind == DROPOUTS:
+            return not one.dropouts and one.rounded_dropouts is None
+        return fault.kind != CLIPPING or not (one.clipped_low or one.clipped_high)
 
     def _of(self, name: str, one: ChannelInfo) -> list[str]:
         found = []
@@ -153,7 +166,7 @@ def _searches(recording: Recording) -> dict[str, DropoutSearch]:
     return {
         name: DropoutSearch(recording.sample_rate)
         for name, one in channels
-        if one.quantity in _MEASURED and not one.truth
+        if one.quantity in MEASURED and not one.truth
     }
 
 

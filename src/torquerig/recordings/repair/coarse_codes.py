@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import amount, fault_in_time
 
 _COARSER = 1.7  # a lattice must be so many converter steps wide
 _LATTICE_SCORE = 0.5  # share of the samples' phase that must agree with the lattice [1]
@@ -21,6 +23,25 @@ class Codes:
 
     step: float
     score: float
+
+
+def of_codes(seen: Examination) -> Examination:
+    """Find codes coarser than the converter's; the detector for ``DETECTORS``."""
+    if not seen.converter_step:
+        return seen
+    codes = coarse_codes(seen.recordings, converter_step=seen.converter_step)
+    if codes is None:
+        return seen
+    told = [
+        fault_in_time(
+            each, "coarse codes", 0, each.samples, mechanism="quantization",
+            seen=f"all values are multiples of {amount(each, codes.step)}, {codes.step / seen.converter_step:.3g} "
+            "steps of the converter",
+            repair="models were fitted with these codes",
+        )
+        for each in seen.recordings
+    ]  # fmt: skip
+    return replace(seen, coarse_code=codes.step).with_faults(*told)
 
 
 def coarse_codes(recordings: Sequence[Recording], *, converter_step: float) -> Codes | None:

@@ -7,13 +7,15 @@ moments may take nearly half of a run, so what is normal is told by the half of 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import Fault, fault_in_time, in_words
 from torquerig.recordings.repair.moments import moments_of
 from torquerig.recordings.repair.robust_spread import spread_about_zero
 from torquerig.recordings.repair.short_spectra import OVERLAP, ShortSpectra, closest_half, short_spectra
@@ -40,6 +42,28 @@ class GainMoment:
     start: int
     stop: int
     factor: float
+
+
+def one_gain(seen: Examination) -> Examination:
+    """Scale moments of another gain back."""
+    answer, told = list(seen.recordings), list[Fault]()
+    for index, (recording, moments) in enumerate(zip(seen.recordings, seen.lost, strict=True)):
+        gains = () if recording.name in seen.standing else gain_moments(recording, without=moments)
+        if gains:
+            answer[index] = with_one_gain(recording, gains)
+            told.append(_fault(recording, gains))
+    return replace(seen, recordings=tuple(answer)).with_faults(*told)
+
+
+def _fault(recording: Recording, moments: Sequence[GainMoment]) -> Fault:
+    rate, factor = recording.sample_rate, float(np.median([each.factor for each in moments]))
+    length = max(each.stop - each.start for each in moments) / rate
+    return fault_in_time(
+        recording, "gain change", moments[0].start, moments[0].stop, excess=20 * float(np.log10(factor)),
+        seen=f"at {in_words([each.start / rate for each in moments])} all of the signal, noise too, is {factor:.3g} "
+        f"times as large, for up to {length:.3g} s; that is a gain which changes",
+        repair="no mechanism of the library does that: the rest was judged with these moments scaled back",
+    )  # fmt: skip
 
 
 def gain_moments(recording: Recording, *, without: Sequence[tuple[int, int]] = ()) -> tuple[GainMoment, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 from statistics import median
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
 
 _STANDS = 0.4  # share of the steps that are none: every second sample held makes half
 _NOISE = 6.0  # medians of the steps: what is less while most stand is the noise of what comes behind the hold
@@ -21,6 +23,12 @@ _ONE_LEVEL = 0.5  # share of the samples: a reading that stands at its limit lea
 _LARGEST = 6.0  # medians of the steps, that one of them may count
 _AROUND, _NO_CHANCE = 4.0, 8.0  # beats of a run by which another's rhythm may be off, and spreads of chance
 _PADDED = 2  # times the length: a rhythm between two frequencies of the transform keeps nine tenths
+
+
+def renewed(seen: Examination) -> Examination:
+    """Put straight lines between renewals of samples that are held; ``time_base`` describes them."""
+    every = tuple(renewed_every(seen.recordings))
+    return replace(seen, renewed=every, recordings=tuple(map(on_straight_lines, seen.recordings, every)))
 
 
 def renewed_every(recordings: Sequence[Recording]) -> list[float | None]:

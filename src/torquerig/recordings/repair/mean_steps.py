@@ -8,18 +8,21 @@ for much of a run stands still there and seems to step when it leaves it; such r
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.inspection.extremes import extreme_of
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import Fault, amount, fault_in_time, in_words
 from torquerig.recordings.repair.moments import Moments
 from torquerig.recordings.repair.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]
 
+MEAN_STEP = "mean step"
 _LOOKED_AT = ("steady", "ramp")
 _BLOCK = 0.01  # [s] over which the signal is averaged
 _SHORT, _LONG = 5, 25  # blocks on either side whose means are compared
@@ -31,6 +34,9 @@ _MOST = 40  # steps of a run
 _STARTING = 0.125  # of a run whose speed moves, at either end, where it may stand
 _SMALLEST = 0.01  # of the range of the block means: a spread is not taken for less
 _ON_A_LIMIT = 0.2  # of a run's samples: most blocks then tell where the limit is, not where the torque was
+_FEW = 3  # of a recording: a mean that steps to and fro is not put right by taking out those that are seen
+_TAKEN_OUT = "the rest was judged with the steps taken out"
+_LEFT_IN = "there are too many of them to put the rest right"
 _HALF_EDGE = 0.015  # [s] either way in which the signal is on its way
 
 
@@ -41,6 +47,33 @@ class MeanStep:
     sample: int
     height: float
     clear: float
+
+
+def without_mean_steps(seen: Examination) -> Examination:
+    """Remove steps of the mean where they are few."""
+    answer, lost, told = list(seen.recordings), [list(each) for each in seen.lost], list[Fault]()
+    steps_of_each = mean_steps(answer, seen.lost, resolution=seen.resolution)
+    few = max(map(len, steps_of_each), default=0) <= _FEW
+    for index, steps in enumerate(steps_of_each):
+        if steps:
+            told.append(_fault(answer[index], steps, taken_out=few))
+        if steps and few:
+            lost[index] += edges(answer[index], steps)
+            answer[index] = without_steps(answer[index], steps)
+    stepping = seen.stepping or any(steps_of_each)
+    return replace(seen, recordings=tuple(answer), lost=tuple(lost), stepping=stepping).with_faults(*told)
+
+
+def _fault(recording: Recording, steps: Sequence[MeanStep], *, taken_out: bool) -> Fault:
+    rate, largest = recording.sample_rate, max(steps, key=lambda each: abs(each.height))
+    stop = steps[1].sample if len(steps) > 1 else recording.samples
+    return fault_in_time(
+        recording, MEAN_STEP, steps[0].sample, stop, excess=20 * float(np.log10(largest.clear)),
+        seen=f"at {in_words([each.sample / rate for each in steps])} the mean steps by up to "
+        f"{amount(recording, abs(largest.height))} within some milliseconds and stays there; a load that changes or a "
+        "zero that jumps does that",
+        repair=f"no mechanism of the library does that: {_TAKEN_OUT if taken_out else _LEFT_IN}",
+    )  # fmt: skip
 
 
 def mean_steps(

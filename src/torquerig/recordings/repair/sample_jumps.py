@@ -6,17 +6,51 @@ samples beside are large as well. A gain or a zero that jumps, and samples that 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.repair.moments import Moments
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import Fault, amount, fault_in_time, in_words
+from torquerig.recordings.repair.mean_steps import MEAN_STEP
+from torquerig.recordings.repair.moments import Moments, seams
 from torquerig.recordings.repair.robust_spread import spread_about_zero
 
 Floats = NDArray[np.float64]
 
 _BESIDE = 25  # differences on either side
 _CLEAR = 14.0  # robust spreads of those, and of the run's by a third of it
+_FASTEST = 5e-4  # [s] within which no torque changes: a current loop and a shaft take longer
+_FEWEST = 3  # of a recording: one may be a switch of the load, and passes
 _ALONE = 2.5  # times the largest of those
+
+
+def without_jumps(seen: Examination) -> Examination:
+    """Bridge jumps of recordings whose mean does not step; so few jumps that a load may have switched are left."""
+    lost, told = list(seen.lost), list[Fault]()
+    for index, recording in enumerate(seen.recordings):
+        slow = recording.sample_rate * _FASTEST < 1
+        if slow or seen.shows(MEAN_STEP, recording) or recording.name in seen.standing:
+            continue
+        jumps = sample_jumps(recording.torque_values(), lost[index], resolution=2 * seen.resolution).tolist()
+        if len(jumps) >= _FEWEST:
+            told.append(_fault(recording, jumps))
+            lost[index] = [*lost[index], *seams(jumps, recording)]
+    return replace(seen, lost=tuple(lost)).with_faults(*told)
+
+
+def _fault(recording: Recording, jumps: Sequence[int]) -> Fault:
+    heights = np.abs(np.diff(recording.torque_values()))[np.array(jumps) - 1]
+    return fault_in_time(
+        recording, "jumps", jumps[0], jumps[0] + 1,
+        seen=f"at {in_words([at / recording.sample_rate for at in jumps])} the signal jumps by up to "
+        f"{amount(recording, float(heights.max()))} from one sample to the next, and is smooth before and after; no "
+        "torque does that, a gain or a zero that changes or lost samples do",
+        repair="no mechanism of the library does that: the rest was judged with the jumps bridged",
+    )  # fmt: skip
 
 
 def sample_jumps(volts: Floats, lost: Moments = (), *, resolution: float = 0.0) -> NDArray[np.int64]:

@@ -15,9 +15,11 @@ from torquerig.recordings.repair.robust_spread import spread_about_median, sprea
 from torquerig.recordings.repair.strong_tone import without_tone
 
 Floats = NDArray[np.float64]
+Gap = tuple[int, int, float]  # first sample, one past the last, level
 
 _JUMP = 12.0
 _AT_ONCE = 0.6  # of the way to the level and back that one sample takes; a torque takes several
+_LEAST_SAMPLES = 8  # of a signal: of fewer nobody knows what is usual
 _SHORTEST, _FEWEST = 8e-4, 3  # [s] half a period of what rings is shorter; samples of which two may stand still
 _ONE_LEVEL = 6.0
 _MANY_CODES = 4.0  # steps of the converter in the noise: so rarely does a signal repeat a value that 0.8 ms tell
@@ -44,17 +46,27 @@ class Dropouts:
     rate: float
     runs: tuple[str, ...]
 
+    def sentence(self, name: str, unit: str) -> str:
+        """Return in one sentence how often a channel drops to which level, and for how long."""
+        times = f"{self.count} time{'s' * (self.count != 1)}"
+        return (
+            f"{name} drops to {self.level:.4g} {unit} and comes back {times}, for {1e3 * self.duration:.3g} ms in the "
+            "median"
+        )
+
 
 def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
     """Return the moments in which the signal stands still at a level of its own, away from its neighbourhood."""
+    return dropouts_of([(each, gaps(each.torque_values(), each.sample_rate)) for each in recordings])
+
+
+def dropouts_of(found: Sequence[tuple[Recording, Sequence[Gap]]]) -> Dropouts | None:
+    """Return the same of the gaps of each recording, None where there are none."""
     events: list[tuple[str, float, float]] = []
     length = 0.0
-    for recording in recordings:
+    for recording, own in found:
         length += recording.duration
-        events += [
-            (recording.name, level, (stop - start) / recording.sample_rate)
-            for start, stop, level in gaps(recording.torque_values(), recording.sample_rate)
-        ]
+        events += [(recording.name, level, (stop - start) / recording.sample_rate) for start, stop, level in own]
     if not events:
         return None
     levels, durations = np.array([event[1] for event in events]), np.array([event[2] for event in events])
@@ -62,7 +74,7 @@ def dropouts(recordings: Sequence[Recording]) -> Dropouts | None:
     return Dropouts(float(np.median(levels)), float(np.median(durations)), len(events), len(events) / length, runs)
 
 
-def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
+def gaps(volts: Floats, rate: float) -> list[Gap]:
     """Return (first, one past last, level) of every moment in which the signal jumps to a level and back.
 
     A strong alias goes on while the signal is lost, and makes jumps of its own; so does a hum, and moves the level:
@@ -79,7 +91,7 @@ def gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     return _with_quiet_ones(volts, found, rate)
 
 
-def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: float) -> list[tuple[int, int, float]]:
+def _with_quiet_ones(volts: Floats, found: list[Gap], rate: float) -> list[Gap]:
     """Return the moments found and others at their level, as quiet and half as long, that no jump leads into.
 
     A converter's own noise, or what is left of a tone, keeps values from repeating exactly, but the signal's noise does
@@ -102,7 +114,7 @@ def _with_quiet_ones(volts: Floats, found: list[tuple[int, int, float]], rate: f
     return sorted(found)
 
 
-def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
+def _gaps(volts: Floats, rate: float) -> list[Gap]:
     """Return the moments of a signal that no strong tone hides.
 
     Both jumps are larger than noise and shafts can make within a sample (12 robust sigma of the sample-to-sample
@@ -113,12 +125,14 @@ def _gaps(volts: Floats, rate: float) -> list[tuple[int, int, float]]:
     twenty times and more needs no jump at all. One that goes from plateau to plateau, few of them at that level, is
     held or pulsed over and over, and not lost.
     """
+    if volts.size < _LEAST_SAMPLES:
+        return []
     steps = np.diff(volts)
     sigma, code = _noise_of(steps)
     fine = sigma > _MANY_CODES * code
     coarse = sigma < _ONE_CODE * code and np.mean(steps == 0) > _STANDS
     jumps = np.flatnonzero(np.abs(steps) > (_TO_ZERO if coarse else _JUMP) * sigma) + 1
-    found, bends = list[tuple[int, int, float]](), float(np.median(np.abs(np.diff(steps))))
+    found, bends = list[Gap](), float(np.median(np.abs(np.diff(steps))))
     last, within, plateaus = 0, _ONE_LEVEL * sigma, 0
     for start, stop in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
         if start < last or not _shortest(rate) <= stop - start <= 0.2 * rate:
@@ -172,7 +186,7 @@ def _noise_of(steps: Floats) -> tuple[float, float]:
     return (middle if middle < _ONE_CODE * code else spread_about_zero(moving)), code
 
 
-def _standing(volts: Floats, samples: float) -> list[tuple[int, int, float]]:
+def _standing(volts: Floats, samples: float) -> list[Gap]:
     """Return (first, one past last, level) of the moments in which at least so many samples are the same."""
     edges = np.flatnonzero(np.concatenate([[True], np.diff(volts) != 0, [True]]))
     long = np.flatnonzero(np.diff(edges) >= samples)

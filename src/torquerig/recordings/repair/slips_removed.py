@@ -3,17 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from torquerig.recordings.recording import Recording
-from torquerig.recordings.repair.faults import Fault, fault_in_time, in_words
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import Fault, amount, fault_in_time, in_words
 from torquerig.recordings.repair.moments import Moments, bridged
-from torquerig.recordings.repair.slips import Slips
+from torquerig.recordings.repair.slips import Slips, slips
 
 _ENDS = 0.02  # [s] whose mean a bridge joins: single samples hold noise and lines
 
 Struck = Sequence[Slips | None]
+
+
+def without_strikes(seen: Examination) -> Examination:
+    """Bridge the blows of what slips under load and grips again."""
+    struck = slips(seen.recordings)
+    recordings, lost = without_slips(seen.recordings, seen.lost, struck)
+    found = replace(seen, recordings=tuple(recordings), lost=tuple(lost), struck=moments_of_slips(struck))
+    return found.with_faults(*slips_told(recordings, struck))
 
 
 def without_slips(
@@ -39,12 +49,12 @@ def slips_told(recordings: Sequence[Recording], struck: Struck) -> list[Fault]:
 
 
 def _told(recording: Recording, own: Slips) -> Fault:
-    rate, unit = recording.sample_rate, recording.channels[recording.torque_name()].si_per_unit
     start, stop = own.moments[0]
-    sentence = (
-        f"{recording.name}: at {in_words([at / rate for at, _ in own.moments])} the torque swings to and fro, by up to "
-        f"{own.furthest * unit:.3g} N m or {own.spreads:.0f} times its usual spread, and is quiet before and after; "
-        "under load nothing in the library does that, what slips and grips again does: the rest was judged with these "
-        "moments bridged"
-    )
-    return fault_in_time(recording, sentence, start, stop, excess=20 * float(np.log10(own.spreads)))
+    times = in_words([at / recording.sample_rate for at, _ in own.moments])
+    return fault_in_time(
+        recording, "slips", start, stop, excess=20 * float(np.log10(own.spreads)),
+        seen=f"at {times} the torque swings to and fro, by up to {amount(recording, own.furthest)} or "
+        f"{own.spreads:.0f} times its usual standard deviation, and is quiet before and after; what slips and grips "
+        "again does that under load",
+        repair="nothing in the library does that: the rest was judged with these moments bridged",
+    )  # fmt: skip

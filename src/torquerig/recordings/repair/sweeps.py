@@ -14,9 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
+from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import Fault, fault_in_frequency
 from torquerig.recordings.repair.path_sum import largest_path_sum
 from torquerig.recordings.repair.short_spectra import OVERLAP, spectrogram
-from torquerig.recordings.repair.sweep_course import Sweep, refined
+from torquerig.recordings.repair.sweep_course import Sweep, refined, without_sweep
 
 Floats = NDArray[np.float64]
 
@@ -30,6 +33,32 @@ _FAR, _NO_ORDER = 6, 0.08  # bins, and logarithm, that a line must move by: with
 _AROUND = 17  # bins whose median is taken off: 100 Hz that get loud together are no line
 _CAPPED = (-3.0, 8.0)  # of the log power: one loud block is no path
 _ALL_ALONG = 0.65  # share of its blocks in which a line stands above the mean; 0.45 for modes that are struck
+
+
+def without_sweeps(seen: Examination) -> Examination:
+    """Remove lines that sweep while the speed is steady, and the same from runs whose speed changes."""
+    answer, told = list(seen.recordings), list[Fault]()
+    volts = [(each.torque_values(), each.sample_rate) for each in answer]
+    steady = [index for index, each in enumerate(answer) if each.run.profile == "steady"]
+    sweeps = dict(zip(steady, sweeps_in([volts[index] for index in steady]), strict=True))
+    known = [sweep for sweep in sweeps.values() if sweep is not None]
+    swept = tuple((min(sweep.start, sweep.stop), max(sweep.start, sweep.stop)) for sweep in known)
+    for index, recording in enumerate(answer):
+        sweep = sweeps[index] if index in sweeps else sweep_along(*volts[index], known)
+        if sweep is not None:
+            answer[index] = recording.with_values(recording.torque_name(), without_sweep(*volts[index], sweep))
+            told.append(_fault(recording, sweep))
+    return replace(seen, recordings=tuple(answer), swept=swept).with_faults(*told)
+
+
+def _fault(recording: Recording, sweep: Sweep) -> Fault:
+    return fault_in_frequency(
+        recording, "sweep", 0.5 * (sweep.start + sweep.stop), width=abs(sweep.stop - sweep.start),
+        excess=20 * float(np.log10(sweep.clear)),
+        seen=f"a line sweeps from {sweep.start:.5g} to {sweep.stop:.5g} Hz over the run, and nothing of a rig does "
+        "that at a steady speed",
+        repair="no mechanism of the library does it either: the rest was judged without it",
+    )  # fmt: skip
 
 
 def sweeps_in(runs: Sequence[tuple[Floats, float]]) -> list[Sweep | None]:
@@ -116,10 +145,12 @@ def sweep_along(values: Floats, rate: float, sweeps: Sequence[Sweep]) -> Sweep |
 def _log_power(values: Floats, rate: float) -> tuple[Floats, Floats] | None:
     """Return the log power over its medians in time and frequency, in units of its spread, and its frequencies."""
     hop = round(0.5 * _BLOCK * rate)
-    if values.size < (_FEWEST + 1) * hop:
+    if not hop or values.size < (_FEWEST + 1) * hop:
         return None
     power, frequency = spectrogram(values, rate, hop)
     used = (frequency >= _LOWEST) & (frequency < min(_HIGHEST, 0.45 * rate))
+    if np.count_nonzero(used) < _AROUND:
+        return None
     middle = np.median(power[:, used], axis=0)
     log = np.log(np.maximum(power[:, used] / np.maximum(middle, 1e-300), 1e-9))
     log = np.clip(log - median_filter(log, size=(1, _AROUND), mode="nearest"), *_CAPPED)

@@ -8,20 +8,22 @@ a bearing rings so that its differences are as clear, a jump within a sample sti
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.examination import Examination
+from torquerig.recordings.repair.faults import Fault, amount, fault_in_time, in_words
 from torquerig.recordings.repair.moments import Moments
 from torquerig.recordings.repair.robust_spread import spread_about_median, spread_about_zero
 from torquerig.recordings.repair.sample_jumps import sample_jumps
 
 Floats = NDArray[np.float64]
 
-_LAGS = (1, 2, 4, 8, 16)  # samples that a jump may take
+_LAGS, _SLOWEST = (1, 2, 4, 8, 16), 0.001  # samples and [s] that a jump may take: a load takes longer
 _CLEAR = 8.0  # robust spreads of the differences, or codes
 _STAYS = (0.001, 0.004)  # [s] for which the mean must stand higher or lower by the height
 _OF_THE_HEIGHT, _SPREADS = 0.2, 4.0  # within which it must
@@ -29,7 +31,8 @@ _ALIKE = 0.1  # of the height: spread of what is one height
 # of the spread of the heights: ends that scatter less are one level, to which a signal is lost; more is asked of jumps
 # that stand alone, which need not stay
 _RATHER_A_LEVEL, _OF_THOSE_ALONE = 0.5, 1.0
-_FEWEST, _RUNS = 6, 2  # jumps over all runs, and runs with any: fewer are steps of the mean, which a load makes too
+# jumps over all runs, and runs, or halves of a single one, with any: fewer are steps of the mean, as a load makes them
+_FEWEST, _RUNS = 6, 2
 _TRUE_ONES, _TO_AND_FRO = 0.8, 0.9  # of what is clear stays; of what stays follows one of the other sign
 
 
@@ -55,13 +58,46 @@ class Telegraph:
 
 @dataclass(frozen=True)
 class _Jumps:
-    """First samples of new levels, heights and lower ends [V], how many differences were clear, of what spread [V]."""
+    """First samples of new levels, heights and lower ends [V], how many differences were clear, of what spread [V].
+
+    ``samples`` are those of the recording.
+    """
 
     at: NDArray[np.int64]
     heights: Floats
     lower: Floats
     clear: int
     spread: float
+    samples: int
+
+    @property
+    def halves(self) -> int:
+        """How many halves of the recording hold jumps."""
+        return int(np.unique(2 * self.at // self.samples).size)
+
+
+def one_level(seen: Examination) -> Examination:
+    """Remove telegraph noise."""
+    levels = telegraph_noise(seen.recordings, seen.lost, resolution=2 * seen.resolution)
+    told = [_fault(each, own) for each, own in zip(seen.recordings, levels, strict=True) if own is not None]
+    level = without_telegraph(seen.recordings, levels)
+    lost = tuple([*some, *more] for some, more in zip(seen.lost, level.moments, strict=True))
+    stepping = seen.stepping or any(level.to_the_other)
+    return replace(
+        seen, recordings=level.recordings, lost=lost, to_the_other=level.to_the_other, stepping=stepping
+    ).with_faults(*told)
+
+
+def _fault(recording: Recording, own: Telegraph) -> Fault:
+    rate, samples = recording.sample_rate, "a sample" if own.lag == 1 else f"{own.lag} samples"
+    stop = own.jumps[1] if len(own.jumps) > 1 else recording.samples
+    return fault_in_time(
+        recording, "telegraph noise", own.jumps[0], stop, excess=20 * float(np.log10(own.clear)),
+        seen=f"at {in_words([at / rate for at in own.jumps])} the signal jumps to and fro between two levels "
+        f"{amount(recording, own.height)} apart, within {samples}; no torque does that, random telegraph (burst) noise "
+        "of an amplifier or a loose contact does",
+        repair="no mechanism of the library does that: the rest was judged at one level",
+    )  # fmt: skip
 
 
 def telegraph_noise(
@@ -81,7 +117,10 @@ def telegraph_noise(
     volts = [recording.torque_values() for recording in recordings]
     rates = [recording.sample_rate for recording in recordings]
     looks = [*zip(volts, rates, lost, strict=True)]
-    each_lag = [_one_telegraph([_jumps(*look, lag=lag, resolution=resolution) for look in looks], lag) for lag in _LAGS]
+    lags = [lag for lag in _LAGS if lag <= _SLOWEST * min(rates)]
+    each_lag = [_one_telegraph([_jumps(*look, lag=lag, resolution=resolution) for look in looks], lag) for lag in lags]
+    if not lags:
+        return (None,) * len(volts)
     alone = [_alone(own, without, resolution=resolution) for own, without in zip(volts, lost, strict=True)]
     each_lag.append(_one_telegraph(alone, 1, level=_OF_THOSE_ALONE))
     return max(each_lag, key=lambda told: min((own.clear for own in told if own is not None), default=0.0))
@@ -146,14 +185,15 @@ def _jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: f
         within = np.maximum(_OF_THE_HEIGHT * sizes[at], _SPREADS * among)
         stays &= np.abs(change(at) - differences[at]) < within
     at, clear_ones = at[stays], at.size
-    return _Jumps(at + lag, differences[at], np.minimum(volts[at], volts[at + lag]), clear_ones, spread)
+    lower = np.minimum(volts[at], volts[at + lag])
+    return _Jumps(at + lag, differences[at], lower, clear_ones, spread, volts.size)
 
 
 def _alone(volts: Floats, lost: Moments, *, resolution: float) -> _Jumps:
     """Return the jumps from one sample to the next that stand alone."""
     at, spread = sample_jumps(volts, lost, resolution=resolution), spread_about_zero(np.diff(volts))
     lower = np.minimum(volts[at], volts[at - 1])
-    return _Jumps(at, volts[at] - volts[at - 1], lower, at.size, max(spread, resolution, 1e-12))
+    return _Jumps(at, volts[at] - volts[at - 1], lower, at.size, max(spread, resolution, 1e-12), volts.size)
 
 
 def _one_telegraph(
@@ -163,7 +203,8 @@ def _one_telegraph(
     none = (None,) * len(found)
     heights = np.concatenate([each.heights for each in found])
     clear = sum(each.clear for each in found)
-    if heights.size < max(_FEWEST, _TRUE_ONES * clear) or sum(each.at.size > 0 for each in found) < _RUNS:
+    parts = found[0].halves if len(found) == 1 else sum(each.at.size > 0 for each in found)
+    if heights.size < max(_FEWEST, _TRUE_ONES * clear) or parts < _RUNS:
         return none
     height = float(np.median(np.abs(heights)))
     follows = sum(int(np.sum(each.heights[1:] * each.heights[:-1] < 0)) for each in found)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.angle_jumps import AngleJump, angle_jumps
+from torquerig.recordings.repair.examination import Examination
 from torquerig.recordings.repair.faults import Fault, fault_in_frequency, fault_in_time, in_words
 from torquerig.recordings.repair.moments import Moments, seams
 from torquerig.recordings.repair.repeated_samples import Copied, copied
@@ -21,6 +22,14 @@ class BrokenTime:
     names: tuple[str, ...]
     told: tuple[Fault, ...]
     seams: tuple[Moments, ...]
+
+
+def on_one_time_base(seen: Examination) -> Examination:
+    """Bridge the seams of samples that were written twice or lost."""
+    repeating = seen.clipped if seen.behind else ()
+    found = broken_time(seen.recorded, renewed=seen.renewed, repeating=repeating)
+    lost = tuple([*some, *more] for some, more in zip(seen.lost, found.seams, strict=True))
+    return replace(seen, lost=lost, broken=found.names).with_faults(*found.told)
 
 
 def broken_time(
@@ -58,29 +67,31 @@ def broken_time(
 def _copied(recording: Recording, found: Sequence[Copied]) -> Fault:
     rate = recording.sample_rate
     length = max(each.stop - each.start for each in found) / rate
-    sentence = (
-        f"{recording.name}: at {in_words([each.start / rate for each in found])} samples repeat earlier ones exactly, "
-        f"for up to {1e3 * length:.3g} ms; the logger wrote them twice, so its time base cannot be trusted: the seams "
-        "were bridged"
-    )
-    return fault_in_time(recording, sentence, found[0].start, found[0].stop, excess=0.0)
+    return fault_in_time(
+        recording, "repeated samples", found[0].start, found[0].stop,
+        seen=f"at {in_words([each.start / rate for each in found])} samples repeat earlier ones exactly, for up to "
+        f"{1e3 * length:.3g} ms; the logger wrote them twice, so the time base cannot be trusted",
+        repair="the seams were bridged",
+    )  # fmt: skip
 
 
 def _jumping(recording: Recording, found: Sequence[AngleJump]) -> Fault:
     rate, furthest = recording.sample_rate, max(abs(each.turn) for each in found) / (2 * np.pi)
-    sentence = (
-        f"{recording.name}: at {in_words([each.start / rate for each in found])} the channel {found[0].channel} jumps "
-        f"by up to {furthest:.2g} turns from one sample to the next, and no shaft does; samples or counts were lost or "
-        "written twice, so its time base cannot be trusted: the seams were bridged"
-    )
-    return fault_in_time(recording, sentence, found[0].start, found[0].start + 1, excess=0.0)
+    name = found[0].channel
+    return fault_in_time(
+        recording, "angle jumps", found[0].start, found[0].start + 1, channel=name,
+        seen=f"at {in_words([each.start / rate for each in found])} the channel {name} jumps by up to {furthest:.2g} "
+        "turns from one sample to the next, and no shaft does; samples or counts were lost or written twice, so the "
+        "time base cannot be trusted",
+        repair="the seams were bridged",
+    )  # fmt: skip
 
 
 def _held(recording: Recording, every: float) -> Fault:
     rate = recording.sample_rate / every
-    sentence = (
-        f"{recording.name}: the torque is renewed only every {every:.4g} samples, at {rate:.4g} Hz, and held in "
-        f"between; what is faster than {0.5 * rate:.4g} Hz is folded below that, and no mechanism of the library does "
-        "that: the rest was judged with straight lines between the renewals"
-    )
-    return fault_in_frequency(recording, sentence, rate, width=1 / recording.duration)
+    return fault_in_frequency(
+        recording, "held samples", rate, width=1 / recording.duration,
+        seen=f"the torque is renewed only every {every:.4g} samples, at {rate:.4g} Hz, and held in between; what is "
+        f"faster than {0.5 * rate:.4g} Hz is folded below that",
+        repair="no mechanism of the library does that: the rest was judged with straight lines between the renewals",
+    )  # fmt: skip

@@ -1,0 +1,46 @@
+"""Suspicious samples of a recording, in the same sentences from every command."""
+
+from __future__ import annotations
+
+import click
+
+from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.inspection.recording_info import RecordingInfo, recording_info
+from torquerig.recordings.inspection.stretch_faults import first_stretch, head_of, stretch_faults
+from torquerig.recordings.recording import Recording
+
+
+def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None = None) -> None:
+    """Print what is suspicious in a recording, and where it was sought if that is not all of it.
+
+    Parameters
+    ----------
+    info : RecordingInfo
+        Of the whole recording.
+    head : Recording
+        Its first samples, or all.
+    note : str, optional
+        What the command does with suspicious samples; printed where there are some.
+    """
+    stretch = stretch_faults(head, samples=info.samples)
+    found = info.suspicions(stretch)
+    _print(found, note)
+    where = None if stretch is None else stretch.where()
+    if where is not None:
+        click.echo(where)
+
+
+def print_suspicions_of_start(stream: RecordingStream, *, note: str) -> None:
+    """Print what is suspicious in the first stretch of a recording that is read block by block; ``note`` as above."""
+    start = first_stretch(head_of(stream))
+    info = recording_info(start)
+    _print(info.suspicions(stretch_faults(start, samples=info.samples)), note)
+    if start.samples != stream.samples:
+        click.echo(f"faults of samples were sought in the first {start.duration:.3g} s")
+
+
+def _print(sentences: list[str], note: str | None) -> None:
+    for sentence in sentences:
+        click.echo(f"suspicious: {sentence}")
+    if sentences and note is not None:
+        click.echo(note)
