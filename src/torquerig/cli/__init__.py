@@ -1,6 +1,6 @@
 """The command line: one command per file, each imported only when it is called.
 
-init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  filter  matrix  diagnose
+init  catalog  orders  ordermap  modes  simulate  duty  size  synth  info  sheet  join  filter  matrix  diagnose
 reference-results  reference-decision  compare
 """
 
@@ -28,6 +28,7 @@ COMMANDS = {
     "synth": "make test signals from known components",
     "info": "show channels, levels and faults of recordings",
     "sheet": "draft the sidecar of a recording: units, scales and test conditions",
+    "join": "bring columns of several rates or files to one recording",
     "filter": "apply filter chains to a recording and show their effect",
     "matrix": "compute elimination, Pugh and Kesselring matrices and check them for errors",
     "diagnose": "find physics that recordings show and the model of the rig lacks",

@@ -1,0 +1,9 @@
+"""Columns of several rates, or of several files of one run, as one recording.
+
+================ ==============================================================================
+``tracks``       columns with a rate and a start of their own, from one file
+``resampling``   a track at the times of a common grid, without aliases
+``alignment``    the shift of two files, by their clocks or by a channel that both have
+``join``         all tracks as one recording
+================ ==============================================================================
+"""
