@@ -8,7 +8,8 @@ from math import exp, inf, isfinite, log, sqrt
 from typing import TYPE_CHECKING, Any
 
 from torquerig.errors import UnitError
-from torquerig.units import IN_A_LINE, in_unit, parse_quantity, written_quantity
+from torquerig.sensible import beyond_sense
+from torquerig.units import IN_A_LINE, in_unit, kind_of, parse_quantity, written_quantity
 
 if TYPE_CHECKING:
     import numpy as np
@@ -157,8 +158,14 @@ class Parameter:
         if number < self.low or number > self.high or number <= self.above:
             bound = f"at least {self.low:g}" if number < self.low else f"at most {self.high:g}"
             bound = f"more than {self.above:g}" if number <= self.above else bound
-            shown = written_quantity(float(_digits(in_unit(number, self.unit), 12)), self.unit)
-            raise ValueError(f"{shown} is out of range: {self.meaning} must be {bound}")
+            raise ValueError(f"{_written(number, self.unit)} is out of range: {self.meaning} must be {bound}")
+        limit = beyond_sense(number, kind_of(self.unit))
+        if limit is not None:
+            most = "smallest" if abs(number) < limit else "largest"
+            raise ValueError(
+                f"{_written(number, self.unit)} is beyond reason for {self.meaning}; the {most} sensible size is "
+                f"{_written(limit, self.unit)}"
+            )
         return number
 
     def read_estimate(self, written: Any) -> Estimate:
@@ -215,6 +222,10 @@ class Parameter:
                 raise ValueError(str(error)) from None
 
         return core_schema.with_info_plain_validator_function(validator)
+
+
+def _written(number: float, unit: str) -> str:
+    return written_quantity(float(_digits(in_unit(number, unit), 12)), unit)
 
 
 def _listed(written: Any) -> list[Any]:

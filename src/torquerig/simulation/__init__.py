@@ -7,7 +7,7 @@
 ``ready``           a rig prepared for integration; ``inputs``: set-points and loads at every sample
 ``profile``         set-point over time; ``waves``: cosines of a rig; ``outputs``: outputs of a run
 ``kernel/``         the compiled loop
-``step_choice``     integration steps per sample; ``step_proof``: check by halving the step
+``step_choice``     integration steps per sample; ``step_proof``: check by halving the step; ``effort``: limits
 ``failure``         the cause of a failed integration
 ``linear``          the same arrays as M, C, K; ``twin/``: linear model, modes, margins, Campbell diagram
 ``linear_path``     exact simulation of a linear rig; ``linear_start``, ``linear_refusals``: its start and limits

@@ -9,6 +9,7 @@ from typing import Any
 from torquerig.errors import InputError, SimulationError
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.arrays import Floats
+from torquerig.simulation.effort import refuse_long, refuse_stiff
 from torquerig.simulation.failure import why_it_failed
 from torquerig.simulation.inputs import Span, filled, held_while_settling, start
 from torquerig.simulation.lower import Lowered, lower
@@ -58,7 +59,7 @@ def ready(
 ) -> Ready:
     """Return a rig ready for the span; InputError where there is nothing to record or nothing moves.
 
-    SimulationError where it needs more than ``most_steps`` integration steps a sample.
+    SimulationError where it needs more than ``most_steps`` integration steps a sample, or more than any run may take.
     """
     lowered = lower(rig, span.seed)
     if span.samples < 2:
@@ -66,9 +67,13 @@ def ready(
         raise InputError(f"a recording of {length:g} s at {span.rate:g} Hz has {span.samples} samples; ask for more")
     if not lowered.drive_terms and not lowered.load_terms and not lowered.imposed_terms:
         raise InputError("nothing moves the rig; add a speed controller to the motor")
+    refuse_long(span)
     lowered = held_while_settling(lowered, span)
     terms = filled(rig, lowered, span)
-    steps = substeps or step_choice(lowered, terms, span.rate).steps
+    choice = step_choice(lowered, terms, span.rate)
+    if substeps is None and most_steps is None:
+        refuse_stiff(choice, lowered, span.rate)
+    steps = substeps or choice.steps
     if most_steps is not None and steps > most_steps:
         raise SimulationError(f"the rig needs {steps} integration steps a sample, more than the {most_steps} allowed")
     origin = {"scenario": scenario, "seed": span.seed, "substeps": steps}

@@ -23,11 +23,12 @@ CREEPS = 3.0  # [1] speed over the smoothing of a sign, below which friction may
 
 @dataclass(frozen=True)
 class Rate:
-    """How fast something in a rig can change [1/s], what it is in words, and what it may turn in one step [rad]."""
+    """How fast something in a rig can change [1/s], in words, its limit in one step [rad], and the spring it is in."""
 
     rate: float
     what: str
     allowed: float = STEP_ANGLE
+    spring: str | None = None
 
 
 @dataclass(frozen=True)
@@ -84,9 +85,11 @@ def _modes(lowered: Lowered) -> list[Rate]:
         shares = strain_shares(
             np.abs(shape) * np.cos(np.angle(shape) - np.angle(shape[np.abs(shape).argmax()])), lowered
         )
-        place = f" (twist in {lowered.spring_names[int(shares.argmax())]!r})" if shares.any() else ""
+        spring = lowered.spring_names[int(shares.argmax())] if shares.any() else None
+        place = "" if spring is None else f" (twist in {spring!r})"
         rate, frequency = float(abs(values[row])), float(values[row].imag / (2 * pi))
-        found.append(Rate(rate, f"the mode at {frequency:.4g} Hz{place}" if frequency else f"a damped motion{place}"))
+        what = f"the mode at {frequency:.4g} Hz{place}" if frequency else f"a damped motion{place}"
+        found.append(Rate(rate, what, spring=spring if frequency else None))
     return found
 
 

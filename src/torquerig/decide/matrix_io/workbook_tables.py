@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from torquerig.errors import InputError, did_you_mean
-
-Row = tuple[Any, ...]
+from torquerig.safe_workbook import Row, column_letters, read_workbook
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,24 +33,16 @@ class SheetTable:
 
 
 def sheet_tables(path: Path, names: Collection[str]) -> dict[str, SheetTable]:
-    """Return those of the named sheets that the workbook has; InputError where it is none, or a head occurs twice."""
-    from zipfile import BadZipFile
+    """Return those of the named sheets that the workbook has; the heads are in the first row.
 
-    import openpyxl
-
-    if not path.is_file():
-        raise InputError(f"{path}: there is no such file; check the path")
-    try:
-        values, formulas = (openpyxl.load_workbook(path, data_only=only) for only in (True, False))
-    except (BadZipFile, KeyError, ValueError, OSError) as error:
-        raise InputError(f"{path}: is no Excel workbook ({error}); save it as .xlsx") from None
+    Raises
+    ------
+    InputError
+        As :func:`~torquerig.safe_workbook.read_workbook`, and where a head occurs twice.
+    """
     tables = {}
-    for name in names:
-        if name not in values.sheetnames:
-            continue
-        rows = tuple(enumerate(values[name].iter_rows(values_only=True), start=1))
-        _refuse_unstored(path, name, rows, formulas[name])
-        head = rows[0][1] if rows else ()
+    for name, rows in read_workbook(path, names).items():
+        head = rows[0][1] if rows and rows[0][0] == 1 else ()
         heads: dict[str, int] = {}
         for column, text in enumerate(head):
             if text is None or str(text).strip() == "":
@@ -61,20 +52,8 @@ def sheet_tables(path: Path, names: Collection[str]) -> dict[str, SheetTable]:
                 where = f"{path}: sheet {name!r}, cell {column_letters(column)}1"
                 raise InputError(f"{where}: the column {title!r} occurs twice; keep one of them")
             heads[title] = column
-        tables[name] = SheetTable(name=name, heads=heads, rows=rows[1:])
-    values.close()
-    formulas.close()
+        tables[name] = SheetTable(name=name, heads=heads, rows=tuple(row for row in rows if row[0] > 1))
     return tables
-
-
-def _refuse_unstored(path: Path, name: str, rows: tuple[tuple[int, Row], ...], live: Any) -> None:
-    for number, row in rows:
-        for column, value in enumerate(row):
-            written = live.cell(number, column + 1).value if value is None else None
-            if isinstance(written, str) and written.startswith("="):
-                place = f"{path}: sheet {name!r}, cell {column_letters(column)}{number}"
-                raise InputError(f"{place}: the formula {written} has no stored value; open and save the file in a "
-                                 "spreadsheet program, or write the number")  # fmt: skip
 
 
 def needed_table(path: Path, book: Mapping[str, SheetTable], name: str, heads: Collection[str]) -> SheetTable:
@@ -97,13 +76,3 @@ def refuse_unknown(path: Path, table: SheetTable, known: set[str]) -> None:
         if head not in known:
             place = f"{path}: sheet {table.name!r}, cell {column_letters(column)}1"
             raise InputError(f"{place}: unknown column {head!r}; {did_you_mean(head, known)}")
-
-
-def column_letters(column: int) -> str:
-    """Return the letters of a column counted from 0: A, B, ..., Z, AA."""
-    text = ""
-    column += 1
-    while column:
-        column, remainder = divmod(column - 1, 26)
-        text = chr(ord("A") + remainder) + text
-    return text
