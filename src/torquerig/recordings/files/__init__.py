@@ -7,6 +7,8 @@
 ``block_writing``       writes blocks to a file and its sidecar; ``mat_blocks``: to a .mat of v7.3
 ``gaps``                steps of time that are not one sample long
 ``timebase``            the sample rate, from the sidecar, the file or a time column
+``timing``              the sampling that times show: even, coarse, late or with gaps; with ``time_band``
+``time_unit``           the unit of times that state none
 ``checks``              refuses missing samples, unequal lengths, not-a-number
 ``sidecar``             reads the meaning of the channels and the test conditions
 ``sidecar_schema``      the keys of a sidecar with their bounds; ``sidecar_text``: writes a sidecar

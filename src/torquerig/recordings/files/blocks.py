@@ -8,11 +8,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.errors import InputError
+from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.files.checks import check_counts, check_finite
 from torquerig.recordings.files.gaps import gaps_in, refuse_gaps
 from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.files.timebase import refuse_problem
+from torquerig.recordings.files.timing import timing_of
 from torquerig.recordings.recording import Recording
+
+# times from which coarse and late ones are judged together [1]
+_JUDGED = 400
+# largest difference of two rates that are the same [1]
+_SAME_RATE = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,11 +107,30 @@ def sound_blocks(stream: RecordingStream, blocking: Blocking) -> Iterator[Block]
     before = None
     for block in blocking.cut(stream):
         if block.times is not None:
-            gaps = gaps_in(block.times, stream.sample_rate, first=block.first, before=before)
-            refuse_gaps(gaps, name=str(stream.table.time_name()), rate=stream.sample_rate, where=str(stream.path))
+            _refuse_uneven(stream, block, before)
             before = float(block.times[-1])
         check_finite(block.recording, first=block.first - block.kept.start)
         yield block
+
+
+def _refuse_uneven(stream: RecordingStream, block: Block, before: float | None) -> None:
+    """Raise RecordingError for a jump of time; coarse and late times are judged over the whole block."""
+    if block.times is None:
+        return
+    name, where = str(stream.table.time_name()), str(stream.path)
+    if not stream.time_scatter or block.times.size < _JUDGED:
+        gaps = gaps_in(block.times, stream.sample_rate, first=block.first, before=before, scatter=stream.time_scatter)
+        refuse_gaps(gaps, name=name, rate=stream.sample_rate, where=where)
+        return
+    times = block.times if before is None else np.concatenate([[before], block.times])
+    timing = timing_of(times, name=name, stated=stream.sample_rate)
+    if timing.problem:
+        refuse_problem(timing, name=f"from sample {block.first} on, {name}", where=where)
+    if abs(timing.rate / stream.sample_rate - 1) > max(_SAME_RATE, 2 * timing.uncertainty):
+        raise RecordingError(
+            f"{where}: from sample {block.first} on, {name} shows {timing.rate:.6g} Hz instead of "
+            f"{stream.sample_rate:.6g} Hz; cut the recording there, or resample it with 'torquerig join'"
+        )
 
 
 class _Held:

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.timebase import rate_of_times, shortest_rate
 
 # limit of a regular step, in samples: one lost sample makes a step of two
 _JUMP = 0.5
@@ -23,7 +22,9 @@ class Gap:
     step: float
 
 
-def gaps_in(times: NDArray[np.float64], rate: float, *, first: int = 0, before: float | None = None) -> list[Gap]:
+def gaps_in(
+    times: NDArray[np.float64], rate: float, *, first: int = 0, before: float | None = None, scatter: float = 0.0
+) -> list[Gap]:
     """Return the steps that differ from one sample by half a sample or more, go back, or are not numbers.
 
     Parameters
@@ -36,10 +37,12 @@ def gaps_in(times: NDArray[np.float64], rate: float, *, first: int = 0, before: 
         The number of the first of ``times`` in the recording.
     before : float, optional
         The time of the sample before the first one [s].
+    scatter : float
+        How far coarse or late stamps let a step deviate from one sample [s], in addition.
     """
     whole = times if before is None else np.concatenate([[before], times])
     steps = np.diff(whole)
-    uneven = np.flatnonzero(~(np.abs(steps * rate - 1) < _JUMP))
+    uneven = np.flatnonzero(~(np.abs(steps * rate - 1) < _JUMP + scatter * rate))
     start = first if before is None else first - 1
     return [Gap(start + int(one), float(whole[one]), float(steps[one])) for one in uneven]
 
@@ -51,26 +54,5 @@ def refuse_gaps(gaps: list[Gap], *, name: str, rate: float, where: str) -> None:
     one = gaps[0]
     raise RecordingError(
         f"{where}: {name} jumps by {one.step:.6g} s instead of {1 / rate:.6g} s after sample {one.sample} "
-        f"({one.time:.9g} s); cut the recording there, or, if only the printed times are coarse, leave the column out "
-        "and state sample_rate_Hz"
+        f"({one.time:.9g} s); cut the recording there, or resample it with 'torquerig join'"
     )
-
-
-def usual_rate(times: NDArray[np.float64], *, name: str, where: str) -> float:
-    """Return the sample rate [Hz] of ``times`` [s] that may have gaps, from the steps that are one sample long.
-
-    Raises
-    ------
-    RecordingError
-        Where the time does not rise at all.
-    """
-    try:
-        return rate_of_times(times, name=name, where=where)
-    except RecordingError:
-        steps = np.diff(times)
-        rising = steps[steps > 0]
-        if rising.size == 0:
-            raise
-        middle = float(np.median(rising))
-        even = rising[np.abs(rising - middle) < _JUMP * middle]
-        return shortest_rate(1 / float(even.mean()), tolerance=1e-6)

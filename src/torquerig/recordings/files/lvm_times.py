@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.files.timebase import shortest_rate
+from torquerig.recordings.files.timing import shortest_rate
 
 # largest deviation of an X value from the even grid [samples]; one lost sample makes half a sample or more
 _UNEVEN = 0.25

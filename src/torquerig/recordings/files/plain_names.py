@@ -20,6 +20,10 @@ class _Names:
     units: Mapping[str, str]
     time: TimeColumn | None
 
+    def has_unit(self) -> bool:
+        # LabVIEW's X_Value is in seconds by definition
+        return self.time is None or self.time.stated or self.time.name.strip().lower() == "x_value"
+
     def notes(self) -> tuple[str, ...]:
         if self.time is None or self.time.name.strip().lower() == "time_s":
             return ()
@@ -44,6 +48,7 @@ def with_plain_names(table: Table, *, kept: Collection[str] = ()) -> Table:
         rates={names.new[name]: rate for name, rate in table.rates.items()},
         units=names.units,
         notes=(*table.notes, *names.notes()),
+        time_has_unit=names.has_unit(),
     )
 
 
@@ -69,6 +74,7 @@ def pieces_with_plain_names(table: TablePieces, *, kept: Collection[str] = ()) -
         rates={names.new[name]: rate for name, rate in table.rates.items()},
         units=names.units,
         notes=(*table.notes, *names.notes()),
+        time_has_unit=names.has_unit(),
     )
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.checks import check_counts
 from torquerig.recordings.files.csv import csv_pieces
-from torquerig.recordings.files.gaps import usual_rate
 from torquerig.recordings.files.gz import TEXT_ENDINGS, gz_pieces
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
@@ -23,7 +22,9 @@ from torquerig.recordings.files.reading import channel_entries, check_readable, 
 from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
 from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
 from torquerig.recordings.files.tdms_pieces import tdms_pieces
-from torquerig.recordings.files.timebase import agreed_rate, refuse_two_rates
+from torquerig.recordings.files.time_unit import in_unit, unit_evidence
+from torquerig.recordings.files.timebase import agreed_rate, refuse_problem, refuse_two_rates, stated_rate
+from torquerig.recordings.files.timing import Timing, timing_of
 from torquerig.recordings.files.wav import wav_pieces
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
@@ -61,6 +62,8 @@ class RecordingStream:
         As in :class:`Recording`.
     table : TablePieces
         The source of the samples; ``table.read_whole`` is the reason where the file could not be read in pieces.
+    time_scatter : float
+        How far coarse or late times deviate from even steps [s], see :class:`Timing`.
     """
 
     path: Path
@@ -70,6 +73,7 @@ class RecordingStream:
     table: TablePieces
     run: Run = field(default_factory=Run)
     origin: Mapping[str, Any] = field(default_factory=dict)
+    time_scatter: float = 0.0
 
     def of(self, columns: Mapping[str, NDArray[np.float64]]) -> Recording:
         """Return a recording with these samples of each channel."""
@@ -112,8 +116,10 @@ def open_stream(path: Path) -> RecordingStream:
     refuse_two_rates(table.rates, entries, where=str(path))
     lengths = {name: table.lengths[name] for name in (*([time] if time else []), *entries) if name in table.lengths}
     samples = check_counts(lengths, str(path)) if lengths else None
-    by_time = None if time is None else usual_rate(_first_times(table, time, path), name=time, where=str(path))
-    rate = agreed_rate(table.rates, entries, by_time=by_time, time_name=time, sidecar=sidecar, where=str(path))
+    timing = None
+    if time is not None:
+        table, timing = _timed(table, time, stated=stated_rate(table.rates, entries, sidecar=sidecar), path=path)
+    rate = agreed_rate(table.rates, entries, timing=timing, time_name=time, sidecar=sidecar, where=str(path))
     return RecordingStream(
         path=path,
         sample_rate=rate,
@@ -122,7 +128,30 @@ def open_stream(path: Path) -> RecordingStream:
         table=table,
         run=sidecar.run if sidecar else Run(),
         origin=sidecar.origin if sidecar else {},
+        time_scatter=timing.scatter if timing else 0.0,
     )
+
+
+def _timed(table: TablePieces, time: str, *, stated: float | None, path: Path) -> tuple[TablePieces, Timing]:
+    """Return the table with its times in seconds and a note about them, and the sampling that the first ones show."""
+    times = _first_times(table, time, path)
+    timing = timing_of(times, name=time, stated=stated)
+    if not timing.rate > 0:
+        refuse_problem(timing, name=time, where=str(path))
+    notes = [*table.notes, *([timing.note] if timing.note else [])]
+    if table.time_has_unit:
+        return replace(table, notes=tuple(notes)), timing
+    seconds, note = unit_evidence(
+        timing, first=float(times[0]), samples=times.size, stated=stated, name=time, where=str(path)
+    )
+    if seconds == 1.0:
+        return replace(table, notes=tuple(notes)), timing
+
+    def pieces(names: Sequence[str]) -> Iterator[Mapping[str, NDArray[np.float64]]]:
+        for piece in table.pieces(names):
+            yield {name: values * seconds if name == time else values for name, values in piece.items()}
+
+    return replace(table, pieces=pieces, notes=(*notes, note)), in_unit(timing, seconds)
 
 
 def pieces_of_file(path: Path) -> TablePieces:

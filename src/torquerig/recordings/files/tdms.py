@@ -17,7 +17,7 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.files.lvm_times import TIME_UNITS
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.table_pieces import PIECE
-from torquerig.recordings.files.timebase import shortest_rate
+from torquerig.recordings.files.timing import shortest_rate
 from torquerig.recordings.recording import Recording
 
 _LEAD_IN = 28  # bytes that every segment begins with

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.sidecar import Sidecar
+from torquerig.recordings.files.time_unit import in_unit, unit_evidence
+from torquerig.recordings.files.timing import Timing, timing_of
 
-# largest deviation of a time from the even grid [samples]; one lost sample makes half a sample or more
-_UNEVEN = 0.25
 # largest relative difference of two stated rates (a rounded time column) [1]
 _CONTRADICTION = 1e-3
 
@@ -25,9 +25,25 @@ def sample_rate_of(table: Table, names: Iterable[str], *, sidecar: Sidecar | Non
     RecordingError
         When the rate is not stated, or two statements differ by more than 0.1 %.
     """
-    time = table.time_name()
-    by_time = None if time is None else rate_of_times(table.columns[time], name=time, where=where)
-    return agreed_rate(table.rates, names, by_time=by_time, time_name=time, sidecar=sidecar, where=where)
+    time, used = table.time_name(), list(names)
+    timing = None
+    if time is not None:
+        times, stated = table.columns[time], stated_rate(table.rates, used, sidecar=sidecar)
+        timing = timing_of(times, name=time, stated=stated)
+        refuse_problem(timing, name=time, where=where)
+        if not table.time_has_unit:
+            seconds, _ = unit_evidence(
+                timing, first=float(times[0]), samples=times.size, stated=stated, name=time, where=where
+            )
+            timing = in_unit(timing, seconds)
+    return agreed_rate(table.rates, used, timing=timing, time_name=time, sidecar=sidecar, where=where)
+
+
+def stated_rate(rates: Mapping[str, float], names: Iterable[str], *, sidecar: Sidecar | None) -> float | None:
+    """Return the rate that the sidecar states, else the file for the first of ``names``, else None [Hz]."""
+    if sidecar is not None and sidecar.sample_rate is not None:
+        return sidecar.sample_rate
+    return next((rates[name] for name in names if name in rates), None)
 
 
 def refuse_two_rates(rates: Mapping[str, float], names: Iterable[str], *, where: str) -> None:
@@ -43,7 +59,7 @@ def refuse_two_rates(rates: Mapping[str, float], names: Iterable[str], *, where:
 
 
 def agreed_rate(
-    rates: Mapping[str, float], names: Iterable[str], *, by_time: float | None, time_name: str | None,
+    rates: Mapping[str, float], names: Iterable[str], *, timing: Timing | None, time_name: str | None,
     sidecar: Sidecar | None, where: str,
 ) -> float:  # fmt: skip
     """Return the rate that sidecar, file and time column agree upon [Hz]; RecordingError as :func:`sample_rate_of`."""
@@ -53,8 +69,8 @@ def agreed_rate(
     for name in names:
         if name in rates:
             stated[f"the file's entry for {name}"] = rates[name]
-    if by_time is not None:
-        stated[f"the column {time_name}"] = by_time
+    if timing is not None:
+        stated[f"the column {time_name}"] = timing.rate
     if not stated:
         raise RecordingError(
             f"{where}: the sample rate is not stated; write it into a sidecar {_stem(where)}.yaml as "
@@ -62,7 +78,8 @@ def agreed_rate(
         )
     (first, rate), *rest = stated.items()
     for other, value in rest:
-        if abs(value - rate) > _CONTRADICTION * rate:
+        allowed = max(_CONTRADICTION, timing.uncertainty if timing is not None and value == timing.rate else 0.0)
+        if abs(value - rate) > allowed * rate:
             raise RecordingError(
                 f"{where}: {first} states {rate:.10g} samples per second and {other} states {value:.10g}; "
                 "correct one of them"
@@ -71,42 +88,42 @@ def agreed_rate(
 
 
 def rate_of_times(times: NDArray[np.float64], *, name: str, where: str) -> float:
-    """Return the sample rate [Hz] of evenly spaced ``times`` [s], shape (samples,): the shortest decimal that fits.
+    """Return the sample rate [Hz] of evenly spaced ``times`` [s], shape (samples,); see :func:`timing_of`.
 
     Raises
     ------
     RecordingError
-        When a time is not a number, or deviates from the even grid by more than a quarter of a sample; with place and
-        deviation. A lost sample makes a deviation of at least half a sample.
+        When a time is not a number, or the samples are not even; with places and counts.
     """
-    steps = np.diff(times)
-    rising = steps > 0
-    if not np.all(rising & np.isfinite(steps)):
-        broken = int(np.argmin(rising & np.isfinite(steps))) + 1
-        raise RecordingError(
-            f"{where}: {name} does not rise at sample {broken} ({times[broken - 1]:.9g} s, then {times[broken]:.9g}); "
-            "put the rows in order and remove doubles, or join parts only where time continues"
-        )
-    rate = (times.size - 1) / float(times[-1] - times[0])
-    off = np.abs((times - times[0]) * rate - np.arange(times.size))
-    worst = float(off.max())
-    if worst > _UNEVEN:
-        step = int(np.argmax(np.abs(steps * rate - 1)))
-        raise RecordingError(
-            f"{where}: {name} is not evenly spaced: it is up to {worst:.3g} samples off an even {rate:.6g} Hz, and the "
-            f"step after sample {step} is {steps[step]:.6g} s instead of {np.median(steps):.6g} s; resample the "
-            "recording evenly, or, if only the printed times are coarse, leave the column out and state sample_rate_Hz"
-        )
-    return shortest_rate(rate, tolerance=max(1e-11, 2 * worst / (times.size - 1)))
+    timing = timing_of(times, name=name)
+    refuse_problem(timing, name=name, where=where)
+    return timing.rate
 
 
-def shortest_rate(rate: float, *, tolerance: float) -> float:
-    """Return the shortest decimal within the relative ``tolerance`` of ``rate``: 25000, not 24999.9999999987."""
-    for digits in range(1, 17):
-        candidate = float(f"{rate:.{digits}g}")
-        if abs(candidate - rate) <= tolerance * rate:
-            return candidate
-    return rate
+def usual_rate(times: NDArray[np.float64], *, name: str, where: str) -> float:
+    """Return the sample rate [Hz] of ``times`` [s] that may have gaps, from the steps that are one sample long.
+
+    Raises
+    ------
+    RecordingError
+        Where the time does not rise at all.
+    """
+    timing = timing_of(times, name=name)
+    if not timing.rate > 0:
+        refuse_problem(timing, name=name, where=where)
+    return timing.rate
+
+
+def refuse_problem(timing: Timing, *, name: str, where: str) -> None:
+    """Raise RecordingError where times show lost, doubled or uneven samples."""
+    if not timing.problem:
+        return
+    remedy = (
+        "put the rows in order and remove doubles, or join parts only where time continues"
+        if timing.problem.startswith("does not rise")
+        else "cut the recording there, or resample it with 'torquerig join'"
+    )
+    raise RecordingError(f"{where}: {name} {timing.problem}; {remedy}")
 
 
 def _stem(where: str) -> str:

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.recordings.files.gaps import usual_rate
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import check_readable, entry_by_name
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
 from torquerig.recordings.files.stream import open_stream, pieces_of_file
 from torquerig.recordings.files.table_pieces import TablePieces
+from torquerig.recordings.files.timebase import usual_rate
 from torquerig.recordings.inspection.levels import NOTHING, Levels, joined_levels, levels_of
 
 

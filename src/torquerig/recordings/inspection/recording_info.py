@@ -151,7 +151,9 @@ def stream_info(stream: RecordingStream) -> RecordingInfo:
             search.add(recording.channels[name].values[block.kept])
         samples = block.first + block.kept.stop - block.kept.start
         if block.times is not None:
-            gaps += gaps_in(block.times, stream.sample_rate, first=block.first, before=last_time)
+            gaps += gaps_in(
+                block.times, stream.sample_rate, first=block.first, before=last_time, scatter=stream.time_scatter
+            )
             last_time = float(block.times[-1])
     if recording is None:  # a stream without blocks raises before
         recording = stream.of({name: np.empty(0) for name in stream.entries})

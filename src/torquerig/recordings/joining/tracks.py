@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.gaps import gaps_in, usual_rate
+from torquerig.recordings.files.gaps import gaps_in
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import channel_entries, check_readable
 from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
 from torquerig.recordings.files.stream import pieces_of_file
+from torquerig.recordings.files.timebase import usual_rate
 from torquerig.recordings.run import Run
 
 

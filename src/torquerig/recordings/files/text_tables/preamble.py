@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from torquerig.recordings.files.text_tables.cells import Dialect, form_of, signs_of
 from torquerig.recordings.files.text_tables.lines import TextLine
-from torquerig.recordings.files.timebase import shortest_rate
+from torquerig.recordings.files.timing import shortest_rate
 
 _ENTRY = re.compile(r"^[\s#%/\"';*]*(?P<key>[^:=\t;,|]{1,60}?)\s*(?:[:=\t;,|]\s*)+(?P<value>[^\s].*?)[\s\"';,|]*$")
 _BRACKET = re.compile(r"^(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]$")

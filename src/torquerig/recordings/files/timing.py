@@ -1,0 +1,201 @@
+"""The sampling that a column of times shows: even, with coarse or late stamps, or with gaps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from torquerig.recordings.files.time_band import narrowest_band
+
+Floats = NDArray[np.float64]
+
+# largest deviation of a time from the even grid [samples]; one lost sample makes half a sample or more
+_UNEVEN = 0.25
+# limit of a regular step [samples]: one lost sample makes a step of two
+_JUMP = 0.5
+# lost samples at random are as regular as coarse stamps once in k**k / k! files: in 400 for eight
+_REGULAR_STEPS = 8
+# samples of which the middle lateness is taken at least; below eight of these, late stamps are not judged [1]
+_MEDIAN_OF = 25
+# steps scatter by less than this where the times themselves are sound [samples]; then few of them may be late [1]
+_SOUND, _FEW = 0.02, 0.01
+# a clock that drifts by less than this share of the time is still one rate [1]
+_DRIFT = 1e-4
+# gaps named in a message
+_NAMED = 3
+
+
+@dataclass(frozen=True, kw_only=True)
+class Timing:
+    """The sampling that times show.
+
+    Parameters
+    ----------
+    rate : float
+        [Hz].
+    uncertainty : float
+        Of the rate, relative.
+    scatter : float
+        The largest deviation of a step from one sample that comes from coarse or late stamps [s]; 0 for sound times.
+    note : str
+        How the rate was found, where the stamps are coarse or late.
+    problem : str
+        Why the samples are not even, with counts and places; empty where they are.
+    """
+
+    rate: float
+    uncertainty: float = 1e-6
+    scatter: float = 0.0
+    note: str = ""
+    problem: str = ""
+
+
+def timing_of(times: Floats, *, name: str, stated: float | None = None) -> Timing:
+    """Return the sampling of ``times`` [s], shape (samples,), two or more.
+
+    Even times deviate from an even grid by less than a quarter of a sample. Coarse stamps (whole milliseconds at
+    2.5 kHz) all lie within one grain of an even grid. Late stamps (of a computer's clock) come back to it. A lost or
+    doubled sample shifts all that follow; it is a problem, which nothing hides.
+
+    Parameters
+    ----------
+    times : ndarray, shape (samples,)
+    name : str
+        Of the column, for the note.
+    stated : float, optional
+        A rate that is known otherwise [Hz].
+    """
+    steps = np.diff(times)
+    sound = np.isfinite(steps) & (steps >= 0)
+    if not sound.all() or not steps.any():
+        broken = int(np.argmin(sound & (steps > 0))) + 1
+        before, after = f"{times[broken - 1]:.9g} s", f"{times[broken]:.9g}"
+        return Timing(rate=_usual_rate(steps), problem=f"does not rise at sample {broken} ({before}, then {after})")
+    rate = (times.size - 1) / float(times[-1] - times[0])
+    off = (times - times[0]) * rate - np.arange(times.size)
+    worst = float(np.abs(off).max())
+    if worst <= _UNEVEN and steps.all():
+        tolerance = max(1e-11, 2 * worst / (times.size - 1))
+        return Timing(rate=shortest_rate(rate, tolerance=tolerance), uncertainty=tolerance)
+    return _coarse(times, steps, name, stated) or _late(times, steps, name) or _uneven(times, steps, worst)
+
+
+def shortest_rate(rate: float, *, tolerance: float) -> float:
+    """Return the shortest decimal within the relative ``tolerance`` of ``rate``: 25000, not 24999.9999999987."""
+    for digits in range(1, 17):
+        candidate = float(f"{rate:.{digits}g}")
+        if abs(candidate - rate) <= tolerance * rate:
+            return candidate
+    return rate
+
+
+def _coarse(times: Floats, steps: Floats, name: str, stated: float | None) -> Timing | None:
+    """Return the sampling where all times lie within one grain of an even grid, else None."""
+    scale = float(np.median(steps[steps > 0]))
+    distinct, counts = np.unique(np.round(steps / scale, 3), return_counts=True)
+    if distinct.size < 2:
+        return None
+    grain = float(np.diff(distinct).min()) * scale
+    width, step = narrowest_band(times)
+    fits = width <= 1.01 * grain
+    fits_stated = False
+    if fits and stated is not None:
+        fits_stated = float(np.ptp(times - np.arange(times.size) / stated)) <= 1.01 * grain
+        step = 1 / stated if fits_stated else step
+    # a few doubled or lost samples fit as well
+    if not fits or (not fits_stated and counts.sum() - counts.max() < _REGULAR_STEPS):
+        return None
+    uncertainty = grain / float(times[-1] - times[0])
+    rate = shortest_rate(1 / step, tolerance=uncertainty)
+    note = (
+        f"the times of {name} are in steps of {grain:.3g} s, {grain / step:.3g} samples; they fit an even "
+        f"{rate:.6g} Hz (+- {100 * uncertainty:.2g} %)"
+    )
+    return Timing(rate=rate, uncertainty=uncertainty, scatter=grain, note=note)
+
+
+def _late(times: Floats, steps: Floats, name: str) -> Timing | None:
+    """Return the sampling where late times come back to an even grid, else None."""
+    samples = times.size
+    step = float(times[-1] - times[0]) / (samples - 1)
+    lateness = times - times[0] - step * np.arange(samples)
+    spread = 1.4826 * float(np.median(np.abs(np.diff(lateness) - np.median(np.diff(lateness))))) / 2**0.5
+    if spread < _SOUND * step:
+        return _few_late(times, steps, name)
+    if samples < 8 * _MEDIAN_OF:
+        return None
+    # enough samples that the middle lateness of two blocks differs by half a sample only in one of 10**6
+    block = min(max(_MEDIAN_OF, ceil((18 * spread / step) ** 2)), samples // 4)
+    blocks = samples // block
+    middles = np.median(lateness[: blocks * block].reshape(blocks, block), axis=1)
+    places = (np.arange(blocks) + 0.5) * block
+    slope, start = np.polyfit(places, middles, 1)
+    residual = middles - start - slope * places
+    shifts = np.abs(residual[min(2, blocks - 1) :] - residual[: -min(2, blocks - 1)])
+    drift = float(np.abs(residual).max())
+    if shifts.max() >= 1.2 * _JUMP * step or drift > max(_JUMP * step, _DRIFT * samples * step):
+        return None
+    step += float(slope)
+    lateness = times - times[0] - start - step * np.arange(samples)
+    uncertainty = max(1e-6, 4 * spread / (step * samples), drift / (step * samples))
+    rate = shortest_rate(1 / step, tolerance=uncertainty)
+    repeated = int(np.count_nonzero(steps == 0))
+    same = f", {repeated} are the same as the one before" if repeated else ""
+    seen = "" if block >= (18 * spread / step) ** 2 else "; a single lost sample would not be seen"
+    note = (
+        f"the times of {name} scatter by {np.std(lateness):.3g} s and are up to {np.abs(lateness).max():.3g} s off"
+        f"{same}; they come back to an even {rate:.6g} Hz (+- {100 * uncertainty:.2g} %){seen}"
+    )
+    return Timing(rate=rate, uncertainty=uncertainty, scatter=3 * float(np.abs(steps - step).max()), note=note)
+
+
+def _few_late(times: Floats, steps: Floats, name: str) -> Timing | None:
+    """Return the sampling of sound times of which a few are late, and which then go on as before, else None."""
+    step = 1 / _usual_rate(steps)
+    lateness = np.abs(times - times[0] - step * np.arange(times.size)) / step
+    late = np.flatnonzero(lateness > _UNEVEN)
+    if late.size > _FEW * times.size or lateness[-1] > _UNEVEN:
+        return None
+    rate = shortest_rate(1 / step, tolerance=1e-6)
+    most = float(lateness.max())
+    note = f"{_counted(lateness > _UNEVEN, 'time')} of {name} off an even {rate:.6g} Hz, by up to {most:.3g} samples"
+    return Timing(rate=rate, uncertainty=1e-6, scatter=2 * most * step, note=note)
+
+
+def _uneven(times: Floats, steps: Floats, worst: float) -> Timing:
+    """Return the sampling of uneven times, with what is lost and doubled."""
+    usual = 1 / _usual_rate(steps)
+    long, short = steps > (1 + _JUMP) * usual, steps < (1 - _JUMP) * usual
+    lost = int(np.sum(np.round(steps[long] / usual) - 1))
+    parts = []
+    if long.any():
+        parts.append(f"{lost} sample{'s' * (lost > 1)} lost in {_counted(long, 'gap')}")
+    if short.any():
+        parts.append(f"{_counted(np.concatenate([[False], short]), 'time')} too close to the one before")
+    mean = (times[-1] - times[0]) / (times.size - 1)
+    step = int(np.argmax(np.abs(steps / usual - 1)))
+    counts = f" ({'; '.join(parts)})" if parts else ""
+    problem = (
+        f"is not evenly spaced{counts}: it is up to {worst:.3g} samples off an even {1 / mean:.6g} Hz, and the "
+        f"step after sample {step} is {steps[step]:.6g} s instead of {usual:.6g} s"
+    )
+    return Timing(rate=shortest_rate(1 / usual, tolerance=1e-6), uncertainty=1e-3, problem=problem)
+
+
+def _usual_rate(steps: Floats) -> float:
+    """Return the rate [Hz] of the steps that are one sample long; NaN where no time rises."""
+    rising = steps[steps > 0]
+    if rising.size == 0:
+        return float("nan")
+    middle = float(np.median(rising))
+    return 1 / float(np.mean(rising[np.abs(rising - middle) < _JUMP * middle]))
+
+
+def _counted(places: NDArray[np.bool_], what: str) -> str:
+    found = np.flatnonzero(places)
+    named = ", ".join(str(place) for place in found[:_NAMED]) + (", ..." if found.size > _NAMED else "")
+    word = "after sample" if what == "gap" else "sample"
+    return f"{found.size} {what}{'s' if found.size > 1 else ''} ({word} {named})"
