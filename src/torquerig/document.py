@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
@@ -167,7 +167,7 @@ def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, ad
     if kind == "misspelt":
         text = f"unknown key; did you mean {detail['meant']!r}?"
     elif kind in ("extra_forbidden", "unexpected_keyword_argument"):
-        text = f"unknown key; {did_you_mean(last, _field_names(adapter) - {last})}"
+        text = f"unknown key; {did_you_mean(last, _field_names(adapter, detail['loc'][:-1]) - {last})}"
     elif kind in ("missing", "missing_argument"):
         text = f"the key {last!r} is missing; add it"
     elif kind == "value_error":
@@ -222,23 +222,54 @@ def _without_misspelt(details: Iterable[Any]) -> list[Any]:
     ]
 
 
-def _field_names(adapter: TypeAdapter[Any]) -> set[str]:
-    names: set[str] = set()
+def _field_names(adapter: TypeAdapter[Any], keys: Iterable[str | int]) -> set[str]:
+    """Return the names of the fields that the mapping under ``keys`` may have."""
+    definitions = {one["ref"]: one for one in _every_schema(adapter.core_schema) if "ref" in one}
+    here = [*_unwrapped(adapter.core_schema, definitions)]
+    for key in keys:  # a key that no schema has is a tag of pydantic
+        here = [inner for schema in here for inner in _below(schema, key, definitions)] or here
+    return {name for schema in here for name in _fields(schema)}
 
-    def collect(schema: Any) -> None:
-        if isinstance(schema, Mapping):
-            if schema.get("type") in ("model-fields", "typed-dict"):
-                names.update(schema["fields"])
-            if schema.get("type") == "dataclass-args":
-                names.update(field["name"] for field in schema["fields"])
-            for value in schema.values():
-                collect(value)
-        elif isinstance(schema, list | tuple):
-            for value in schema:
-                collect(value)
 
-    collect(adapter.core_schema)
-    return names
+def _every_schema(schema: Any) -> Iterator[Mapping[str, Any]]:
+    if isinstance(schema, Mapping):
+        if "type" in schema:
+            yield schema
+        for value in schema.values():
+            yield from _every_schema(value)
+    elif isinstance(schema, list | tuple):
+        for value in schema:
+            yield from _every_schema(value)
+
+
+def _unwrapped(schema: Any, definitions: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    """Yield what a schema comes down to: without defaults, validators and models around it, each choice of a union."""
+    if schema["type"] == "definition-ref":
+        schema = definitions[schema["schema_ref"]]
+    if schema["type"] in ("union", "tagged-union"):
+        choices = schema["choices"]
+        for choice in choices.values() if isinstance(choices, Mapping) else choices:
+            yield from _unwrapped(choice[0] if isinstance(choice, tuple) else choice, definitions)
+    elif "schema" in schema:
+        yield from _unwrapped(schema["schema"], definitions)
+    else:
+        yield schema
+
+
+def _fields(schema: Mapping[str, Any]) -> dict[str, Any]:
+    fields = schema.get("fields", {})
+    return dict(fields) if isinstance(fields, Mapping) else {field["name"]: field for field in fields}
+
+
+def _below(schema: Mapping[str, Any], key: str | int, definitions: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    fields = _fields(schema)
+    items = schema.get("items_schema")
+    inner = [fields[str(key)]["schema"]] if str(key) in fields else []
+    inner += [schema["values_schema"]] if "values_schema" in schema else []
+    if isinstance(key, int) and items is not None:
+        inner += items if isinstance(items, list) else [items]
+    for one in inner:
+        yield from _unwrapped(one, definitions)
 
 
 def _child(node: yaml.Node, key: str | int) -> tuple[int, yaml.Node] | None:

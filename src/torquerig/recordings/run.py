@@ -40,7 +40,8 @@ class Run:
     particle_size : float or None
         Particle diameter [m].
     others : dict
-        Further keys of the sidecar's ``run``, unchanged.
+        Further conditions, unchanged: ``pole_pairs``, ``slots``, ``tacho_pulses_per_motor_turn`` and ``notes`` of the
+        sidecar's ``run``, and what it has under ``others``.
     """
 
     motor: str | None = None

@@ -64,16 +64,29 @@ def test_one_unit_in_si(tmp_path: Path, entry: str, si_per_unit: float) -> None:
     assert sheet.si_per_unit == pytest.approx(si_per_unit, rel=1e-15)
 
 
-def test_other_keys_of_the_sheet_are_kept(tmp_path: Path) -> None:
-    run = read_sidecar(written(tmp_path, "run: {speed_rpm: 60, operator: no, room_degC: 21.5}\n")).run
-    assert run.others == {"operator": "no", "room_degC": 21.5}
+def test_further_conditions_and_notes_are_kept(tmp_path: Path) -> None:
+    text = "run: {speed_rpm: 60, pole_pairs: 7, notes: [a, b], others: {operator: no, room_degC: 21.5}}\n"
+    run = read_sidecar(written(tmp_path, text)).run
+    assert run.others == {"pole_pairs": 7, "notes": ["a", "b"], "operator": "no", "room_degC": 21.5}
+    assert read_sidecar(written(tmp_path, "notes: new belt\n")).run.others == {"notes": "new belt"}
+    assert read_sidecar(written(tmp_path, "notes: a\nrun: {notes: b}\n")).run.others == {"notes": ["a", "b"]}
+
+
+def test_close_matches_are_keys_of_the_same_mapping(tmp_path: Path) -> None:
+    for text, said in (
+        ("load: 1\n", "load: unknown key; known are channels, notes, origin, run, sample_rate_Hz"),
+        ("run: {set_point: {time_s: [0], speed_rpm: [0], rate: 3}}\n", "known are load_Nm, repeats, speed_rpm, time_s"),
+        ("channels: {a: {quantity: torque, unit: V, Nm_per_V: 1, motor: 3}}\n", "known are quantity, truth, unit"),
+    ):
+        with pytest.raises(InputError, match=said):
+            read_sidecar(written(tmp_path, text))
 
 
 @pytest.mark.parametrize(
     ("text", "told"),
     [
         ("sample_rate_hz: 25000\n", r"run1\.yaml:1: sample_rate_hz: unknown key; did you mean 'sample_rate_Hz'\?"),
-        ("sample_rate_Hz: 0\n", r"run1\.yaml:1: sample_rate_Hz: 0 is out of range; it must be above 0"),
+        ("sample_rate_Hz: 0\n", r"run1\.yaml:1: sample_rate_Hz: 0 is out of range; it must be at least 1e-06"),
         ("sample_rate_Hz: '25,6'\n", "sample_rate_Hz: '25,6' is no number; write one, such as 0.5"),
         ("sample_rate_Hz: true\n", "sample_rate_Hz: True is no number; write one, such as 0.5"),
         (
@@ -114,7 +127,23 @@ def test_other_keys_of_the_sheet_are_kept(tmp_path: Path) -> None:
             r"run1\.yaml:3: run\.gear_rato: unknown key; did you mean 'gear_ratio'\?",
         ),
         ("run: {speed: 1000}\n", r"run\.speed: unknown key; did you mean 'speed_rpm'\?"),
-        ("run: {gear_ratio: -5}\n", "run.gear_ratio: -5 is out of range; it must be above 0"),
+        ("run: {gear_ratio: -5}\n", "run.gear_ratio: -5 is out of range; it must be at least 1e-06"),
+        ("run: {motor_speed_rpm: 1000}\n", r"run\.motor_speed_rpm: unknown key; did you mean 'speed_rpm'"),
+        ("run: {bench: 3}\n", r"run\.bench: unknown key; write a further condition as others: {bench: ...}; known are"),
+        ("run: {rpm: 3}\n", r"run\.rpm: unknown key; did you mean 'speed_rpm'"),
+        (
+            "run: {others: {speed_rpm: 3}}\n",
+            r"run\.others\.speed_rpm: is no further condition; write it as 'speed_rpm'",
+        ),
+        ("run: {others: {ratio: 3}}\n", r"run\.others\.ratio: is no further condition; write it as 'gear_ratio'"),
+        ("run: {others: 3}\n", r"run\.others: 3 is no mapping; write key: value pairs"),
+        ("run: {pole_pairs: 1.5}\n", r"run\.pole_pairs: 1\.5 is no whole number"),
+        ("run: {slots: true}\n", r"run\.slots: True is no whole number"),
+        ("run: {tacho_pulses_per_motor_turn: 0}\n", r"tacho_pulses_per_motor_turn: 0 is out of range"),
+        ("run: {speed_rpm: 1e9}\n", r"run\.speed_rpm: 1000000000\.0 is out of range; it must be at most 1e\+07"),
+        ("sample_rate_Hz: 1e29\n", r"sample_rate_Hz: 1e\+29 is out of range; it must be at most 1e\+09"),
+        ("sample_rate_Hz: 1e300\n", r"run1\.yaml:1: 1e300 is out of range; no number may be above"),
+        ("channels: {a: {quantity: torque, unit: V, Nm_per_V: 1, rol: input}}\n", r"channels\.a\.rol: unknown key"),
         ("run: {occupancy_percent: 101}\n", "run.occupancy_percent: 101 is out of range; it must be at most 100"),
         ("- 1\n", r"run1\.yaml:1: a sidecar holds the keys sample_rate_Hz, channels and run"),
     ],

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, cast
 
 from torquerig.document import Document, read_document, validated
-from torquerig.errors import InputError
+from torquerig.errors import InputError, did_you_mean
 from torquerig.recordings.files.scale import known_si_per_unit, missing_scale, si_per_unit_from
 from torquerig.recordings.files.set_point_text import read_set_point
-from torquerig.recordings.files.sidecar_schema import WrittenChannel, WrittenRun, sidecar_schema
+from torquerig.recordings.files.sidecar_schema import IN_OTHERS, WrittenChannel, WrittenRun, sidecar_schema
 from torquerig.recordings.run import Profile, Run
 from torquerig.units import UNITS
 
 _CHANNEL_KEYS = {one.name for one in fields(WrittenChannel)}
 _RUN_KEYS = {one.name for one in fields(WrittenRun)}
-# known keys without their unit are refused as slips, not taken as further conditions
-_RUN_SLIPS = {"speed": "speed_rpm", "rpm": "speed_rpm", "occupancy": "occupancy_percent"}
+_RUN_SLIPS = {"speed": "speed_rpm", "rpm": "speed_rpm", "occupancy": "occupancy_percent"}  # too unlike to be found
 _RUN_SLIPS |= {"particle_size": "particle_size_mm", "ratio": "gear_ratio"}
 
 
@@ -72,7 +70,8 @@ def read_sidecar(path: Path) -> Sidecar:
     document = read_document(path)
     if not isinstance(document.data, dict):
         raise InputError(f"{document.place()}: a sidecar holds the keys sample_rate_Hz, channels and run; write them")
-    pruned, scales, others = _pruned(document)
+    _refuse_unknown_conditions(document)
+    pruned, scales = _pruned(document)
     written = validated(pruned, sidecar_schema())
     channels = {
         name: _entry(document, name, entry, scales.get(name, {})) for name, entry in (written.channels or {}).items()
@@ -81,35 +80,44 @@ def read_sidecar(path: Path) -> Sidecar:
         path=path,
         sample_rate=written.sample_rate_Hz,
         channels=channels,
-        run=_run(document, written.run or WrittenRun(), others),
+        run=_run(document, written.run or WrittenRun(), written.notes),
         origin=written.origin or {},
     )
 
 
-def _pruned(document: Document) -> tuple[Document, dict[str, dict[str, Any]], dict[str, Any]]:
-    """Return the document without scales and further conditions, whose keys the schema cannot list."""
-    data, scales, others = dict(document.data), {}, {}
+def _pruned(document: Document) -> tuple[Document, dict[str, dict[str, Any]]]:
+    """Return the document without scales, whose keys the schema cannot list."""
+    data, scales = dict(document.data), {}
     if isinstance(data.get("channels"), dict):
         entries: dict[Any, Any] = {}
         for name, entry in data["channels"].items():
             entries[name] = entry
             if isinstance(entry, dict):
-                scales[name] = {key: value for key, value in entry.items() if "_per_" in str(key)}
-                entries[name] = {key: value for key, value in entry.items() if key not in scales[name]}
+                scales[name] = {str(key): value for key, value in entry.items() if "_per_" in str(key)}
+                entries[name] = {key: value for key, value in entry.items() if str(key) not in scales[name]}
         data["channels"] = entries
-    if isinstance(data.get("run"), dict):
-        others = {str(key): value for key, value in data["run"].items() if key not in _RUN_KEYS}
-        for key in others:
-            _refuse_slip(document, key)
-        data["run"] = {key: value for key, value in data["run"].items() if key in _RUN_KEYS}
-    return replace(document, data=data), scales, others
+    return replace(document, data=data), scales
 
 
-def _refuse_slip(document: Document, key: str) -> None:
-    near = get_close_matches(key.lower(), [known.lower() for known in _RUN_KEYS], n=1, cutoff=0.85)
-    meant = _RUN_SLIPS.get(key.lower()) or (near[0] if near else None)
-    if meant:
-        raise InputError(f"{document.place(('run', key))}: unknown key; did you mean {meant!r}?")
+def _refuse_unknown_conditions(document: Document) -> None:
+    """Raise InputError for an unknown key of ``run:``, and for a known one among the further conditions."""
+    run = document.data.get("run")
+    if not isinstance(run, dict):
+        return
+    further = run.get("others") if isinstance(run.get("others"), dict) else {}
+    for key in further or {}:
+        if key in _RUN_KEYS or str(key).lower() in _RUN_SLIPS:
+            meant = key if key in _RUN_KEYS else _RUN_SLIPS[str(key).lower()]
+            raise InputError(f"{document.place(('run', 'others', key))}: is no further condition; write it as "
+                             f"{meant!r} directly below run:")  # fmt: skip
+    for key in run:
+        if key in _RUN_KEYS:
+            continue
+        close = did_you_mean(str(key), _RUN_KEYS)
+        meant = f"did you mean {_RUN_SLIPS[str(key).lower()]!r}?" if str(key).lower() in _RUN_SLIPS else close
+        if not meant.startswith("did you mean"):
+            meant = f"write a further condition as others: {{{key}: ...}}; {close}"
+        raise InputError(f"{document.place(('run', key))}: unknown key; {meant}")
 
 
 def _entry(document: Document, name: str, entry: WrittenChannel, scales: Mapping[str, Any]) -> ChannelEntry:
@@ -128,7 +136,10 @@ def _entry(document: Document, name: str, entry: WrittenChannel, scales: Mapping
     return ChannelEntry(quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth)
 
 
-def _run(document: Document, written: WrittenRun, others: dict[str, Any]) -> Run:
+def _run(document: Document, written: WrittenRun, notes: Any) -> Run:
+    stated = {key: getattr(written, key) for key in IN_OTHERS}
+    both = [note for note in (notes, written.notes) if note is not None]
+    stated["notes"] = both if len(both) > 1 else both[0] if both else None
     speed, size = written.speed_rpm, written.particle_size_mm
     return Run(
         motor=written.motor,
@@ -138,5 +149,5 @@ def _run(document: Document, written: WrittenRun, others: dict[str, Any]) -> Run
         set_points=read_set_point(document, written),
         occupancy_percent=written.occupancy_percent,
         particle_size=None if size is None else size * UNITS["length"]["mm"],
-        others=others,
+        others={key: value for key, value in stated.items() if value is not None} | (written.others or {}),
     )

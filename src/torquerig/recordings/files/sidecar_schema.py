@@ -16,6 +16,12 @@ if TYPE_CHECKING:
     from pydantic_core import CoreSchema
 
 
+FASTEST = 1e7  # [rpm] a hundred times the fastest spindles
+LONGEST = 1e9  # [s] 30 years
+IN_OTHERS = ("pole_pairs", "slots", "tacho_pulses_per_motor_turn", "notes")
+"""Keys of ``run:`` that a :class:`~torquerig.recordings.run.Run` keeps in ``others``."""
+
+
 @dataclass(frozen=True)
 class _Number:
     """A finite number within bounds; text and true/false are refused."""
@@ -28,6 +34,19 @@ class _Number:
         from pydantic_core import core_schema
 
         return core_schema.float_schema(strict=True, allow_inf_nan=False, gt=self.gt, ge=self.ge, le=self.le)
+
+
+@dataclass(frozen=True)
+class _Count:
+    """A whole number within bounds; text, true/false and fractions are refused."""
+
+    ge: int = 1
+    le: int = 1_000_000
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        from pydantic_core import core_schema
+
+        return core_schema.int_schema(strict=True, ge=self.ge, le=self.le)
 
 
 @dataclass(frozen=True)
@@ -65,25 +84,30 @@ class WrittenSetPoint:
 
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
 
-    time_s: list[Annotated[float, _Number(ge=0)]]
-    speed_rpm: list[Annotated[float, _Number()]]
-    load_Nm: list[Annotated[float, _Number(ge=0)]] | None = None  # noqa: N815 (as the file writes it)
-    repeats: int | None = 1
+    time_s: list[Annotated[float, _Number(ge=0, le=LONGEST)]]
+    speed_rpm: list[Annotated[float, _Number(ge=-FASTEST, le=FASTEST)]]
+    load_Nm: list[Annotated[float, _Number(ge=0, le=1e9)]] | None = None  # noqa: N815 (as the file writes it)
+    repeats: Annotated[int, _Count()] | None = 1
 
 
 @dataclass(frozen=True, kw_only=True)
 class WrittenRun:
-    """The known keys of ``run:``, in the units of their names."""
+    """The keys of ``run:``, in the units of their names; ``others`` holds further conditions, ``notes`` any text."""
 
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
 
     motor: str | None = None
-    gear_ratio: Annotated[float, _Number(gt=0)] | None = None
-    speed_rpm: Annotated[float, _Number()] | None = None
+    gear_ratio: Annotated[float, _Number(ge=1e-6, le=1e6)] | None = None
+    speed_rpm: Annotated[float, _Number(ge=-FASTEST, le=FASTEST)] | None = None
     profile: Annotated[str, _Word(partial(_one_of, PROFILES, "profile"))] = "steady"
     set_point: WrittenSetPoint | None = None
     occupancy_percent: Annotated[float, _Number(ge=0, le=100)] | None = None
-    particle_size_mm: Annotated[float, _Number(ge=0)] | None = None
+    particle_size_mm: Annotated[float, _Number(ge=0, le=1e6)] | None = None
+    pole_pairs: Annotated[int, _Count(le=10_000)] | None = None
+    slots: Annotated[int, _Count(ge=0, le=10_000)] | None = None
+    tacho_pulses_per_motor_turn: Annotated[float, _Number(gt=0, le=1e6)] | None = None
+    notes: Any = None
+    others: dict[str, Any] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,10 +116,11 @@ class WrittenSidecar:
 
     __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
 
-    sample_rate_Hz: Annotated[float, _Number(gt=0)] | None = None  # noqa: N815 (as the file writes it)
+    sample_rate_Hz: Annotated[float, _Number(ge=1e-6, le=1e9)] | None = None  # noqa: N815 (as the file writes it)
     channels: dict[str, WrittenChannel] | None = None
     run: WrittenRun | None = None
     origin: dict[str, Any] | None = None
+    notes: Any = None
 
 
 @cache

@@ -11,6 +11,7 @@ import yaml
 
 from torquerig.recordings.files.scale import written_scale
 from torquerig.recordings.files.set_point_text import set_point_entry
+from torquerig.recordings.files.sidecar_schema import IN_OTHERS
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.units import UNITS
@@ -55,7 +56,10 @@ def _run_entry(run: Run) -> dict[str, Any]:
         if run.particle_size is None
         else _counted_in(run.particle_size, UNITS["length"]["mm"]),
     }
-    return {**{key: value for key, value in entry.items() if value is not None}, **_plain(run.others)}
+    own = {key: value for key, value in run.others.items() if key in IN_OTHERS}
+    further = {key: value for key, value in run.others.items() if key not in IN_OTHERS}
+    entry |= {**_plain(own), "others": _plain(further) if further else None}
+    return {key: value for key, value in entry.items() if value is not None}
 
 
 def _counted_in(value: float, factor: float) -> float:
