@@ -63,7 +63,6 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "a picture of another kind": (("info", "good.csv", "--picture", "x.gif"), "x.gif: a picture is written as .svg or .png"),
     "a picture that is there": (("info", "good.csv", "--picture", "file.svg"), "file.svg: is there already; choose another name, or overwrite it with --force"),
     "no such recording": (("info", "run.csv"), "run.csv: there is no such file"),
-    "no motor in the sidecar": (("filter", "good.csv"), "good.csv: the sidecar does not name the motor"),
     "unknown chain": (("filter", "good.csv", "--chain", "report_filter_cod", "--motor", "REF", "--ratio", "5"), "did you mean 'report_filter_code'"),
     "out of two chains": (("filter", "good.csv", "--out", "x.csv"), "--out and --picture need exactly one --chain"),
     "filter onto itself": (("filter", "good.csv", "--chain", "none", "--out", "good.csv"), "good.csv: is the input; choose another name"),

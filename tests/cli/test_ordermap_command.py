@@ -60,3 +60,18 @@ def test_what_cannot_be_used_is_refused(ramp, capsys, arguments, said):
         main(("ordermap", "ramp.parquet", *arguments))
     assert left.value.code == 2
     assert said in capsys.readouterr().err
+
+
+def test_without_motor_and_ratio_it_lists_the_lines_and_says_what_is_not_stated(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    times = np.arange(8000) / 1000
+    torque = 2 + 0.3 * np.cos(2 * pi * 7 * 20 * times) + 0.01 * np.random.default_rng(1).normal(size=times.size)
+    rows = "".join(f"{t:.3f},{v:.6f},1200\n" for t, v in zip(times, torque, strict=True))
+    (tmp_path / "run.csv").write_text("Time [s],Torque [Nm],Speed [rpm]\n" + rows)
+    for command in ("ordermap", "filter"):
+        main((command, "run.csv", *(("--chain", "order_lines") if command == "filter" else ())))
+        told = " ".join(capsys.readouterr().out.split())
+        assert "the motor is not stated, so the lines of its poles and slots are not known" in told
+        assert "no gear ratio is stated, so the output shaft is taken to turn with the motor" in told
+        if command == "ordermap":
+            assert "7 order 0.3" in told

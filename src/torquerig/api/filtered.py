@@ -43,7 +43,7 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
     Raises
     ------
     InputError
-        For an unknown chain, or where motor or ratio are not known.
+        For an unknown chain.
     RecordingError
         Where the recording does not tell the speed or angle that the chain needs.
 

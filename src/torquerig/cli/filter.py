@@ -20,7 +20,7 @@ from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.plain_table import grid
+from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
@@ -100,8 +100,8 @@ def command(
         before_and_after = _filtered_whole(recording, chains, kinematics, out=out, force=force)
     else:
         before_and_after = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
-    if assumed:
-        click.echo(f"assumed of {assumed}")
+    for sentence in assumed:
+        click.echo(wrapped(sentence))
     if evaluate:
         where = "" if blocking is None else ", a section from the middle"
         print_evaluations(before_and_after[0], chains, kinematics, panels, where=where, force=force)

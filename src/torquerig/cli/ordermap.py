@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -12,8 +11,9 @@ import numpy as np
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option
 from torquerig.cli.suspicions import print_suspicions
-from torquerig.errors import InputError, UnitError
+from torquerig.errors import InputError, RecordingError, UnitError
 from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
+from torquerig.orders.analysis.frequency_lines import frequency_lines
 from torquerig.orders.analysis.labels import label_of
 from torquerig.orders.analysis.line_detection import DetectedLine, detected_lines
 from torquerig.orders.analysis.line_domain import DECIDED
@@ -28,9 +28,6 @@ from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
-
-if TYPE_CHECKING:
-    pass
 
 _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
 
@@ -71,15 +68,23 @@ def command(
         check_picture(picture, overwrite=force)
     grid_frequency = _hertz(mains)
     read = read_recording(recording)
-    kinematics, modes = _known_of(read, motor=motor, ratio=ratio, gearbox=gearbox, scenario=scenario, catalogs=catalogs)
+    kinematics, modes, assumed = _known_of(
+        read, motor=motor, ratio=ratio, gearbox=gearbox, scenario=scenario, catalogs=catalogs
+    )
     lines = kinematics.lines(harmonics)
-    angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
+    try:
+        angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
+    except RecordingError as error:
+        if picture is not None:
+            raise
+        _print_frequencies(read, mains=grid_frequency, reason=str(error))
+        return
     turns = output_turns(angle.values, ratio=kinematics.ratio)
     found = detected_lines(read, turns, lines, mains=grid_frequency)
     click.echo(_about(read, angle, turns, kinematics.ratio))
     click.echo(_known_table(read, turns, lines) + "\n")
     click.echo(_found_table(found))
-    for sentence in _sentences(found, kinematics):
+    for sentence in (*assumed, *_sentences(found, kinematics)):
         click.echo(wrapped(sentence))
     print_suspicions(recording_info(read), read, note="the lines are those of the samples as they are")
     if picture is not None:
@@ -91,17 +96,33 @@ def command(
         click.echo(f"wrote {picture}")
 
 
+def _print_frequencies(read: Recording, *, mains: float, reason: str) -> None:
+    """Print the lines over frequency alone, and why there are no orders."""
+    found = frequency_lines(read, mains=mains)
+    click.echo(f"{read.name}: {read.duration:.4g} s; one bin is {1 / read.duration:.3g} Hz")
+    if found:
+        rows = [["at Hz", "amplitude N*m", "above floor dB", "cause"]]
+        for one in found:
+            multiple = f"{one.mains_multiple} x mains" if one.mains_multiple else "no known cause"
+            rows.append([f"{one.frequency:.6g}", f"{one.amplitude:.5f}", f"{one.above_dB:.1f}", multiple])
+        click.echo(grid(rows))
+    else:
+        click.echo("no line exceeds the noise floor")
+    click.echo(wrapped(f"no orders: {reason}"))
+
+
 def _known_of(
     read: Recording, *, motor: str | None, ratio: float | None, gearbox: str | None, scenario: Path | None,
     catalogs: Sequence[Path],
-) -> tuple[Kinematics, dict[str, float]]:  # fmt: skip
-    """Return the kinematics of the lines, and the modes of the scenario's rig by name."""
+) -> tuple[Kinematics, dict[str, float], tuple[str, ...]]:  # fmt: skip
+    """Return the kinematics of the lines, the modes of the scenario's rig by name, and what is not stated."""
     if scenario is not None:
         if motor is not None or ratio is not None or gearbox is not None:
             raise InputError("--scenario states motor and gearbox; remove --motor, --ratio and --gearbox")
-        return _of_scenario(scenario, catalogs)
+        return *_of_scenario(scenario, catalogs), ()
     catalog = catalog_for(None, catalogs)
-    return kinematics_of_recording(read, catalog, motor=motor, ratio=ratio, gearbox=gearbox)[0], {}
+    kinematics, assumed = kinematics_of_recording(read, catalog, motor=motor, ratio=ratio, gearbox=gearbox)
+    return kinematics, {}, assumed
 
 
 def _of_scenario(scenario: Path, catalogs: Sequence[Path]) -> tuple[Kinematics, dict[str, float]]:

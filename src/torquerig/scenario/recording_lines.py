@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from torquerig.catalog.winding import winding_of
-from torquerig.errors import InputError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 
 if TYPE_CHECKING:
@@ -16,8 +15,11 @@ if TYPE_CHECKING:
 def kinematics_of_recording(
     recording: Recording, catalog: Catalog, *, motor: str | None = None, ratio: float | None = None,
     gearbox: str | None = None, remedies: tuple[str, str] = ("--motor NAME", "--ratio N"),
-) -> tuple[Kinematics, str]:  # fmt: skip
-    """Return the kinematics of the drive that made a recording, and in words what was assumed of its motor.
+) -> tuple[Kinematics, tuple[str, ...]]:  # fmt: skip
+    """Return the kinematics of the drive that made a recording, and one sentence for each thing that is not stated.
+
+    Without a motor the lines of its poles and slots are left out; without a ratio the output shaft is taken to turn
+    with the motor.
 
     Parameters
     ----------
@@ -26,27 +28,34 @@ def kinematics_of_recording(
     motor, ratio, gearbox
         Go before what the run states; a gearbox of the catalog brings its ratio and its teeth.
     remedies : tuple of str
-        How the caller takes a motor and a ratio, for the error.
+        How the caller takes a motor and a ratio, for the sentences.
 
     Raises
     ------
-    InputError
-        Where neither the arguments nor the run state motor and ratio.
     UnknownNameError
         Where the catalog has no such motor or gearbox.
     """
     box = catalog.gearbox(gearbox) if gearbox else None
     turns = ratio if ratio is not None else box.ratio if box else recording.run.gear_ratio
     name = motor or recording.run.motor
-    if turns is None or name is None:
-        missing = remedies[1] if name else remedies[0]
-        raise InputError(
-            f"{recording.name}: the sidecar does not name the motor and gear_ratio of the run; add {missing}"
-        )
-    pole_pairs, slots, assumed = winding_of(catalog.motor(name))
+    said = []
+    pole_pairs, slots = None, None
+    if name is not None:
+        pole_pairs, slots, assumed = winding_of(catalog.motor(name))
+        said += [f"assumed of {name}: {assumed}"] if assumed else []
     stated = recording.run.others
     if motor is None and isinstance(stated.get("pole_pairs"), int):
-        pole_pairs, slots, assumed = stated["pole_pairs"], stated.get("slots"), ""
+        pole_pairs, slots = stated["pole_pairs"], stated.get("slots")
+        said = []
+    elif name is None:
+        said.append(
+            f"the motor is not stated, so the lines of its poles and slots are not known; add {remedies[0]}, or run: "
+            "{motor: NAME} to the sidecar"
+        )
+    if turns is None:
+        said.append(
+            f"no gear ratio is stated, so the output shaft is taken to turn with the motor; add {remedies[1]}, or run: "
+            "{gear_ratio: NUMBER} to the sidecar"
+        )
     teeth = box.tooth_sets()[:1] if box else ()
-    words = f"{name}: {assumed}" if assumed else ""
-    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns, teeth=teeth), words
+    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns or 1.0, teeth=teeth), tuple(said)

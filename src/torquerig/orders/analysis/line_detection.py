@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from torquerig.orders.analysis.aliases import alias_of
 from torquerig.orders.analysis.angle_resampling import over_angle
 from torquerig.orders.analysis.labels import causes_of, label_of, mains_multiple
 from torquerig.orders.analysis.line_domain import Domain, DomainTest, LineDomain
@@ -35,7 +36,7 @@ _LOWEST_BINS = 8  # periods of a line in the recording, at least, to be distingu
 _ENVELOPE = 6.0  # [turns or periods of _SECONDS] over which an amplitude is averaged when a line is subtracted
 _SECONDS = 1.0  # [s] the period of time that corresponds to one turn
 _HUMS = 20  # multiples of the mains that are expected
-_HIGHEST_SHARE = 0.4  # highest frequency of a line, as a share of the sample rate
+_HIGHEST_SHARE = 0.4  # highest order of a line, as a share of the sample rate: above it the resampled angle smears it
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -129,7 +130,7 @@ def _tested_peaks(
     even = over_angle(recording, turns, values)
     top = _HIGHEST_SHARE * rate
     by_order = order_spectrum(even, highest=min(top / (float(np.max(np.diff(turns))) * rate), 0.4 * even.per_turn))
-    by_frequency = frequency_spectrum(values, rate, highest=top)
+    by_frequency = frequency_spectrum(values, rate)
     test = DomainTest(values, turns, even.values)
     seconds = values.size / rate
     orders = sorted({line.output_order for line in lines})
@@ -194,18 +195,25 @@ def _once(found: Sequence[DetectedLine], recording: Recording, turns: Floats) ->
 def _named(
     one: DetectedLine, recording: Recording, turns: Floats, lines: Sequence[KinematicLine], mains: float
 ) -> DetectedLine:
-    from dataclasses import replace
-
+    turned = float(turns[-1] - turns[0])
+    mean_speed = turned * recording.sample_rate / (recording.samples - 1)
     if one.detected_over == "frequency":
         amplitude = line_amplitude(recording.torque(), recording.time(), one.place)
-        multiple = mains_multiple(one.place, mains=mains, width=1.5 / recording.duration)
-        return replace(one, amplitude=amplitude, label=f"{multiple} x mains" if multiple else "")
-    amplitude = line_amplitude(recording.torque(), turns, one.place)
-    causes = causes_of(one.place, lines, width=1.5 / float(turns[-1] - turns[0]))
-    label = label_of(causes)
-    if one.axis == "either":
-        # at one speed an order is also a frequency, and the mains are an alternative cause
-        frequency = one.place * float(turns[-1] - turns[0]) / recording.duration
-        multiple = mains_multiple(frequency, mains=mains, width=1.5 / recording.duration)
-        label = " or ".join(word for word in (label, f"{multiple} x mains" if multiple else "") if word)
-    return replace(one, amplitude=amplitude, causes=causes, label=label)
+        causes = causes_of(one.place / mean_speed, lines, width=1.5 / turned) if one.axis == "either" else ()
+        frequency = one.place
+    else:
+        amplitude = line_amplitude(recording.torque(), turns, one.place)
+        causes = causes_of(one.place, lines, width=1.5 / turned)
+        frequency = one.place * mean_speed
+    # at one speed an order is also a frequency, and the mains are an alternative cause
+    is_fixed = one.detected_over == "frequency" or one.axis == "either"
+    multiple = mains_multiple(frequency, mains=mains, width=1.5 / recording.duration) if is_fixed else None
+    words = [label_of(causes), f"{multiple} x mains" if multiple else ""]
+    if is_fixed:
+        alias = alias_of(
+            frequency, lines, turns_per_second=mean_speed, rate=recording.sample_rate, width=1.5 / recording.duration
+        )
+        words.append(
+            "" if alias is None else f"alias of {label_of([alias])} at {alias.output_order * mean_speed:.6g} Hz"
+        )
+    return replace(one, amplitude=amplitude, causes=causes, label=" or ".join(word for word in words if word))

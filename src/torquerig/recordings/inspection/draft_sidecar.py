@@ -62,7 +62,7 @@ def _channel(one: ColumnContents, contents: FileContents) -> list[str]:
 def _meant(one: ColumnContents) -> str:
     """Return the entry that the column needs, with NUMBER and UNIT for what nobody but the owner knows."""
     meant = quantity_by_words(one.name) or close_quantity(one.name) or "QUANTITY"
-    if meant == "QUANTITY":
+    if meant in ("QUANTITY", one.quantity):
         unit = _scalar(one.unit) if one.unit else "UNIT"
         scale = ", Nm_per_V: NUMBER" if unit == "V" else ""
         return f"{{quantity: {'torque' if unit == 'V' else 'QUANTITY'}, unit: {unit}{scale}}}"
@@ -79,6 +79,6 @@ def _flow(entry: dict[str, str]) -> str:
 
 def _scalar(text: str) -> str:
     """Return ``text`` as a YAML scalar inside a flow mapping."""
-    if re.fullmatch(r"[A-Za-z][A-Za-z0-9_*/^]*", text) and yaml.safe_load(text) == text:
+    if re.fullmatch(r"[^\W\d_][\w .*/^-]*(?<! )", text) and yaml.safe_load(text) == text:
         return text
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -107,7 +107,7 @@ def _with_unit(kept: str, written: str, by_words: str | None, words: list[str]) 
         symbol = next((one.symbol for one in found.values()), written)
         return Interpretation(name=kept, quantity="tacho", unit=symbol, si_per_unit=1.0, reason="its name")
     agreed = next((found[kind] for kind in KINDS[by_words or OTHER] if kind in found), None)
-    if by_words is not None and agreed is not None:
+    if by_words is not None and agreed is not None and not _VOLTAGE_INPUT.match(kept):
         return _known(kept, by_words, agreed, "its name and unit")
     if len(found) == 1 and next(iter(found)) in _BY_KIND:
         return _by_unit(kept, next(iter(found.values())), by_words, words)
