@@ -17,6 +17,7 @@ import yaml
 
 from torquerig.errors import InputError, did_you_mean
 from torquerig.safe_yaml import LONGEST_TEXT, read_yaml
+from torquerig.unit_remedies import halved_between_terminals
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
@@ -164,9 +165,12 @@ def validated(
 def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, adapter: TypeAdapter[Any]) -> str:
     keys = (*within, *detail["loc"])
     kind, last = detail["type"], str(detail["loc"][-1]) if detail["loc"] else ""
-    if kind == "misspelt":
+    foreign = halved_between_terminals(last, detail.get("input")) if kind in UNKNOWN_KEYS else None
+    if foreign:
+        text = f"unknown key; {foreign}"
+    elif kind == "misspelt":
         text = f"unknown key; did you mean {detail['meant']!r}?"
-    elif kind in ("extra_forbidden", "unexpected_keyword_argument"):
+    elif kind in UNKNOWN_KEYS:
         text = f"unknown key; {did_you_mean(last, _field_names(adapter, detail['loc'][:-1]) - {last})}"
     elif kind in ("missing", "missing_argument"):
         text = f"the key {last!r} is missing; add it"
@@ -191,6 +195,7 @@ def _problem_text(kind: str, detail: Any) -> str:
     return f"{detail['msg'][0].lower()}{detail['msg'][1:]}{shown}"
 
 
+UNKNOWN_KEYS = ("extra_forbidden", "unexpected_keyword_argument")
 PLAIN_WORDS: Mapping[str, str] = {
     **dict.fromkeys(("float_parsing", "float_type"), "no number; write one, such as 0.5"),
     **dict.fromkeys(("int_parsing", "int_type", "int_from_float"), "no whole number; write one, such as 3"),
@@ -211,7 +216,8 @@ def _without_misspelt(details: Iterable[Any]) -> list[Any]:
     found = list(details)
     missing = [detail["loc"] for detail in found if detail["type"] in ("missing", "missing_argument")]
     for at, detail in enumerate(found):
-        if detail["type"] not in ("extra_forbidden", "unexpected_keyword_argument"):
+        last = str(detail["loc"][-1]) if detail["loc"] else ""
+        if detail["type"] not in UNKNOWN_KEYS or halved_between_terminals(last, detail.get("input")):
             continue
         siblings = {str(loc[-1]): loc for loc in missing if loc[:-1] == detail["loc"][:-1]}
         for meant in get_close_matches(str(detail["loc"][-1]), siblings, n=1, cutoff=0.8):

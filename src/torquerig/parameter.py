@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from torquerig.errors import UnitError
 from torquerig.sensible import beyond_sense
-from torquerig.units import IN_A_LINE, in_unit, kind_of, parse_quantity, written_quantity
+from torquerig.units import IN_A_LINE, in_unit, kind_of, parse_quantity, with_unit, written_quantity
 
 if TYPE_CHECKING:
     import numpy as np
@@ -143,7 +143,7 @@ class Parameter:
             raise UnitError(f"{written!r} is not a quantity; write for example '1.5 {self.unit}'")
         if isinstance(written, int | float):
             if self.unit != "1":
-                raise UnitError(f"{written!r} has no unit; write '{written} {self.unit}'")
+                raise UnitError(f"{written!r} has no unit; write {with_unit(written, self.unit)}")
             number = float(written)
         elif isinstance(written, str):
             number = parse_quantity(written, self.unit)

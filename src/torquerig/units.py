@@ -12,6 +12,7 @@ from functools import cache
 from math import pi
 
 from torquerig.errors import UnitError, did_you_mean
+from torquerig.unit_remedies import COMMON, QUESTIONS, separated_number
 from torquerig.unit_spellings import Signature, signatures
 
 # kind of quantity -> the spellings of its units and what one of each is in SI; the first spelling is the SI unit
@@ -125,7 +126,6 @@ IN_A_LINE = {
 """What stands for the unit of a shaft where the same equation holds of something that moves in a line."""
 
 _NUMBER = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
-_DECIMAL_COMMA = re.compile(r"^\s*[+-]?\d+,\d+")
 
 
 def kind_of(unit: str) -> str:
@@ -186,10 +186,11 @@ def parse_quantity(text: str, unit: str) -> float:
     Raises
     ------
     UnitError
-        When the number is missing or has a decimal comma, or the unit is missing, unknown or of another kind.
+        When the number is missing or has a comma, or the unit is missing, unknown or of another kind.
     """
-    if _DECIMAL_COMMA.match(text):
-        raise UnitError(f"{text!r} has a decimal comma; write {text.replace(',', '.', 1)!r}")
+    problem = separated_number(text)
+    if problem:
+        raise UnitError(problem)
     match = _NUMBER.match(text)
     if match is None:
         raise UnitError(f"{text!r} does not start with a number; write for example {_example('1.5', unit)}")
@@ -199,7 +200,7 @@ def parse_quantity(text: str, unit: str) -> float:
     if not written and "1" in factors:
         return number
     if not written:
-        raise UnitError(f"{text!r} has no unit; write {_example(match[1], unit)}")
+        raise UnitError(f"{text!r} has no unit; write {with_unit(match[1], unit)}")
     if written in factors:
         return number * factors[written]
     spelled = {one.factor for one in meanings(match[2]) if one.kind == wanted}
@@ -208,7 +209,24 @@ def parse_quantity(text: str, unit: str) -> float:
     other = _kinds().get(written)
     if other is None:
         raise UnitError(f"{text!r} has an unknown unit; {did_you_mean(match[2], factors)}")
-    raise UnitError(f"{text!r} is {_article(other)}; {_article(wanted)} is wanted, write {_example(match[1], unit)}")
+    raise UnitError(_of_another_kind(text, match[1], unit, number * UNITS[other][written], other))
+
+
+def with_unit(number: str | float, unit: str) -> str:
+    """Return what to write for a bare number: ``'1000 rpm' or '1000 rad/s'``."""
+    return " or ".join(_example(str(number), one) for one in COMMON.get(kind_of(unit), (unit,)))
+
+
+def _of_another_kind(text: str, number: str, unit: str, value: float, other: str) -> str:
+    """Return the error for a quantity ``value`` [SI] of the kind ``other`` where ``unit`` is wanted."""
+    wanted = kind_of(unit)
+    said = f"{text!r} is {_article(other)}; {_article(wanted)} is wanted"
+    question, answers = QUESTIONS.get((wanted, other), ("", ()))
+    if not answers:
+        return f"{said}, write {_example(number, COMMON.get(wanted, (unit,))[0])}"
+    shown = COMMON.get(wanted, (unit,))[0]
+    readings = [f"{_example(f'{in_unit(value * factor, shown):.6g}', shown)} ({words})" for words, factor in answers]
+    return f"{said}{f': {question}' if question else ','} write {' or '.join(readings)}"
 
 
 def in_unit(value: float, unit: str) -> float:

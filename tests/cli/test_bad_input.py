@@ -52,7 +52,7 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "unknown part of --set": (("simulate", WEAR_RIG, "--set", "gearbocks.ratio=10"), "--set gearbocks.ratio=10: the"),
     "unknown catalog folder": (("catalog", "--catalog", "nope"), "there is no such catalog folder"),
     "unknown entry": (("catalog", "HDS6A-0104B"), "or 'HDS6A-0104A' or"),
-    "speed without unit": (("orders", "--speed", "1000"), "--speed: '1000' has no unit; write '1000 rad/s'"),
+    "speed without unit": (("orders", "--speed", "1000"), "--speed: '1000' has no unit; write '1000 rpm' or '1000 rad/s'"),
     "ratio 0": (("orders", "--ratio", "0"), "ratio"),
     "planets without sun": (("orders", "--planets", "3"), "--planets needs --sun and --ring"),
     "ring without sun": (("orders", "--ring", "84"), "--sun and --ring need each other"),

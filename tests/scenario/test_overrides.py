@@ -77,7 +77,7 @@ def test_a_setting_that_means_nothing_is_refused(setting: str, said: str, docume
         ("gearbox.ratio=0", r"rig\.gearbox: a gear of ratio 0 .*read with --set 'gearbox\.ratio=0'"),
         ("measured=wear_part", r"^--set measured=wear_part: measured: 'wear_part' has no spring"),
         ("motor.catalog=HDS6A-0104B", r"no motor 'HDS6A-0104B'.*did you mean"),
-        ("rig.gap={kind: backlash, gap: 4}", r"^--set rig\.gap=.*: rig\.gap\.gap: 4 has no unit; write '4 rad'"),
+        ("rig.gap={kind: backlash, gap: 4}", r"^--set rig\.gap=.*: rig\.gap\.gap: 4 has no unit; write '4 deg' or '4 rad'"),
         ("rig.gap={kind: backlash}", r"^--set rig\.gap=\{kind: backlash\}: rig\.gap.*: the key 'gap' is missing; add it"),
         ("rig.gap={kind: backlash, gear: x, gap: 4 arcmin}", r"^--set rig\.gap=.*: rig\.gap: the rig has no part 'x'"),
         ("rig={}", r"^--set rig=\{\}: rig: a scenario needs a mapping named rig"),
