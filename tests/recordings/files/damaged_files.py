@@ -87,6 +87,16 @@ def _parquet(path: Path) -> None:
     parquet.write_table(pa.table({**COLUMNS, "word": ["x"] * 300}), path, row_group_size=100)
 
 
+def _mdf(path: Path) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        from asammdf import MDF, Signal
+    with MDF(version="4.10") as file:
+        file.append([Signal(values, TIME, name=name, unit="Nm") for name, values in COLUMNS.items()])
+        file.append([Signal(TORQUE[::10], TIME[::10], name="slow")])
+        file.save(path, overwrite=True)
+
+
 def _lvm(path: Path) -> None:
     head = "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t.\nX_Columns\tMulti\n***End_of_Header***\n\n"
     segment = "Channels\t2\nSamples\t60\t\t60\nY_Unit_Label\tNm\t\trpm\nX_Dimension\tTime\t\tTime\nX0\t0\t\t0\n"
@@ -99,6 +109,7 @@ FORMATS: dict[str, tuple[str, Callable[[Path], None]]] = {
     "mat5": (".mat", _mat5), "mat7": (".mat", _mat7), "mat4": (".mat", _mat4), "mat73": (".mat", _hdf5),
     "hdf5": (".h5", _hdf5), "tdms": (".tdms", _tdms), "wav": (".wav", _wav), "wav24": (".wav", _wav24),
     "parquet": (".parquet", _parquet), "lvm": (".lvm", _lvm),
+    "mdf": (".mf4", _mdf),
 }  # fmt: skip
 
 
@@ -135,6 +146,8 @@ def _at_once(path: Path) -> None:
 
 
 def _in_pieces(path: Path) -> None:
+    if path.suffix not in STREAMS:
+        return
     pieces = STREAMS[path.suffix](path)
     for _ in pieces.pieces(pieces.names):
         pass

@@ -13,6 +13,8 @@ SCRIPT = Path(__file__).with_name("damaged_files.py")
 
 def fails(form: str, count: int, seed: int) -> str:
     """Return what failed, with the number of the copy; a crash or a hang ends the process."""
+    if form == "mdf":
+        pytest.importorskip("asammdf", reason="asammdf is not installed")
     done = subprocess.run(
         [sys.executable, str(SCRIPT), form, str(count), str(seed)], capture_output=True, text=True, check=False
     )
@@ -27,10 +29,10 @@ def test_damaged_copies(form: str) -> None:
 @pytest.mark.long
 @pytest.mark.parametrize("form", FORMATS)
 def test_many_damaged_copies(form: str) -> None:
-    assert fails(form, 400, 2) == ""
+    assert fails(form, 400 if form != "mdf" else 10, 2) == ""
 
 
 @pytest.mark.full
 @pytest.mark.parametrize("form", FORMATS)
 def test_thousands_of_damaged_copies(form: str) -> None:
-    assert fails(form, 6000, 3) == ""
+    assert fails(form, 6000 if form != "mdf" else 100, 3) == ""

@@ -23,6 +23,9 @@
 ``gz``, ``xlsx``        read: compressed text tables, Excel workbooks
 ``lvm``                 read: the LabVIEW measurement text, with ``lvm_text``, ``lvm_rows`` and ``lvm_times``
 ``wav``                 read: shares of full scale
+``hdf5``, ``mdf``       read: plain datasets; MDF4 through asammdf
+``other_formats``       the export to choose for formats that are not read
+``child_reading``       reading in a process of its own, for libraries that a damaged file can bring down
 ======================= ===========================================================================
 """
 

@@ -11,6 +11,8 @@ import numpy as np
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.files.matlab.channels import Channels, channels_of
+from torquerig.recordings.files.matlab.leaves import leaves_of
+from torquerig.recordings.files.matlab.tables import with_tables
 from torquerig.recordings.files.matlab.tree import Variables
 from torquerig.recordings.files.matlab.version4 import is_v4, variables_v4
 from torquerig.recordings.files.matlab.version5 import DamagedError, variables_v5
@@ -21,6 +23,7 @@ from torquerig.recordings.recording import Recording
 
 # what h5py raises for damaged files
 _BROKEN = (ValueError, TypeError, OSError, EOFError, LookupError, NotImplementedError, RuntimeError, struct.error)
+_REMEDY = "save the channels as vectors, for example save('run1.mat', 'time_s', 'torque_V')"
 # the first 116 bytes of a v5 file are free text, where scipy writes the date
 _TITLE_LENGTH = 116
 
@@ -77,7 +80,7 @@ def mat_pieces(path: Path) -> TablePieces:
 
 def _channels(path: Path) -> Channels:
     try:
-        return channels_of(_variables(path), where=str(path))
+        return channels_of(leaves_of(with_tables(_variables(path), path)), where=str(path), remedy=_REMEDY)
     except (DamagedError, *_BROKEN) as error:
         raise _not_whole(path, error) from None
 

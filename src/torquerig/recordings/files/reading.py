@@ -10,9 +10,12 @@ from torquerig.extensions import extensions
 from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import read_csv
 from torquerig.recordings.files.gz import TEXT_ENDINGS, read_gz
+from torquerig.recordings.files.hdf5 import read_hdf5
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import read_mat
+from torquerig.recordings.files.mdf import read_mdf
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.other_formats import export_for
 from torquerig.recordings.files.parquet import read_parquet
 from torquerig.recordings.files.plain_names import with_plain_names
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
@@ -41,6 +44,8 @@ READERS: dict[str, Callable[[Path], Table]] = {
     ".tdms": read_tdms,
     ".lvm": read_lvm,
     ".wav": read_wav,
+    **dict.fromkeys((".h5", ".hdf5", ".hdf"), read_hdf5),
+    **dict.fromkeys((".mf4", ".mdf"), read_mdf),
 }
 
 
@@ -114,6 +119,9 @@ def check_readable(path: Path) -> None:
     if ending == ".yaml":
         raise InputError(f"{path}: is a sidecar; name its table file ({path.stem}.parquet, {path.stem}.csv, ...)")
     if ending not in readers():
+        export = export_for(ending)
+        if export:
+            raise InputError(f"{path}: the format {ending} is not read; {export}")
         raise InputError(
             f"{path}: the ending {ending!r} is no known format of a recording; readable are {', '.join(readers())}"
         )

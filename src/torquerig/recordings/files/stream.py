@@ -14,6 +14,7 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.files.checks import check_counts
 from torquerig.recordings.files.csv import csv_pieces
 from torquerig.recordings.files.gz import TEXT_ENDINGS, gz_pieces
+from torquerig.recordings.files.hdf5 import hdf5_pieces
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
@@ -42,6 +43,7 @@ STREAMS: Mapping[str, Callable[[Path], TablePieces]] = {
     ".tdms": tdms_pieces,
     ".lvm": _lvm_pieces,
     ".wav": wav_pieces,
+    **dict.fromkeys((".h5", ".hdf5", ".hdf"), hdf5_pieces),
 }
 
 

@@ -5,6 +5,7 @@
 ``version4``   the variables of a v4 file
 ``version5``   the variables of a v5, v6 or v7 file; each size is checked before it is used
 ``version73``  the variables of a v7.3 file (HDF5), without their numbers
+``tables``     tables and timetables, through mat-io where it is installed
 ``leaves``     the numbers of the tree with their paths, labels and units
 ``channels``   the channels: names, units, rates and times from variables and structs
 ============== =====================================================================================

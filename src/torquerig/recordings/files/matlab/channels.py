@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.matlab.leaves import RATE_NAMES, Leaf, leaves_of
-from torquerig.recordings.files.matlab.tree import Numbers, Unread, Variables
+from torquerig.recordings.files.matlab.leaves import RATE_NAMES, Leaf
+from torquerig.recordings.files.matlab.tree import Numbers, Unread
 from torquerig.recordings.files.number_table import distinct
 from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timebase import rate_of_times
@@ -47,8 +47,8 @@ class _Found:
     notes: list[str] = field(default_factory=list)
 
 
-def channels_of(variables: Variables, *, where: str) -> Channels:
-    """Return the channels of a file's variables.
+def channels_of(leaves: Sequence[Leaf], *, where: str, remedy: str) -> Channels:
+    """Return the channels among the arrays of a file.
 
     A name is the field's, or the label's, as long as only one has it; else as much of the path as tells them apart
     (``torque.data``). The columns of a matrix that is as long as the channels become ``name_1`` to ``name_n``.
@@ -56,15 +56,14 @@ def channels_of(variables: Variables, *, where: str) -> Channels:
     Raises
     ------
     RecordingError
-        Where there is no vector of numbers.
+        Where there is no vector of numbers; with ``remedy``, how to save the channels.
     """
-    leaves, found = leaves_of(variables), _Found()
+    found = _Found()
     signals = _signals(leaves, found)
     if not signals:
         listed = "; ".join(f"{name}: {reason}" for name, reason in list(found.skipped.items())[:6]) or "nothing"
         raise RecordingError(
-            f"{where}: there is no vector of two or more numbers among its variables ({listed}); save the channels as "
-            "vectors, for example save('run1.mat', 'time_s', 'torque_V')"
+            f"{where}: there is no vector of two or more numbers among its variables ({listed}); {remedy}"
         )
     bare = _bare(signals)
     if bare:
@@ -119,14 +118,14 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
         node = leaf.node
         if not isinstance(node, Numbers) or (several and leaf.is_time):
             continue
-        rate = _scalar_rate(leaves, leaf.scope)
+        rate = leaf.rate or _scalar_rate(leaves, leaf.scope)
         own = times.get(leaf.scope) or times.get(())
         if several and own is not None and rate is None:
             rate = _rate_by(own, where)
             if rate is None:
                 found.skipped[name] = f"its times {'.'.join(own.path)} are not even; save it to its own file"
                 continue
-        columns = [name] if node.width == 1 else [f"{name}_{column + 1}" for column in range(node.width)]
+        columns = _column_names(name, node.width, leaf.columns, taken=channels)
         for column, one in enumerate(columns):
             channels[one] = Channel(numbers=node, column=column)
             rates |= {one: rate} if rate else {}
@@ -136,6 +135,14 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
         if node.width > 1:
             found.notes.append(f"{name}: a matrix of {node.width} columns is read as {columns[0]} to {columns[-1]}")
     return Channels(channels=channels, rates=rates, units=units, skipped=found.skipped, notes=tuple(found.notes))
+
+
+def _column_names(name: str, width: int, given: tuple[str, ...], *, taken: Iterable[str]) -> list[str]:
+    if width == 1:
+        return [name]
+    if len(set(given)) == width and not set(given) & set(taken):
+        return list(given)
+    return [f"{name}_{column + 1}" for column in range(width)]
 
 
 def _one_time(signals: Sequence[Leaf], found: _Found) -> list[Leaf]:

@@ -33,6 +33,10 @@ class Leaf:
         Whether the others in the same struct were sampled at these times [s].
     scope : tuple of str
         The struct whose time and rate apply.
+    rate : float
+        Sample rate that the file states for these numbers alone [Hz]; 0 where it does not.
+    columns : tuple of str
+        Names that the file gives the columns of a matrix; empty where it does not.
     """
 
     path: tuple[str, ...]
@@ -40,6 +44,8 @@ class Leaf:
     unit: str = ""
     is_time: bool = False
     scope: tuple[str, ...] = field(default=())
+    rate: float = 0.0
+    columns: tuple[str, ...] = ()
 
 
 def leaves_of(variables: Variables) -> list[Leaf]:
@@ -49,7 +55,8 @@ def leaves_of(variables: Variables) -> list[Leaf]:
 
 def _leaves(node: Node, path: tuple[str, ...], scope: tuple[str, ...]) -> Iterator[Leaf]:
     if not isinstance(node, list):
-        yield Leaf(path=path, node=node, is_time=is_time_name(path[-1]), scope=scope)
+        unit = node.unit if isinstance(node, Numbers) else ""
+        yield Leaf(path=path, node=node, unit=unit, is_time=is_time_name(path[-1]), scope=scope)
         return
     for number, element in enumerate(node, 1):
         own = (*path[:-1], f"{path[-1]}_{number}") if len(node) > 1 else path
@@ -83,7 +90,7 @@ def _fields(
             yield Leaf(path=name_parts, node=node, unit=unit, is_time=is_time, scope=own)
         else:
             for leaf in _leaves(node, (*path, name), own):
-                yield replace(leaf, unit=unit)
+                yield replace(leaf, unit=unit or leaf.unit)
 
 
 def is_time_name(name: str) -> bool:

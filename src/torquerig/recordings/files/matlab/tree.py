@@ -23,11 +23,14 @@ class Numbers:
         float64; a row vector is turned.
     is_logical : bool
         Whether MATLAB holds them as true and false.
+    unit : str
+        The unit that a table states for its column.
     """
 
     shape: tuple[int, ...]
     read: Callable[[int, int], NDArray[np.float64]]
     is_logical: bool = False
+    unit: str = ""
 
     @property
     def size(self) -> int:
@@ -69,22 +72,24 @@ def numbers(array: NDArray[np.generic], *, is_logical: bool = False) -> Numbers:
 
     def read(first: int, last: int) -> NDArray[np.float64]:
         upright = array if array.ndim < 2 or array.shape[0] >= array.shape[1] else array.T
-        return np.asarray(upright[first:last], dtype=np.float64).reshape(min(last, upright.shape[0]) - first, -1)
+        with np.errstate(invalid="ignore"):  # a damaged float may be a signalling NaN
+            samples = np.asarray(upright[first:last], dtype=np.float64)
+        return samples.reshape(samples.shape[0], -1)
 
     return Numbers(shape=array.shape, read=read, is_logical=is_logical)
 
 
-CLASSES = {"table", "timetable", "timeseries"}
-"""Objects of MATLAB that hold channels."""
+EXPORTS = {
+    "table": "in MATLAB, s = table2struct(T, 'ToScalar', true) and save('run.mat', '-struct', 's')",
+    "timetable": "in MATLAB, writetimetable(T, 'run.csv')",
+    "timeseries": "in MATLAB, save x.Time and x.Data as vectors",
+}
+"""Objects of MATLAB that hold channels, and how to save them otherwise."""
 
 
 def object_reason(kind: str) -> str:
     """Return why an object is not read, and the export that helps."""
-    if kind in CLASSES:
-        hint = "in MATLAB, " + {
-            "table": "save('run.mat', '-struct', 's') with s = table2struct(T, 'ToScalar', true)",
-            "timetable": "writetimetable(T, 'run.csv')",
-            "timeseries": "save x.Time and x.Data as vectors",
-        }[kind]  # fmt: skip
-        return f"a MATLAB {kind}; {hint}"
+    if kind in EXPORTS:
+        reader = "" if kind == "timeseries" else "pip install 'torquerig[mat]', or "
+        return f"a MATLAB {kind}; {reader}{EXPORTS[kind]}"
     return f"a MATLAB object of the class {kind or 'unknown'}"

@@ -15,6 +15,8 @@ from torquerig.recordings.files.matlab.tree import Node, Numbers, Struct, Unread
 _DEEPEST = 40  # structs within structs, as in a v5 file
 # elements of a struct array; a scope or a logger has one for each signal
 _MOST_ELEMENTS = 10_000
+# all variables and fields; references can lead in a circle, which would not end
+_MOST_NODES = 100_000
 _LONGEST_TEXT = 10_000  # characters of a label or a unit
 
 
@@ -28,12 +30,15 @@ def variables_v73(path: Path) -> dict[str, Node]:
     import h5py
 
     with h5py.File(path, "r") as file:
-        return {name: _node(path, file[name], 0) for name in file if not name.startswith("#")}
+        budget = iter(range(_MOST_NODES))
+        return {name: _node(path, file[name], 0, budget) for name in file if not name.startswith("#")}
 
 
-def _node(path: Path, item: Any, depth: int) -> Node:
+def _node(path: Path, item: Any, depth: int, budget: Iterator[int]) -> Node:
     import h5py
 
+    if next(budget, None) is None:
+        raise ValueError(f"more than {_MOST_NODES} variables and fields")
     if not isinstance(item, h5py.Dataset | h5py.Group):
         return Unread("no array")
     kind = item.attrs.get("MATLAB_class", b"")
@@ -42,11 +47,11 @@ def _node(path: Path, item: Any, depth: int) -> Node:
     if reason:
         return Unread(reason, kind=kind)
     if isinstance(item, h5py.Group):
-        return _struct(path, item, depth)
+        return _struct(path, item, depth, budget)
     if kind == "char":
         return _chars(item)
     shape = tuple(reversed(item.shape)) if item.ndim > 1 else (*item.shape, 1, 1)[:2]
-    read = partial(_stretch, path, str(item.name), _stored_rows(item))
+    read = partial(stretch, path, str(item.name), _stored_rows(item))
     return Numbers(shape=shape, read=read, is_logical=kind == "logical" or item.dtype.kind == "b")
 
 
@@ -68,7 +73,7 @@ def _reason(item: Any, kind: str, depth: int) -> str:
     return "" if item.dtype.kind in "fiub" else "no numbers"
 
 
-def _struct(path: Path, group: Any, depth: int) -> Struct:
+def _struct(path: Path, group: Any, depth: int, budget: Iterator[int]) -> Struct:
     """Return the elements of a struct; a field of a struct array is a dataset of references."""
     import h5py
 
@@ -81,15 +86,15 @@ def _struct(path: Path, group: Any, depth: int) -> Struct:
     }
     count = min((field.size for field in arrays.values()), default=1)
     if not arrays or count > _MOST_ELEMENTS or len({field.size for field in arrays.values()}) > 1:
-        return [{name: _node(path, field, depth + 1) for name, field in group.items()}]
-    columns = {name: list(_referenced(path, field, depth)) for name, field in arrays.items()}
-    plain = {name: _node(path, field, depth + 1) for name, field in group.items() if name not in arrays}
+        return [{name: _node(path, field, depth + 1, budget) for name, field in group.items()}]
+    columns = {name: list(_referenced(path, field, depth, budget)) for name, field in arrays.items()}
+    plain = {name: _node(path, field, depth + 1, budget) for name, field in group.items() if name not in arrays}
     return [{**plain, **{name: column[index] for name, column in columns.items()}} for index in range(count)]
 
 
-def _referenced(path: Path, field: Any, depth: int) -> Iterator[Node]:
+def _referenced(path: Path, field: Any, depth: int, budget: Iterator[int]) -> Iterator[Node]:
     for reference in np.asarray(field[()]).ravel():
-        yield _node(path, field.file[reference], depth + 1) if reference else Unread("empty")
+        yield _node(path, field.file[reference], depth + 1, budget) if reference else Unread("empty")
 
 
 def _chars(item: Any) -> Node:
@@ -105,8 +110,10 @@ def _stored_rows(item: Any) -> int:
     return max(range(item.ndim), key=lambda axis: (item.shape[axis], axis)) if item.ndim else 0
 
 
-def _stretch(path: Path, place: str, along: int, first: int, last: int) -> NDArray[np.float64]:
-    """Return the samples ``[first, last)`` of a vector or matrix, shape (samples, columns)."""
+def stretch(
+    path: Path, place: str, along: int, first: int, last: int, *, field: str | None = None
+) -> NDArray[np.float64]:
+    """Return the samples ``[first, last)`` of a dataset along an axis, shape (samples, columns)."""
     import h5py
 
     with h5py.File(path, "r") as file:
@@ -114,5 +121,6 @@ def _stretch(path: Path, place: str, along: int, first: int, last: int) -> NDArr
         if not item.ndim:
             return np.asarray(item[()], dtype=np.float64).reshape(1, 1)
         part = item[tuple(slice(first, last) if axis == along else slice(None) for axis in range(item.ndim))]
-    stretch = np.moveaxis(np.asarray(part, dtype=np.float64), along, 0)
-    return stretch.reshape(stretch.shape[0], -1)
+    with np.errstate(invalid="ignore"):  # a damaged float may be a signalling NaN
+        samples = np.moveaxis(np.asarray(part if field is None else part[field], dtype=np.float64), along, 0)
+    return samples.reshape(samples.shape[0], -1)
