@@ -8,7 +8,7 @@ import click
 
 from torquerig.cli.recordings_named import recordings_in
 from torquerig.errors import InputError
-from torquerig.recordings.files.sidecar import sidecar_path
+from torquerig.recordings.files.sidecar_choice import sidecar_target
 from torquerig.recordings.inspection.draft_sidecar import draft_sidecar
 from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.whole_file import whole_file
@@ -26,7 +26,7 @@ def command(*, recordings: tuple[Path, ...], as_text: bool, force: bool) -> None
     Example: torquerig sheet run1.tdms
     """
     paths = [path for one in recordings for path in recordings_in(one)]
-    targets = {path: sidecar_path(path) for path in paths}
+    targets = {path: sidecar_target(path) for path in paths}
     for target in targets.values():
         if target.exists() and not (force or as_text):
             raise InputError(f"{target}: is there already; edit it, or overwrite it with --force")

@@ -28,3 +28,6 @@ KINDS: dict[str, tuple[str, ...]] = {
 """Kinds of unit (of ``units.UNITS``) of each quantity; a tacho's reading is a bare number."""
 
 QUANTITIES = tuple(KINDS)
+
+ROLES = ("compared", "input", "context")
+"""What a channel is for: compared with the model, an input of the model, or shown only."""

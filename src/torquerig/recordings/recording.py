@@ -36,6 +36,12 @@ class Channel:
         SI quantity per ``unit``: N m per V for a torque sensor, rad per count for an encoder.
     truth : bool
         True for a signal that exists only in a simulation; never an input of a diagnosis.
+    of : str or None
+        The part of the scenario whose torque, force, speed or angle it is; None where it is not stated.
+    role : {"compared", "input", "context"} or None
+        What the channel is for; an input or a context channel is never taken for the measured torque.
+    tare : bool
+        True where the zero of the sensor was set before the run.
     """
 
     values: NDArray[np.float64]
@@ -43,6 +49,9 @@ class Channel:
     unit: str
     si_per_unit: float = 1.0
     truth: bool = False
+    of: str | None = None
+    role: str | None = None
+    tare: bool = False
 
     def in_si(self) -> NDArray[np.float64]:
         """Return the signal in SI units, shape (samples,)."""
@@ -95,8 +104,20 @@ class Recording:
         return None
 
     def torque_name(self) -> str:
-        """Return the name of the measured torque (or, on a rig that moves in a line, force) channel."""
-        name = self.find("torque") or self.find("force")
+        """Return the name of the measured torque (or, on a rig that moves in a line, force) channel.
+
+        The one whose role is ``compared``, else the first that is neither an input nor context.
+        """
+        name = next(
+            (
+                name
+                for role in ("compared", None)
+                for quantity in ("torque", "force")
+                for name, one in self.channels.items()
+                if one.quantity == quantity and one.role == role and not one.truth
+            ),
+            None,
+        )
         if name is None:
             raise RecordingError(
                 f"{self.name}: there is no torque channel among {', '.join(self.channels)}; "

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from math import prod
 from typing import TYPE_CHECKING
 
 from torquerig.catalog.winding import winding_of
+from torquerig.errors import InputError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.orders.kinematics.teeth_reading import read_teeth
 
 if TYPE_CHECKING:
     from torquerig.catalog.reading import Catalog
+    from torquerig.orders.kinematics.teeth import Teeth
     from torquerig.recordings.recording import Recording
 
 
@@ -34,6 +38,8 @@ def kinematics_of_recording(
     ------
     UnknownNameError
         Where the catalog has no such motor or gearbox.
+    InputError
+        For teeth in the sidecar that are no set of teeth, or contradict the ratio.
     """
     box = catalog.gearbox(gearbox) if gearbox else None
     turns = ratio if ratio is not None else box.ratio if box else recording.run.gear_ratio
@@ -52,10 +58,21 @@ def kinematics_of_recording(
             f"the motor is not stated, so the lines of its poles and slots are not known; add {remedies[0]}, or run: "
             "{motor: NAME} to the sidecar"
         )
+    teeth = box.tooth_sets()[:1] if box else _stated_teeth(recording)
+    if turns is None and teeth:
+        turns = prod(stage.ratio for stage in teeth)
     if turns is None:
         said.append(
             f"no gear ratio is stated, so the output shaft is taken to turn with the motor; add {remedies[1]}, or run: "
             "{gear_ratio: NUMBER} to the sidecar"
         )
-    teeth = box.tooth_sets()[:1] if box else ()
     return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns or 1.0, teeth=teeth), tuple(said)
+
+
+def _stated_teeth(recording: Recording) -> tuple[Teeth, ...]:
+    """Return the gear stages that the sidecar states, from the motor to the output."""
+    written = recording.run.others.get("teeth")
+    try:
+        return () if written is None else read_teeth(written)
+    except InputError as error:
+        raise InputError(f"{recording.name}: teeth in the sidecar: {error}") from None

@@ -145,8 +145,8 @@ def test_nothing_is_overwritten_unasked(tmp_path: Path) -> None:
     before = path.read_bytes(), (tmp_path / "run1.yaml").read_bytes()
     with pytest.raises(InputError, match=r"run1\.parquet: is there already; choose another name"):
         write_recording(recording(100), path)
-    with pytest.raises(InputError, match=r"run1\.yaml: is there already"):
-        write_recording(recording(100), tmp_path / "run1.csv")
+    written = write_recording(recording(100), tmp_path / "run1.csv")
+    assert [one.name for one in written] == ["run1.csv", "run1.csv.yaml"]
     assert before == (path.read_bytes(), (tmp_path / "run1.yaml").read_bytes())
     write_recording(recording(100), path, overwrite=True)
     assert read_recording(path).samples == 100

@@ -18,14 +18,15 @@ from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.other_formats import export_for
 from torquerig.recordings.files.parquet import read_parquet
 from torquerig.recordings.files.plain_names import with_plain_names
-from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
+from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar
+from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.tdms import read_tdms
 from torquerig.recordings.files.timebase import refuse_two_rates, sample_rate_of
 from torquerig.recordings.files.wav import read_wav
 from torquerig.recordings.files.xlsx import read_xlsx
 from torquerig.recordings.names.interpretation import interpret
 from torquerig.recordings.names.time_column import time_column
-from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 
 TEXT_READERS: dict[str, Callable[[Path, Collection[str]], Table]] = {
@@ -70,8 +71,7 @@ def read_recording(path: Path) -> Recording:
     """
     path = Path(path)
     check_readable(path)
-    described_in = sidecar_path(path)
-    sidecar = read_sidecar(described_in) if described_in.is_file() else None
+    sidecar, _ = sidecar_of(path, lambda: list(_table(path, ()).columns))
     kept = sidecar.channels if sidecar else ()
     table = with_plain_names(_table(path, kept), kept=kept)
     entries = channel_entries(list(table.columns), table.units, sidecar, path)
@@ -79,16 +79,7 @@ def read_recording(path: Path) -> Recording:
     refuse_two_rates(table.rates, entries, where=str(path))
     check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(entries)}, str(path))
     rate = sample_rate_of(table, entries, sidecar=sidecar, where=str(path))
-    channels = {
-        name: Channel(
-            values=table.columns[name],
-            quantity=entry.quantity,
-            unit=entry.unit,
-            si_per_unit=entry.si_per_unit,
-            truth=entry.truth,
-        )
-        for name, entry in entries.items()
-    }
+    channels = {name: entry.channel(table.columns[name]) for name, entry in entries.items()}
     return check_finite(
         Recording(
             sample_rate=rate,

@@ -5,15 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, did_you_mean
 from torquerig.recordings.files.scale import known_si_per_unit, missing_scale, si_per_unit_from
 from torquerig.recordings.files.set_point_text import read_set_point
-from torquerig.recordings.files.sidecar_schema import IN_OTHERS, WrittenChannel, WrittenRun, sidecar_schema
+from torquerig.recordings.files.sidecar_schema import (
+    IN_OTHERS,
+    WrittenChannel,
+    WrittenRun,
+    WrittenSidecar,
+    sidecar_schema,
+)
+from torquerig.recordings.recording import Channel
 from torquerig.recordings.run import Profile, Run
 from torquerig.units import UNITS
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 _CHANNEL_KEYS = {one.name for one in fields(WrittenChannel)}
 _RUN_KEYS = {one.name for one in fields(WrittenRun)}
@@ -33,8 +44,18 @@ class ChannelEntry:
     unit: str
     si_per_unit: float = 1.0
     truth: bool = False
+    of: str | None = None
+    role: str | None = None
+    tare: bool = False
     reason: str = ""
     missing: str = ""
+
+    def channel(self, values: NDArray[np.float64]) -> Channel:
+        """Return the channel with these samples, shape (samples,)."""
+        return Channel(
+            values=values, quantity=self.quantity, unit=self.unit, si_per_unit=self.si_per_unit, truth=self.truth,
+            of=self.of, role=self.role, tare=self.tare,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,6 +94,8 @@ def read_sidecar(path: Path) -> Sidecar:
     _refuse_unknown_conditions(document)
     pruned, scales = _pruned(document)
     written = validated(pruned, sidecar_schema())
+    if written.encoder is not None:
+        scales |= _encoder_scales(document, written, scales)
     channels = {
         name: _entry(document, name, entry, scales.get(name, {})) for name, entry in (written.channels or {}).items()
     }
@@ -80,9 +103,25 @@ def read_sidecar(path: Path) -> Sidecar:
         path=path,
         sample_rate=written.sample_rate_Hz,
         channels=channels,
-        run=_run(document, written.run or WrittenRun(), written.notes),
+        run=_run(document, written.run or WrittenRun(), written.notes, teeth=written.teeth),
         origin=written.origin or {},
     )
+
+
+def _encoder_scales(
+    document: Document, written: WrittenSidecar, scales: Mapping[str, Mapping[str, Any]]
+) -> dict[str, dict[str, Any]]:
+    """Return the scale of each angle in counts that has none of its own, from ``encoder:``."""
+    counts = {} if written.encoder is None else {"counts_per_rev": written.encoder.counts_per_rev}
+    entries = (written.channels or {}).items()
+    angles = [name for name, one in entries if one.quantity in ("angle", "motor_angle") and one.unit == "count"]
+    found = {name: counts for name in angles if not scales.get(name)}
+    if not found:
+        raise InputError(
+            f"{document.place(('encoder',))}: no channel is an angle in counts without a scale; give the encoder's "
+            "channel quantity: motor_angle and unit: count, or remove this key"
+        )
+    return found
 
 
 def _pruned(document: Document) -> tuple[Document, dict[str, dict[str, Any]]]:
@@ -133,13 +172,17 @@ def _entry(document: Document, name: str, entry: WrittenChannel, scales: Mapping
             raise InputError(f"{document.place(('channels', name, key))}: {error}") from None
     if si_per_unit is None:
         raise InputError(f"{document.place(('channels', name, 'unit'))}: {missing_scale(entry.quantity, entry.unit)}")
-    return ChannelEntry(quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth)
+    return ChannelEntry(
+        quantity=entry.quantity, unit=entry.unit, si_per_unit=si_per_unit, truth=entry.truth, of=entry.of,
+        role=entry.role, tare=entry.tare,
+    )  # fmt: skip
 
 
-def _run(document: Document, written: WrittenRun, notes: Any) -> Run:
+def _run(document: Document, written: WrittenRun, notes: Any, *, teeth: Any) -> Run:
     stated = {key: getattr(written, key) for key in IN_OTHERS}
     both = [note for note in (notes, written.notes) if note is not None]
     stated["notes"] = both if len(both) > 1 else both[0] if both else None
+    stated["teeth"] = teeth
     speed, size = written.speed_rpm, written.particle_size_mm
     return Run(
         motor=written.motor,

@@ -8,7 +8,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 from torquerig.errors import did_you_mean
-from torquerig.recordings.quantities import QUANTITIES
+from torquerig.recordings.quantities import QUANTITIES, ROLES
 from torquerig.recordings.run import PROFILES
 
 if TYPE_CHECKING:
@@ -76,6 +76,18 @@ class WrittenChannel:
     quantity: Annotated[str, _Word(partial(_one_of, QUANTITIES, "quantity"))]
     unit: str
     truth: bool = False
+    of: str | None = None
+    role: Annotated[str, _Word(partial(_one_of, ROLES, "role"))] | None = None
+    tare: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenEncoder:
+    """What the encoder's data sheet says: counts of one turn, for angle channels in counts without their own scale."""
+
+    __pydantic_config__ = {"extra": "forbid"}  # noqa: RUF012
+
+    counts_per_rev: Annotated[float, _Number(gt=0, le=1e12)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -120,6 +132,8 @@ class WrittenSidecar:
     channels: dict[str, WrittenChannel] | None = None
     run: WrittenRun | None = None
     origin: dict[str, Any] | None = None
+    encoder: WrittenEncoder | None = None
+    teeth: Any = None
     notes: Any = None
 
 

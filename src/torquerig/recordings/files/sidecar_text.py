@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -32,8 +33,12 @@ def sidecar_text(recording: Recording) -> str:
         "sample_rate_Hz": _number(recording.sample_rate),
         "channels": {name: _channel_entry(channel) for name, channel in recording.channels.items()},
     }
-    if recording.run != Run():
-        content["run"] = _run_entry(recording.run)
+    run = recording.run
+    if "teeth" in run.others:
+        content["teeth"] = _plain(run.others["teeth"])
+        run = replace(run, others={key: value for key, value in run.others.items() if key != "teeth"})
+    if run != Run():
+        content["run"] = _run_entry(run)
     if recording.origin:
         content["origin"] = _plain(recording.origin)
     return yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1000)
@@ -41,7 +46,11 @@ def sidecar_text(recording: Recording) -> str:
 
 def _channel_entry(channel: Channel) -> dict[str, Any]:
     scale = {key: _number(value) for key, value in written_scale(channel).items()}
-    return {"quantity": channel.quantity, "unit": channel.unit, **scale, **({"truth": True} if channel.truth else {})}
+    stated = {"truth": channel.truth, "of": channel.of, "role": channel.role, "tare": channel.tare}
+    return {
+        "quantity": channel.quantity, "unit": channel.unit, **scale,
+        **{key: value for key, value in stated.items() if value},
+    }  # fmt: skip
 
 
 def _run_entry(run: Run) -> dict[str, Any]:

@@ -20,14 +20,15 @@ from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import channel_entries, check_readable, readers
-from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
+from torquerig.recordings.files.sidecar import ChannelEntry
+from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
 from torquerig.recordings.files.tdms_pieces import tdms_pieces
 from torquerig.recordings.files.time_unit import in_unit, unit_evidence
 from torquerig.recordings.files.timebase import agreed_rate, refuse_problem, refuse_two_rates, stated_rate
 from torquerig.recordings.files.timing import Timing, timing_of
 from torquerig.recordings.files.wav import wav_pieces
-from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 
 
@@ -79,16 +80,7 @@ class RecordingStream:
 
     def of(self, columns: Mapping[str, NDArray[np.float64]]) -> Recording:
         """Return a recording with these samples of each channel."""
-        channels = {
-            name: Channel(
-                values=columns[name],
-                quantity=entry.quantity,
-                unit=entry.unit,
-                si_per_unit=entry.si_per_unit,
-                truth=entry.truth,
-            )
-            for name, entry in self.entries.items()
-        }
+        channels = {name: entry.channel(columns[name]) for name, entry in self.entries.items()}
         return Recording(
             sample_rate=self.sample_rate, channels=channels, run=self.run, origin=self.origin, name=self.path.name
         )
@@ -110,9 +102,10 @@ def open_stream(path: Path) -> RecordingStream:
     """
     path = Path(path)
     check_readable(path)
-    described_in = sidecar_path(path)
-    sidecar = read_sidecar(described_in) if described_in.is_file() else None
-    table = pieces_with_plain_names(pieces_of_file(path), kept=sidecar.channels if sidecar else ())
+    pieces = pieces_of_file(path)
+    sidecar, notes = sidecar_of(path, lambda: pieces.names)
+    table = pieces_with_plain_names(pieces, kept=sidecar.channels if sidecar else ())
+    table = replace(table, notes=(*table.notes, *notes))
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
     refuse_two_rates(table.rates, entries, where=str(path))

@@ -11,7 +11,8 @@ from torquerig.recordings.files.checks import check_finite, check_lengths
 from torquerig.recordings.files.csv import write_csv
 from torquerig.recordings.files.mat import refuse_variable_names, write_mat
 from torquerig.recordings.files.parquet import write_parquet
-from torquerig.recordings.files.sidecar import read_sidecar, sidecar_path
+from torquerig.recordings.files.sidecar import read_sidecar
+from torquerig.recordings.files.sidecar_choice import find_sidecar, sidecar_target
 from torquerig.recordings.files.sidecar_text import sidecar_text
 from torquerig.recordings.files.tdms import write_tdms
 from torquerig.recordings.names.time_column import time_column
@@ -42,7 +43,7 @@ def write_recording(recording: Recording, path: Path, *, overwrite: bool = False
     """
     path = Path(path)
     write = _writer_of(path)
-    _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+    _refuse_overwriting(path, sidecar_target(path), overwrite=overwrite)
     refuse_names(recording, path)
     check_lengths({name: channel.values for name, channel in recording.channels.items()}, str(path))
     check_finite(recording)
@@ -60,7 +61,7 @@ def put_in_place(
         As :func:`write_recording`, before anything is written.
     """
     check_target(path, overwrite=overwrite)
-    sidecar = sidecar_path(path)
+    sidecar = sidecar_target(path)
     with whole_files([path, sidecar]) as (partial, partial_sidecar):
         write(partial)
         partial_sidecar.write_bytes(sidecar_text(recording).encode())
@@ -77,11 +78,11 @@ def check_target(path: Path, *, overwrite: bool = False, inputs: Iterable[Path] 
     """
     _writer_of(path)
     for read in inputs:
-        for target in (path, sidecar_path(path)):
-            for what, source in (("the input", read), (f"the sidecar of the input {read}", sidecar_path(read))):
-                if target.exists() and source.exists() and target.samefile(source):
+        for target in (path, sidecar_target(path)):
+            for what, source in (("the input", read), (f"the sidecar of the input {read}", find_sidecar(read))):
+                if source is not None and target.exists() and source.exists() and target.samefile(source):
                     raise InputError(f"{target}: is {what}; choose another name to write to")
-    _refuse_overwriting(path, sidecar_path(path), overwrite=overwrite)
+    _refuse_overwriting(path, sidecar_target(path), overwrite=overwrite)
     refuse_unwritable(path)
 
 

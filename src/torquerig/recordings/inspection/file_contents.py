@@ -10,7 +10,8 @@ from typing import Any
 from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import check_readable, entry_by_name
-from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar, read_sidecar, sidecar_path
+from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar
+from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.stream import open_stream, pieces_of_file
 from torquerig.recordings.files.table_pieces import TablePieces
 from torquerig.recordings.files.timebase import usual_rate
@@ -91,8 +92,9 @@ def file_contents(path: Path) -> FileContents:
     """
     path = Path(path)
     check_readable(path)
-    sidecar, problem = _sidecar(path)
-    table = pieces_with_plain_names(pieces_of_file(path), kept=sidecar.channels if sidecar else ())
+    pieces = pieces_of_file(path)
+    sidecar, notes, problem = _sidecar(path, pieces)
+    table = pieces_with_plain_names(pieces, kept=sidecar.channels if sidecar else ())
     time = table.time_name()
     names = [name for name in table.names if name != time]
     levels = _levels(table, names)
@@ -104,17 +106,16 @@ def file_contents(path: Path) -> FileContents:
         columns=columns,
         time=time,
         skipped=table.skipped,
-        notes=table.notes,
+        notes=(*table.notes, *notes),
         problem=problem or _problem(path),
     )
 
 
-def _sidecar(path: Path) -> tuple[Sidecar | None, str]:
-    described_in = sidecar_path(path)
+def _sidecar(path: Path, pieces: TablePieces) -> tuple[Sidecar | None, tuple[str, ...], str]:
     try:
-        return (read_sidecar(described_in) if described_in.is_file() else None), ""
+        return *sidecar_of(path, lambda: pieces.names), ""
     except InputError as error:
-        return None, str(error)
+        return None, (), str(error)
 
 
 def _entry(name: str, table: TablePieces, sidecar: Sidecar | None) -> ChannelEntry:

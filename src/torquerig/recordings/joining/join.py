@@ -13,7 +13,7 @@ from torquerig.recordings.files.number_table import distinct
 from torquerig.recordings.joining.alignment import shift_between
 from torquerig.recordings.joining.resampling import is_stepped, resampled
 from torquerig.recordings.joining.tracks import Track, Tracks, tracks_of
-from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
 
 
@@ -57,10 +57,7 @@ def join_recordings(paths: Sequence[Path], *, rate: float | None = None, align: 
     channels, changed = {}, []
     for name, track in tracks.items():
         values = resampled(track, rate=common, start=first, samples=samples)
-        entry = track.entry
-        channels[name] = Channel(
-            values=values, quantity=entry.quantity, unit=entry.unit, si_per_unit=entry.si_per_unit, truth=entry.truth
-        )
+        channels[name] = track.entry.channel(values)
         if abs(track.rate / common - 1) > 1e-12:
             how = "last samples held" if is_stepped(track) else "interpolated" if track.rate < common else "low-passed"
             changed.append(f"{name}: {track.rate:g} Hz to {common:g} Hz, {how}")

@@ -13,7 +13,8 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.files.gaps import gaps_in
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import channel_entries, check_readable
-from torquerig.recordings.files.sidecar import ChannelEntry, read_sidecar, sidecar_path
+from torquerig.recordings.files.sidecar import ChannelEntry, sidecar_path
+from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.stream import pieces_of_file
 from torquerig.recordings.files.timebase import usual_rate
 from torquerig.recordings.run import Run
@@ -53,9 +54,9 @@ def tracks_of(path: Path) -> Tracks:
     """
     path = Path(path)
     check_readable(path)
-    described_in = sidecar_path(path)
-    sidecar = read_sidecar(described_in) if described_in.is_file() else None
-    table = pieces_with_plain_names(pieces_of_file(path), kept=sidecar.channels if sidecar else ())
+    written = pieces_of_file(path)
+    sidecar, notes = sidecar_of(path, lambda: written.names)
+    table = pieces_with_plain_names(written, kept=sidecar.channels if sidecar else ())
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
     lengths = {table.lengths.get(name) for name in entries}
@@ -68,7 +69,6 @@ def tracks_of(path: Path) -> Tracks:
     times = columns.pop(time) if time else None
     stated = sidecar.sample_rate if sidecar else None
     tracks: dict[str, Track] = {}
-    notes: tuple[str, ...] = ()
     for name, entry in entries.items():
         rate = stated or table.rates.get(name)
         values, start = columns[name], 0.0
@@ -77,10 +77,12 @@ def tracks_of(path: Path) -> Tracks:
             start = float(times[0])
             if rate is None:
                 rate = usual_rate(times, name=str(time), where=str(path))
-                values, notes = _evenly(values, times, rate, name=str(time), path=path)
+                values, bridged = _evenly(values, times, rate, name=str(time), path=path)
+                notes = notes if bridged and bridged[0] in notes else (*notes, *bridged)
         if rate is None:
             raise RecordingError(
-                f"{path}: the rate of {name} is not stated; write it into {described_in.name} as sample_rate_Hz: NUMBER"
+                f"{path}: the rate of {name} is not stated; write it into {sidecar_path(path).name} as "
+                "sample_rate_Hz: NUMBER"
             )
         tracks[name] = Track(name=name, values=values, rate=rate, start=start, entry=entry)
     run = sidecar.run if sidecar else Run()

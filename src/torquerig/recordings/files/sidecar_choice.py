@@ -1,0 +1,83 @@
+"""Which sidecar belongs to a recording, where several files share a name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from pathlib import Path
+
+from torquerig.recordings.files.sidecar import Sidecar, read_sidecar, sidecar_path
+from torquerig.recordings.names.header import split_header
+
+_NO_RECORDINGS = (".yaml", ".yml", ".json", ".svg", ".png", ".pdf", ".html", ".md", ".partial")
+
+
+def own_sidecar_path(recording: Path) -> Path:
+    """Return the path of a sidecar for this format alone: ``run.csv.yaml`` for ``run.csv``."""
+    return recording.with_name(f"{recording.name}.yaml")
+
+
+def sidecar_target(recording: Path) -> Path:
+    """Return where the sidecar of a recording is written.
+
+    That is ``run.yaml``, or ``run.csv.yaml`` where there is one already, or where ``run.yaml`` belongs to a recording
+    of the same name in another format.
+    """
+    own, common = own_sidecar_path(recording), sidecar_path(recording)
+    return own if own.exists() or (common.exists() and namesakes(recording)) else common
+
+
+def find_sidecar(recording: Path) -> Path | None:
+    """Return the sidecar file of a recording by its name: ``run.csv.yaml`` before ``run.yaml``, or None."""
+    own, common = own_sidecar_path(recording), sidecar_path(recording)
+    return own if own.is_file() else common if common.is_file() else None
+
+
+def sidecar_of(recording: Path, columns: Callable[[], Collection[str]]) -> tuple[Sidecar | None, tuple[str, ...]]:
+    """Return the sidecar of a recording, or None, and a note where one of its name belongs to another file.
+
+    ``run.yaml`` belongs to ``run.csv``, unless there is also a ``run.mat`` and the sidecar names columns that are not
+    in ``run.csv``.
+
+    Parameters
+    ----------
+    columns : callable
+        Returns the columns of the recording as the file writes them; called only where files share a name.
+
+    Raises
+    ------
+    InputError
+        A sidecar that cannot be read.
+    """
+    path = find_sidecar(recording)
+    if path is None:
+        return None, ()
+    sidecar = read_sidecar(path)
+    others = namesakes(recording) if path == sidecar_path(recording) else []
+    if not others:
+        return sidecar, ()
+    written = list(columns())
+    known = {*written, *(split_header(cell)[0] for cell in written)}
+    foreign = [name for name in sidecar.channels if name not in known]
+    if not foreign:
+        return sidecar, ()
+    note = (
+        f"{path.name} names {foreign[0]}, which is not in {recording.name}, and is taken for that of {others[0].name}; "
+        f"a sidecar for {recording.name} alone is called {own_sidecar_path(recording).name}"
+    )
+    return None, (note,)
+
+
+def namesakes(recording: Path) -> list[Path]:
+    """Return the other files of the folder that may be recordings and would have the same sidecar."""
+    common = sidecar_path(recording)
+    if not recording.parent.is_dir():
+        return []
+    return sorted(
+        one
+        for one in recording.parent.glob(f"{_escaped(common.stem)}.*")
+        if one != recording and one.suffix.lower() not in _NO_RECORDINGS and sidecar_path(one) == common
+    )
+
+
+def _escaped(stem: str) -> str:
+    return "".join(f"[{sign}]" if sign in "[]*?" else sign for sign in stem)
