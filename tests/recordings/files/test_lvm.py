@@ -117,6 +117,17 @@ def test_two_rates_in_one_file(tmp_path: Path, deltas: tuple[float, float], coun
         read_recording(path)
 
 
+@pytest.mark.parametrize(
+    ("deltas", "counts"), [((0.001, 0.01), (40, 4)), ((0.001, 1.0), (40, 40)), ((1.0, 0.5), (40, 40))]
+)
+def test_one_x_column_holds_the_times_of_the_first_channel(
+    tmp_path: Path, deltas: tuple[float, float], counts: tuple[int, int]
+) -> None:
+    channels = [("torque", "Nm", deltas[0], sine(counts[0])), ("speed", "rpm", deltas[1], sine(counts[1]))]
+    table = read_lvm(written(tmp_path, text(channels, steps=[0.001, 0.001])))
+    assert table.rates == pytest.approx({"torque": 1000, "speed": 1 / deltas[1]})
+
+
 @pytest.mark.parametrize("before", ["Notes\tbearing changed", "Test_Name\tDauer 3\nOperator\tme", "Notes\t"])
 def test_tags_before_the_channels(tmp_path: Path, before: str) -> None:
     channels = [("Dev1/ai0", "V", 0.001, sine(7)), ("Untitled", "V", 1.0, [])]
@@ -161,7 +172,7 @@ def test_a_column_with_values_in_some_rows_is_skipped(tmp_path: Path) -> None:
     again = "0.003000\t1.000000\t7.000000\n0.004000\t1.000000\t\n0.005000\t1.000000\t\n"
     table = read_lvm(written(tmp_path, rows + again))
     assert list(table.columns) == ["torque"]
-    assert "in only 2 of 4 rows" in table.skipped["flow"]
+    assert "in only 2 of 6 rows" in table.skipped["flow"]
 
 
 def test_other_axes_than_time(tmp_path: Path) -> None:

@@ -40,6 +40,7 @@ def read_lvm(path: Path) -> Table:
     skipped: dict[str, str] = {"Comment": "remarks"} if any(segment.has_remarks for segment in segments) else {}
     notes = [f"{len(segments)} segments are joined in the order of the file"] if len(segments) > 1 else []
     offsets = _segment_starts(segments, headers)
+    remarks: dict[str, list[str]] = {}
     signals = [index for index, label in enumerate(first.labels) if label != X_LABEL]
     columns: dict[str, Numbers] = {}
     rates, units, times = {}, {}, {}
@@ -50,8 +51,11 @@ def read_lvm(path: Path) -> Table:
             skipped[name] = reason
             continue
         columns[name], x_values = _joined(segments, index, offsets)
-        found, x_values = _sampling(x_values, header, decimals=first.decimals, name=name)
-        notes += [found.note] if found.note else []
+        if not _has_own_x(first, headers[0], index):
+            x_values = None
+        found, x_values = _sampling(x_values, header, decimals=first.decimals)
+        if found.note:
+            remarks.setdefault(found.note, []).append(name)
         if found.rate > 0:
             rates[name] = found.rate
         if x_values is not None and (found.keep_times or found.rate == 0 or len(segments) > 1):
@@ -59,19 +63,29 @@ def read_lvm(path: Path) -> Table:
         if header.get("Y_Unit_Label"):
             units[name] = header["Y_Unit_Label"]
     columns, skipped = _with_times(columns, times, rates, skipped)
-    return Table(columns=columns, rates=rates, units=units, skipped=skipped, notes=tuple(dict.fromkeys(notes)))
+    notes += [f"{', '.join(names[:3])}{', ...' if len(names) > 3 else ''}: {note}" for note, names in remarks.items()]
+    return Table(columns=columns, rates=rates, units=units, skipped=skipped, notes=tuple(notes))
 
 
-def _sampling(
-    x_values: Numbers | None, header: Mapping[str, str], *, decimals: int, name: str
-) -> tuple[Sampling, Numbers | None]:
+def _has_own_x(segment: Segment, header: Mapping[str, dict[int, str]], index: int) -> bool:
+    """Return whether the X column to the left of a channel is its own.
+
+    One X column for several channels holds the times of the first; LabVIEW notes "X values guaranteed valid only for"
+    it. They are those of another channel too where its Delta_X is the same.
+    """
+    owner = max(place for place in range(index) if segment.labels[place] == X_LABEL) + 1
+    steps = {column: _number(cell) for column, cell in header.get("Delta_X", {}).items()}
+    return index == owner or steps.get(index, 0.0) == steps.get(owner, 0.0)
+
+
+def _sampling(x_values: Numbers | None, header: Mapping[str, str], *, decimals: int) -> tuple[Sampling, Numbers | None]:
     """Return the sampling of a channel and its X values in seconds."""
     unit = TIME_UNITS[header.get("X_Unit_Label", "").lower()]
     times = None if x_values is None else x_values * unit
     increment = _number(header.get("Delta_X", "")) * unit
     # a digit of a minute or an hour is more than one of a second
     printed = decimals - round(np.log10(unit))
-    return sampling(times, increment, decimals=printed, name=name), times
+    return sampling(times, increment, decimals=printed), times
 
 
 def _refuse_different(path: Path, segments: list[Segment], headers: list[dict[str, dict[int, str]]]) -> None:
@@ -82,7 +96,7 @@ def _refuse_different(path: Path, segments: list[Segment], headers: list[dict[st
         stated = [header[tag] for header in headers if tag in header]
         for index, label in enumerate(segments[0].labels):
             found = list(dict.fromkeys(cells[index] for cells in stated if cells.get(index)))
-            if len(found) > 1:
+            if len({_number(cell) for cell in found} if tag == "Delta_X" else found) > 1:
                 raise RecordingError(
                     f"{path}: {label}: its segments state different {tag} ({found[0]} and {found[1]}); save each "
                     "segment to a separate file"
@@ -100,8 +114,8 @@ def _unreadable(segments: list[Segment], headers: list[dict[str, dict[int, str]]
         return "it has no samples"
     for segment, header in zip(segments, headers, strict=True):
         counts = {column: int(cell) for column, cell in header.get("Samples", {}).items() if cell.isdigit()}
-        blank = _cut(segment.blank[index])
-        if blank.any() and counts.get(index, 0) < max(counts.values(), default=0):
+        blank = segment.blank[index]
+        if _cut(blank).any() and counts.get(index, 0) < max(counts.values(), default=0):
             return (
                 f"it has values in only {int(np.count_nonzero(~blank))} of {blank.size} rows; save it to its own file"
             )

@@ -76,11 +76,11 @@ def segments_of(path: Path) -> list[Segment]:
             "decimals, which cannot be told apart; save the file with tabs and decimal points"
         )
     spans = _header_spans(data, ends, separator.encode())
-    segments = [
-        segment
-        for (begin, end, close) in spans
-        if (segment := _segment(path, data, dialect, begin=begin, end=end, close=close)) is not None
-    ]
+    segments, line, counted = [], 1, 0
+    for begin, end, close in spans:
+        line, counted = line + data.count(b"\n", counted, end), end
+        segment = _segment(path, data, dialect, begin=begin, end=end, close=close, line=line)
+        segments += [] if segment is None else [segment]
     if not segments:
         raise RecordingError(f"{path}: there is no line of labels that starts with {X_LABEL}; the file has no data")
     return segments
@@ -131,7 +131,9 @@ def _header_begin(data: bytes, end: int, separator: bytes) -> int:
     return begin
 
 
-def _segment(path: Path, data: bytes, dialect: Dialect, *, begin: int, end: int, close: int) -> Segment | None:
+def _segment(
+    path: Path, data: bytes, dialect: Dialect, *, begin: int, end: int, close: int, line: int
+) -> Segment | None:
     tags = {
         cells[0].strip(): [cell.strip() for cell in cells[1:]]
         for line in decoded(data[begin:end]).splitlines()
@@ -140,10 +142,10 @@ def _segment(path: Path, data: bytes, dialect: Dialect, *, begin: int, end: int,
     found = re.compile(rb"\S").search(data, end, close)
     if found is None:
         return None
-    end = data.rfind(b"\n", 0, found.start()) + 1
-    line, _, body = data[end:close].partition(b"\n")
-    labels = [cell.strip() for cell in decoded(line).rstrip().split(dialect.separator)]
-    number = data.count(b"\n", 0, end) + 1
+    start = data.rfind(b"\n", 0, found.start()) + 1
+    first, _, body = data[start:close].partition(b"\n")
+    labels = [cell.strip() for cell in decoded(first).rstrip().split(dialect.separator)]
+    number = line + data.count(b"\n", end, start)
     if labels[0] != X_LABEL:
         raise RecordingError(
             f"{path}:{number}: a row of numbers comes before the line of labels that starts with {X_LABEL}; save the "

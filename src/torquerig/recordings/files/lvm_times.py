@@ -34,7 +34,7 @@ class Sampling:
     keep_times: bool = False
 
 
-def sampling(times: NDArray[np.float64] | None, increment: float, *, decimals: int, name: str) -> Sampling:
+def sampling(times: NDArray[np.float64] | None, increment: float, *, decimals: int) -> Sampling:
     """Return the sampling of a channel from its X values [s] and its ``Delta_X`` [s].
 
     X values that rise evenly determine the rate, because LabVIEW writes Delta_X = 1 where it does not know it. X
@@ -48,8 +48,6 @@ def sampling(times: NDArray[np.float64] | None, increment: float, *, decimals: i
         Delta_X [s]; 0 where the file does not state it.
     decimals : int
         Decimal places of the printed X values.
-    name : str
-        The channel, for the sentence.
     """
     stated = shortest_rate(1 / increment, tolerance=1e-11) if increment > 0 else 0.0
     if times is None or times.size < 2:
@@ -61,13 +59,11 @@ def sampling(times: NDArray[np.float64] | None, increment: float, *, decimals: i
     worst = _off_grid(times, step)
     if np.all(np.diff(times) > 0) and worst <= max(_UNEVEN * step, printed):
         rate = shortest_rate(1 / step, tolerance=max(1e-11, 2 * worst / (step * (times.size - 1))))
-        note = f"{name}: X_Value rises by {1 / rate:.6g} s and Delta_X states {increment:.6g} s; X_Value is used"
+        note = f"X_Value rises by {1 / rate:.6g} s and Delta_X states {increment:.6g} s; X_Value is used"
         return Sampling(rate=rate, note=note if stated else "")
     usual = float(np.median(np.diff(times)))
     if stated and abs(usual - increment) > max(_UNEVEN * increment, 2 * printed):
-        note = (
-            f"{name}: X_Value rises unevenly, by {usual:.6g} s in the median; Delta_X = {increment:.6g} s is not used"
-        )
+        note = f"X_Value rises unevenly, by {usual:.6g} s in the median; Delta_X = {increment:.6g} s is not used"
         return Sampling(rate=0.0, note=note, keep_times=True)
     return Sampling(rate=stated, keep_times=True)
 
