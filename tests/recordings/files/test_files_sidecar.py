@@ -76,7 +76,10 @@ def test_close_matches_are_keys_of_the_same_mapping(tmp_path: Path) -> None:
     for text, said in (
         ("load: 1\n", "load: unknown key; known are channels, encoder, notes, origin, run, sample_rate_Hz, teeth"),
         ("run: {set_point: {time_s: [0], speed_rpm: [0], rate: 3}}\n", "known are load_Nm, repeats, speed_rpm, time_s"),
-        ("channels: {a: {quantity: torque, unit: V, Nm_per_V: 1, motor: 3}}\n", "known are of, quantity, role, tare, truth, unit"),
+        (
+            "channels: {a: {quantity: torque, unit: V, Nm_per_V: 1, motor: 3}}\n",
+            "known are of, quantity, role, tare, truth",
+        ),
     ):
         with pytest.raises(InputError, match=said):
             read_sidecar(written(tmp_path, text))
