@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from torquerig.errors import InputError, RecordingError
-from torquerig.recordings.files import read_recording, write_recording
+from torquerig.recordings.files import open_stream, read_recording, write_recording
 from torquerig.recordings.files import writing as writing_module
+from torquerig.recordings.files.block_writing import write_blocks
+from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.parquet import compact
 from torquerig.recordings.files.sidecar import read_sidecar
 from torquerig.recordings.recording import Channel, Recording
@@ -221,3 +223,21 @@ def test_mat_and_tdms_tell_their_rate_without_the_sidecar(tmp_path: Path) -> Non
         assert read_sidecar(tmp_path / "r.yaml").sample_rate == 12800.0
         (tmp_path / "r.yaml").unlink()
         assert read_recording(tmp_path / f"r{ending}").sample_rate == 12800.0
+
+
+@pytest.mark.parametrize("ending", ["parquet", "tdms", "mat"])
+def test_a_file_that_is_mailed_alone_opens_with_its_sidecar(ending: str, tmp_path: Path) -> None:
+    whole = recording()
+    for name in ("whole", "blocks"):
+        path = tmp_path / f"{name}.{ending}"
+        if name == "whole":
+            write_recording(whole, path)
+        else:
+            write_blocks([whole], path)
+        path.with_suffix(".yaml").unlink()
+        for back in (read_recording(path), next(Blocking(samples=whole.samples).cut(open_stream(path))).recording):
+            assert back.run == whole.run
+            assert back.sample_rate == whole.sample_rate
+            assert {
+                key: (one.quantity, one.unit, one.si_per_unit, one.truth) for key, one in back.channels.items()
+            } == {key: (one.quantity, one.unit, one.si_per_unit, one.truth) for key, one in whole.channels.items()}

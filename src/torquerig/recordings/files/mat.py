@@ -18,6 +18,7 @@ from torquerig.recordings.files.matlab.version4 import is_v4, variables_v4
 from torquerig.recordings.files.matlab.version5 import DamagedError, variables_v5
 from torquerig.recordings.files.matlab.version73 import variables_v73
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces, pieces_of
 from torquerig.recordings.recording import Recording
 
@@ -39,14 +40,16 @@ def read_mat(path: Path) -> Table:
     RecordingError
         When the file is damaged, or holds no vector of numbers.
     """
-    found = _channels(path)
+    found, sidecar = _channels(path)
     columns = {}
     for name, channel in found.channels.items():
         try:
             columns[name] = channel.read(0, channel.numbers.samples)
         except _BROKEN as error:
             raise _not_whole(path, error) from None
-    return Table(columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes)
+    return Table(
+        columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes, sidecar=sidecar
+    )
 
 
 def mat_pieces(path: Path) -> TablePieces:
@@ -57,7 +60,7 @@ def mat_pieces(path: Path) -> TablePieces:
         return pieces_of(
             read_mat(path), reason="a .mat file before v7.3 is read whole; save it with -v7.3, or as TDMS or Parquet"
         )
-    found = _channels(path)
+    found, sidecar = _channels(path)
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
         channels = {name: found.channels[name] for name in names}
@@ -75,12 +78,17 @@ def mat_pieces(path: Path) -> TablePieces:
         units=found.units,
         skipped=found.skipped,
         notes=found.notes,
+        sidecar=sidecar,
     )
 
 
-def _channels(path: Path) -> Channels:
+def _channels(path: Path) -> tuple[Channels, str]:
+    """Return the channels of a file, and the sidecar that torquerig wrote into it."""
     try:
-        return channels_of(leaves_of(with_tables(_variables(path), path)), where=str(path), remedy=_REMEDY)
+        variables = dict(_variables(path))
+        sidecar = variables.pop(SIDECAR_KEY, "")
+        found = channels_of(leaves_of(with_tables(variables, path)), where=str(path), remedy=_REMEDY)
+        return found, sidecar if isinstance(sidecar, str) else ""
     except (DamagedError, *_BROKEN) as error:
         raise _not_whole(path, error) from None
 
@@ -113,7 +121,8 @@ def write_mat(recording: Recording, path: Path) -> None:
         if channel.values.nbytes >= 2**31:
             raise InputError(f"{path}: {name} is larger than the 2 GiB of a v5 .mat file; write Parquet or TDMS")
     vectors = {name: np.asarray(channel.values, dtype=np.float64) for name, channel in recording.channels.items()}
-    savemat(path, {**vectors, "sample_rate_Hz": recording.sample_rate}, appendmat=False, oned_as="column")
+    others = {"sample_rate_Hz": recording.sample_rate, SIDECAR_KEY: sidecar_text(recording)}
+    savemat(path, {**vectors, **others}, appendmat=False, oned_as="column")
     with path.open("r+b") as file:
         file.write(b"MATLAB 5.0 MAT-file, written by torquerig".ljust(_TITLE_LENGTH))
 

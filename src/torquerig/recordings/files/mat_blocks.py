@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.recording import Recording
 
 # the 512 bytes before the HDF5 part: text up to 116, subsystem offset, version 2.0 and the byte order
@@ -33,6 +34,10 @@ def mat_block_writer(path: Path, head: Recording) -> Iterator[Callable[[Mapping[
         made["sample_rate_Hz"] = file.create_dataset("sample_rate_Hz", data=np.array([[head.sample_rate]]))
         for dataset in made.values():
             dataset.attrs["MATLAB_class"] = np.bytes_("double")
+        signs = np.frombuffer(sidecar_text(head).encode("utf-16-le"), np.uint16)
+        text = file.create_dataset(SIDECAR_KEY, data=signs.reshape(-1, 1))
+        text.attrs["MATLAB_class"] = np.bytes_("char")
+        text.attrs["MATLAB_int_decode"] = np.int32(2)
 
         def append(columns: Mapping[str, NDArray[np.float64]]) -> None:
             for name, values in columns.items():

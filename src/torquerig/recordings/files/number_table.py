@@ -28,6 +28,8 @@ class Table:
     notes : tuple of str
         What the reader understood beyond names and numbers, one sentence each: the line of the names, a unit row, the
         source of the times.
+    sidecar : str
+        The text of the sidecar that torquerig wrote into the file; empty where it holds none.
     time_has_unit : bool
         False where the unit of the times is not stated; they are read as seconds unless something contradicts it.
     """
@@ -37,6 +39,7 @@ class Table:
     units: Mapping[str, str] = field(default_factory=dict)
     skipped: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    sidecar: str = ""
     time_has_unit: bool = True
 
     def time_name(self) -> str | None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces
 from torquerig.recordings.recording import Recording
 
@@ -29,7 +30,7 @@ def read_parquet(path: Path) -> Table:
         columns = {name: _numbers(table[name]) for name in kept}
     except (pa.ArrowException, OSError, ValueError, LookupError) as error:
         raise _not_whole(path, error) from None
-    return Table(columns=columns, skipped=skipped)
+    return Table(columns=columns, skipped=skipped, sidecar=_sidecar(table.schema.metadata))
 
 
 def _kinds(schema: Any) -> tuple[list[str], dict[str, str]]:
@@ -52,6 +53,7 @@ def parquet_pieces(path: Path) -> TablePieces:
     try:
         with parquet.ParquetFile(path) as file:
             kept, skipped = _kinds(file.schema_arrow)
+            sidecar = _sidecar(file.schema_arrow.metadata)
             rows, groups = file.metadata.num_rows, file.num_row_groups
             largest = max((file.metadata.row_group(group).num_rows for group in range(groups)), default=0)
     except (pa.ArrowException, OSError, ValueError, LookupError) as error:
@@ -77,7 +79,9 @@ def parquet_pieces(path: Path) -> TablePieces:
         except (pa.ArrowException, OSError, ValueError, LookupError) as error:
             raise _not_whole(path, error) from None
 
-    return TablePieces(names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces, skipped=skipped)
+    return TablePieces(
+        names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces, skipped=skipped, sidecar=sidecar
+    )
 
 
 def write_parquet(recording: Recording, path: Path) -> None:
@@ -86,7 +90,13 @@ def write_parquet(recording: Recording, path: Path) -> None:
     from pyarrow import parquet
 
     table = pa.table({name: compact(channel.values) for name, channel in recording.channels.items()})
+    table = table.replace_schema_metadata({SIDECAR_KEY: sidecar_text(recording)})
     parquet.write_table(table, path, compression="zstd")
+
+
+def _sidecar(metadata: Mapping[bytes, bytes] | None) -> str:
+    """Return the sidecar in the file's metadata, or nothing."""
+    return (metadata or {}).get(SIDECAR_KEY.encode(), b"").decode("utf-8", errors="replace")
 
 
 def compact(values: NDArray[np.float64]) -> NDArray[np.float64] | NDArray[np.float32] | NDArray[np.int32]:
@@ -108,7 +118,8 @@ def parquet_writer(path: Path, recording: Recording) -> Any:
     import pyarrow as pa
     from pyarrow import parquet
 
-    schema = pa.schema([(name, pa.float64()) for name in recording.channels])
+    metadata = {SIDECAR_KEY: sidecar_text(recording)}
+    schema = pa.schema([(name, pa.float64()) for name in recording.channels], metadata=metadata)
     return parquet.ParquetWriter(path, schema, compression="zstd", compression_level=1, use_dictionary=False)
 
 

@@ -71,9 +71,7 @@ def read_recording(path: Path) -> Recording:
     """
     path = Path(path)
     check_readable(path)
-    sidecar, _ = sidecar_of(path, lambda: list(_table(path, ()).columns))
-    kept = sidecar.channels if sidecar else ()
-    table = with_plain_names(_table(path, kept), kept=kept)
+    sidecar, table = _described(path)
     entries = channel_entries(list(table.columns), table.units, sidecar, path)
     time = table.time_name()
     refuse_two_rates(table.rates, entries, where=str(path))
@@ -89,6 +87,17 @@ def read_recording(path: Path) -> Recording:
             name=path.name,
         )
     )
+
+
+def _described(path: Path) -> tuple[Sidecar | None, Table]:
+    """Return the sidecar and the table; of a text only the columns that the sidecar names need to be sound."""
+    if path.suffix.lower() in TEXT_READERS:
+        sidecar, _ = sidecar_of(path, lambda: list(_table(path, ()).columns))
+        table = _table(path, sidecar.channels if sidecar else ())
+    else:
+        table = _table(path, ())
+        sidecar, _ = sidecar_of(path, lambda: list(table.columns), embedded=table.sidecar)
+    return sidecar, with_plain_names(table, kept=sidecar.channels if sidecar else ())
 
 
 def _table(path: Path, only: Collection[str]) -> Table:

@@ -88,7 +88,11 @@ def read_sidecar(path: Path) -> Sidecar:
         With file, line and key: a misspelt or unknown key, an unknown quantity or profile, a number out of range, a
         unit that needs a scale and has none, a scale that does not fit the unit.
     """
-    document = read_document(path)
+    return sidecar_from(read_document(path))
+
+
+def sidecar_from(document: Document) -> Sidecar:
+    """Return the sidecar that a document holds; errors as in :func:`read_sidecar`."""
     if not isinstance(document.data, dict):
         raise InputError(f"{document.place()}: a sidecar holds the keys sample_rate_Hz, channels and run; write them")
     _refuse_unknown_conditions(document)
@@ -100,7 +104,7 @@ def read_sidecar(path: Path) -> Sidecar:
         name: _entry(document, name, entry, scales.get(name, {})) for name, entry in (written.channels or {}).items()
     }
     return Sidecar(
-        path=path,
+        path=document.path,
         sample_rate=written.sample_rate_Hz,
         channels=channels,
         run=_run(document, written.run or WrittenRun(), written.notes, teeth=written.teeth),

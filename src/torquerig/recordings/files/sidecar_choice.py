@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from pathlib import Path
 
-from torquerig.recordings.files.sidecar import Sidecar, read_sidecar, sidecar_path
+from torquerig.document import parse_document
+from torquerig.recordings.files.sidecar import Sidecar, read_sidecar, sidecar_from, sidecar_path
 from torquerig.recordings.names.header import split_header
 
 _NO_RECORDINGS = (".yaml", ".yml", ".json", ".svg", ".png", ".pdf", ".html", ".md", ".partial")
@@ -32,7 +33,9 @@ def find_sidecar(recording: Path) -> Path | None:
     return own if own.is_file() else common if common.is_file() else None
 
 
-def sidecar_of(recording: Path, columns: Callable[[], Collection[str]]) -> tuple[Sidecar | None, tuple[str, ...]]:
+def sidecar_of(
+    recording: Path, columns: Callable[[], Collection[str]], *, embedded: str = ""
+) -> tuple[Sidecar | None, tuple[str, ...]]:
     """Return the sidecar of a recording, or None, and a note where one of its name belongs to another file.
 
     ``run.yaml`` belongs to ``run.csv``, unless there is also a ``run.mat`` and the sidecar names columns that are not
@@ -42,6 +45,8 @@ def sidecar_of(recording: Path, columns: Callable[[], Collection[str]]) -> tuple
     ----------
     columns : callable
         Returns the columns of the recording as the file writes them; called only where files share a name.
+    embedded : str
+        The sidecar that the file itself holds; it counts where there is no other.
 
     Raises
     ------
@@ -50,7 +55,7 @@ def sidecar_of(recording: Path, columns: Callable[[], Collection[str]]) -> tuple
     """
     path = find_sidecar(recording)
     if path is None:
-        return None, ()
+        return _embedded(recording, embedded)
     sidecar = read_sidecar(path)
     others = namesakes(recording) if path == sidecar_path(recording) else []
     if not others:
@@ -65,6 +70,12 @@ def sidecar_of(recording: Path, columns: Callable[[], Collection[str]]) -> tuple
         f"a sidecar for {recording.name} alone is called {own_sidecar_path(recording).name}"
     )
     return None, (note,)
+
+
+def _embedded(recording: Path, text: str) -> tuple[Sidecar | None, tuple[str, ...]]:
+    if not text:
+        return None, ()
+    return sidecar_from(parse_document(text, recording)), (f"the sidecar is that in {recording.name} itself",)
 
 
 def namesakes(recording: Path) -> list[Path]:

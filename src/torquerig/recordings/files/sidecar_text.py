@@ -17,6 +17,9 @@ from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.units import UNITS
 
+SIDECAR_KEY = "torquerig_sidecar"
+"""The name under which a Parquet, TDMS or .mat file holds its sidecar, so that it opens without the other file."""
+
 
 class _Dumper(yaml.SafeDumper):
     """PyYAML's safe dumper that also quotes strings that are numbers only in YAML 1.2 (``1e5``)."""

@@ -103,7 +103,7 @@ def open_stream(path: Path) -> RecordingStream:
     path = Path(path)
     check_readable(path)
     pieces = pieces_of_file(path)
-    sidecar, notes = sidecar_of(path, lambda: pieces.names)
+    sidecar, notes = sidecar_of(path, lambda: pieces.names, embedded=pieces.sidecar)
     table = pieces_with_plain_names(pieces, kept=sidecar.channels if sidecar else ())
     table = replace(table, notes=(*table.notes, *notes))
     entries = channel_entries(table.names, table.units, sidecar, path)

@@ -29,7 +29,7 @@ class TablePieces:
         Samples of each column; empty where they are known only after reading to the end.
     pieces : callable
         Takes names of columns and yields mappings of equally long arrays, from the start.
-    rates, units, skipped, notes, time_has_unit
+    rates, units, skipped, notes, sidecar, time_has_unit
         As in :class:`Table`.
     read_whole : str
         The reason why the file was read at once; empty where it was not.
@@ -42,6 +42,7 @@ class TablePieces:
     units: Mapping[str, str] = field(default_factory=dict)
     skipped: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    sidecar: str = ""
     time_has_unit: bool = True
     read_whole: str = ""
 
@@ -67,5 +68,6 @@ def pieces_of(table: Table, *, reason: str) -> TablePieces:
         units=table.units,
         skipped=table.skipped,
         notes=table.notes,
+        sidecar=table.sidecar,
         read_whole=reason,
     )

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.lvm_times import TIME_UNITS
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timing import shortest_rate
 from torquerig.recordings.recording import Recording
@@ -48,7 +49,10 @@ def read_tdms(path: Path) -> Table:
         except Exception as error:
             raise not_whole(path, error) from None
     check_whole(path, warnings, incomplete=incomplete)
-    return Table(columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes)
+    return Table(
+        columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes,
+        sidecar=found.sidecar,
+    )  # fmt: skip
 
 
 def numbers_of(samples: Any) -> NDArray[np.float64]:
@@ -80,23 +84,26 @@ def tdms_writer(file: BinaryIO, recording: Recording) -> tuple[Any, Recording]:
 
 def append_tdms(writer: tuple[Any, Recording], columns: Mapping[str, NDArray[np.float64]]) -> None:
     """Write one more segment."""
-    from nptdms import ChannelObject
+    from nptdms import ChannelObject, RootObject
 
     file, recording = writer
     file.write_segment(
         [
-            ChannelObject(
-                "recording",
-                name,
-                np.asarray(values, dtype=np.float64),
-                {
-                    "wf_increment": 1 / recording.sample_rate,
-                    "wf_start_offset": 0.0,
-                    "wf_samples": values.size,
-                    "unit_string": recording.channels[name].unit,
-                },
-            )
-            for name, values in columns.items()
+            RootObject({SIDECAR_KEY: sidecar_text(recording)}),
+            *(
+                ChannelObject(
+                    "recording",
+                    name,
+                    np.asarray(values, dtype=np.float64),
+                    {
+                        "wf_increment": 1 / recording.sample_rate,
+                        "wf_start_offset": 0.0,
+                        "wf_samples": values.size,
+                        "unit_string": recording.channels[name].unit,
+                    },
+                )
+                for name, values in columns.items()
+            ),
         ]
     )
 
@@ -110,6 +117,7 @@ class TdmsChannels:
     units: Mapping[str, str]
     skipped: Mapping[str, str]
     notes: tuple[str, ...]
+    sidecar: str
 
 
 def channels_in(file: Any) -> TdmsChannels:
@@ -129,7 +137,10 @@ def channels_in(file: Any) -> TdmsChannels:
             rates[name] = shortest_rate(1 / increment, tolerance=1e-11)
         if _text(channel, "unit_string"):
             units[name] = _text(channel, "unit_string")
-    return TdmsChannels(channels=channels, rates=rates, units=units, skipped=skipped, notes=_late(channels, rates))
+    return TdmsChannels(
+        channels=channels, rates=rates, units=units, skipped=skipped, notes=_late(channels, rates),
+        sidecar=str(file.properties.get(SIDECAR_KEY, "")),
+    )  # fmt: skip
 
 
 def _reason(channel: Any) -> str:

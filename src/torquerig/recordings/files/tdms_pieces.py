@@ -66,6 +66,7 @@ def tdms_pieces(path: Path) -> TablePieces:
         units=found.units,
         skipped=found.skipped,
         notes=found.notes,
+        sidecar=found.sidecar,
     )
 
 

@@ -113,7 +113,7 @@ def file_contents(path: Path) -> FileContents:
 
 def _sidecar(path: Path, pieces: TablePieces) -> tuple[Sidecar | None, tuple[str, ...], str]:
     try:
-        return *sidecar_of(path, lambda: pieces.names), ""
+        return *sidecar_of(path, lambda: pieces.names, embedded=pieces.sidecar), ""
     except InputError as error:
         return None, (), str(error)
 

@@ -55,7 +55,7 @@ def tracks_of(path: Path) -> Tracks:
     path = Path(path)
     check_readable(path)
     written = pieces_of_file(path)
-    sidecar, notes = sidecar_of(path, lambda: written.names)
+    sidecar, notes = sidecar_of(path, lambda: written.names, embedded=written.sidecar)
     table = pieces_with_plain_names(written, kept=sidecar.channels if sidecar else ())
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()

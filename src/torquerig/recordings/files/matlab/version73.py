@@ -17,7 +17,7 @@ _DEEPEST = 40  # structs within structs, as in a v5 file
 _MOST_ELEMENTS = 10_000
 # all variables and fields; references can lead in a circle, which would not end
 _MOST_NODES = 100_000
-_LONGEST_TEXT = 10_000  # characters of a label or a unit
+_LONGEST_TEXT = 1_000_000  # characters of a label, a unit or a sidecar
 
 
 def variables_v73(path: Path) -> dict[str, Node]:
