@@ -155,6 +155,20 @@ def test_a_force_is_examined_as_a_torque_is() -> None:
     assert re.search(r"levels 0\.(39|40)\d? N apart", fault.seen)
 
 
+@pytest.mark.parametrize("low_pass", [1500.0, 3000.0])
+@pytest.mark.parametrize("spoil", [telegraph, jumping], ids=lambda each: each.__name__)
+def test_edges_may_be_rounded_and_noise_goes_on(spoil: Callable[[Floats], Floats], low_pass: float) -> None:
+    """The amplifier comes behind the fault and adds noise."""
+    amplifier = butter(2, low_pass, fs=20_000.0, output="sos")
+    fine = np.interp(np.arange(4 * TIME.size) / 4, np.arange(TIME.size), torque())
+    sharp = np.repeat(spoil(torque()) - torque(), 4)
+    volts = sosfilt(amplifier, fine + sharp - 1.0) + 1.0
+    volts += 0.005 * np.random.default_rng(4).standard_normal(volts.size)
+    (fault,) = recording_faults(replace(recording(volts), sample_rate=20_000.0))
+    assert {fault.kind} == SPOILT[spoil]
+    assert fault.place.at == pytest.approx(1.1 if spoil is telegraph else 2.0, abs=0.003)
+
+
 @pytest.mark.parametrize("spoil", [stepping, sweeping, gripping], ids=lambda each: each.__name__)
 def test_what_a_motion_may_do_is_no_fault_where_nobody_states_a_speed(spoil: Callable[[Floats], Floats]) -> None:
     assert recording_faults(replace(recording(spoil(torque())), run=Run())) == ()

@@ -19,7 +19,7 @@
 ``telegraph_noise``         a zero that jumps between two levels
 ``gain_changes``            moments in which all of the signal is larger by one factor
 ``mean_steps``              a mean that steps and stays
-``sample_jumps``            jumps from one sample to the next
+``sample_jumps``            jumps from one sample to the next, or within half a millisecond; ``edges``: beyond slopes
 ``sweeps``                  lines that sweep at a steady speed; ``sweep_course``: their ends, and a run without them
 ``faults``                  what a fault shows, what was repaired, and where it is
 ``moments``                 moments of a recording: from flags, about jumps, bridged

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.edges import differences_over, edges_over, largest_of_each, stays_so
 from torquerig.recordings.repair.examination import Examination
 from torquerig.recordings.repair.faults import Fault, amount, fault_in_time, in_words
 from torquerig.recordings.repair.moments import Moments
@@ -24,15 +24,16 @@ from torquerig.recordings.repair.sample_jumps import sample_jumps
 Floats = NDArray[np.float64]
 
 _LAGS, _SLOWEST = (1, 2, 4, 8, 16), 0.001  # samples and [s] that a jump may take: a load takes longer
+_FASTEST = 5e-4  # [s] between samples: where more passes, a drive's torque jumps from one sample to the next too
 _CLEAR = 8.0  # robust spreads of the differences, or codes
-_STAYS = (0.001, 0.004)  # [s] for which the mean must stand higher or lower by the height
-_OF_THE_HEIGHT, _SPREADS = 0.2, 4.0  # within which it must
 _ALIKE = 0.1  # of the height: spread of what is one height
 # of the spread of the heights: ends that scatter less are one level, to which a signal is lost; more is asked of jumps
 # that stand alone, which need not stay
 _RATHER_A_LEVEL, _OF_THOSE_ALONE = 0.5, 1.0
 # jumps over all runs, and runs, or halves of a single one, with any: fewer are steps of the mean, as a load makes them
 _FEWEST, _RUNS = 6, 2
+_SHARP = 3  # jumps within a sample: then nothing rounds them, and those that are no telegraph noise stay none
+_GROWS = 1.1  # times the height that edges over twice the samples have: then the jumps take longer
 _TRUE_ONES, _TO_AND_FRO = 0.8, 0.9  # of what is clear stays; of what stays follows one of the other sign
 
 
@@ -119,11 +120,47 @@ def telegraph_noise(
     looks = [*zip(volts, rates, lost, strict=True)]
     lags = [lag for lag in _LAGS if lag <= _SLOWEST * min(rates)]
     each_lag = [_one_telegraph([_jumps(*look, lag=lag, resolution=resolution) for look in looks], lag) for lag in lags]
-    if not lags:
+    if _FASTEST * min(rates) < 1:
         return (None,) * len(volts)
     alone = [_alone(own, without, resolution=resolution) for own, without in zip(volts, lost, strict=True)]
     each_lag.append(_one_telegraph(alone, 1, level=_OF_THOSE_ALONE))
-    return max(each_lag, key=lambda told: min((own.clear for own in told if own is not None), default=0.0))
+    found = max(each_lag, key=_least_clear)
+    if not any(found) and sum(each.at.size for each in alone) < _SHARP:
+        rounded = [[_rounded_jumps(*look, lag=lag, resolution=resolution) for look in looks] for lag in lags]
+        each_lag = [_one_telegraph(each, lag) for each, lag in zip(rounded, lags, strict=True)]
+        found = max(each_lag, key=_least_clear)
+    return _whole_edges(found, volts, max(lags))
+
+
+def _whole_edges(
+    found: tuple[Telegraph | None, ...], volts: Sequence[Floats], longest: int
+) -> tuple[Telegraph | None, ...]:
+    """Return the same with the height and the length of edges that go on beyond the samples that showed them."""
+    known = [(own, each) for own, each in zip(found, volts, strict=True) if own is not None]
+    if not known:
+        return found
+    lag, height = known[0][0].lag, known[0][0].height
+    for longer in (2 * lag, 4 * lag, 8 * lag):
+        at = [np.array(own.jumps) - lag // 2 - longer // 2 - lag % 2 for own, _ in known]
+        edges = [edges_over(each, longer) for _, each in known]
+        sizes = np.concatenate([np.abs(own[np.clip(one, 0, own.size - 1)]) for own, one in zip(edges, at, strict=True)])
+        if longer > 2 * longest or float(np.median(sizes)) < _GROWS * height:
+            break
+        known = [
+            (replace(own, lag=longer, jumps=_later(own.jumps, (longer - lag) // 2, each.size)), each)
+            for own, each in known
+        ]
+        lag, height = longer, float(np.median(sizes))
+    grown = iter(own for own, _ in known)
+    return tuple(None if own is None else replace(next(grown), height=height) for own in found)
+
+
+def _later(jumps: Sequence[int], samples: int, end: int) -> tuple[int, ...]:
+    return tuple(min(at + samples, end - 1) for at in jumps)
+
+
+def _least_clear(told: Sequence[Telegraph | None]) -> float:
+    return min((own.clear for own in told if own is not None), default=0.0)
 
 
 @dataclass(frozen=True)
@@ -170,20 +207,28 @@ def _at_lower(recording: Recording, own: Telegraph | None) -> Floats:
 
 def _jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: float) -> _Jumps:
     """Return the clear differences over so many samples that stay."""
-    differences = volts[lag:] - volts[:-lag]
-    spread = max(spread_about_zero(differences), resolution, 1e-12)
-    sizes = np.abs(differences)
+    differences = differences_over(volts, lag)
+    return _staying(volts, rate, lost, differences, differences, lag=lag, resolution=resolution)
+
+
+def _rounded_jumps(volts: Floats, rate: float, lost: Moments, *, lag: int, resolution: float) -> _Jumps:
+    """Return the same by the edges, which are clear where a signal that moves evenly wanders by as much."""
+    edges, differences = edges_over(volts, lag), differences_over(volts, lag)
+    found = _staying(volts, rate, lost, edges, differences, lag=lag, resolution=resolution)
+    return replace(found, heights=edges[found.at - lag])
+
+
+def _staying(
+    volts: Floats, rate: float, lost: Moments, edges: Floats, differences: Floats, *, lag: int, resolution: float
+) -> _Jumps:
+    """Return where the ``edges`` are clear and the ``differences`` over so many samples stay."""
+    spread = max(spread_about_zero(edges), resolution, 1e-12)
+    sizes = np.abs(edges)
     clear = sizes > _CLEAR * spread
     for start, stop in lost:
         clear[max(start - 2 * lag, 0) : stop + lag] = False
-    at = _largest_of_each(sizes, np.flatnonzero(clear), apart=4 * lag)
-    stays = np.ones(at.size, dtype=bool)
-    for length in _STAYS:
-        reach = max(round(length * rate), 2 * lag)
-        change = partial(_change, np.concatenate([[0.0], np.cumsum(volts)]), reach=reach, lag=lag)
-        among = spread_about_zero(change(np.arange(0, volts.size - lag, reach)))
-        within = np.maximum(_OF_THE_HEIGHT * sizes[at], _SPREADS * among)
-        stays &= np.abs(change(at) - differences[at]) < within
+    at = largest_of_each(sizes, np.flatnonzero(clear), apart=4 * lag)
+    stays = stays_so(volts, rate, at, differences[at], lag=lag)
     at, clear_ones = at[stays], at.size
     lower = np.minimum(volts[at], volts[at + lag])
     return _Jumps(at + lag, differences[at], lower, clear_ones, spread, volts.size)
@@ -232,18 +277,3 @@ def _alternating(found: _Jumps, height: float, lag: int) -> Telegraph | None:
         return None
     first_up = bool(found.heights[kept[0]] > 0)
     return Telegraph(height, height / found.spread, lag, tuple(found.at[kept].tolist()), first_up)
-
-
-def _largest_of_each(sizes: Floats, clear: NDArray[np.int64], *, apart: int) -> NDArray[np.int64]:
-    """Return the largest of each cluster of clear differences."""
-    if not clear.size:
-        return clear
-    clusters = np.split(clear, np.flatnonzero(np.diff(clear) > apart) + 1)
-    return np.array([cluster[np.argmax(sizes[cluster])] for cluster in clusters])
-
-
-def _change(total: Floats, at: NDArray[np.int64], *, reach: int, lag: int) -> Floats:
-    """Return the mean over ``reach`` samples after a jump of ``lag`` samples less that before it."""
-    before, after = np.maximum(at + 1 - reach, 0), np.minimum(at + lag + reach, total.size - 1)
-    higher = (total[after] - total[at + lag]) / (after - at - lag)
-    return np.asarray(higher - (total[at + 1] - total[before]) / (at + 1 - before))
