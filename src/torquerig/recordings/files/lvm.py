@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.lvm_text import X_LABEL, Segment, aligned, segments_of
+from torquerig.recordings.files.lvm_text import X_LABEL, Segment, aligned, counts_of, segments_of
 from torquerig.recordings.files.lvm_times import TIME_UNITS, Sampling, sampling
 from torquerig.recordings.files.number_table import Table, distinct
 from torquerig.recordings.files.text_tables.cells import Dialect
@@ -78,6 +78,7 @@ def _has_own_x(segment: Segment, header: Mapping[str, dict[int, str]], index: in
     return index == owner or steps.get(index, 0.0) == steps.get(owner, 0.0)
 
 
+@np.errstate(all="ignore")
 def _sampling(x_values: Numbers | None, header: Mapping[str, str], *, decimals: int) -> tuple[Sampling, Numbers | None]:
     """Return the sampling of a channel and its X values in seconds."""
     unit = TIME_UNITS[header.get("X_Unit_Label", "").lower()]
@@ -113,7 +114,7 @@ def _unreadable(segments: list[Segment], headers: list[dict[str, dict[int, str]]
     if all(bool(segment.blank[index].all()) for segment in segments):
         return "it has no samples"
     for segment, header in zip(segments, headers, strict=True):
-        counts = {column: int(cell) for column, cell in header.get("Samples", {}).items() if cell.isdigit()}
+        counts = counts_of(header.get("Samples", {}))
         blank = segment.blank[index]
         if _cut(blank).any() and counts.get(index, 0) < max(counts.values(), default=0):
             return (

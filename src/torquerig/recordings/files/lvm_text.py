@@ -182,9 +182,14 @@ def aligned(tags: Mapping[str, list[str]], labels: list[str]) -> dict[str, dict[
     }
 
 
+def counts_of(cells: Mapping[int, str]) -> dict[int, int]:
+    """Return the whole numbers in the header's cells, by column; more than 15 digits are no count of samples."""
+    return {column: int(cell) for column, cell in cells.items() if cell.isascii() and cell.isdigit() and len(cell) < 16}
+
+
 def _fewer(tags: Mapping[str, list[str]], labels: list[str]) -> dict[int, int]:
     """Return the stated number of samples of the columns that have fewer than the longest, with their X columns."""
-    stated = {column: int(cell) for column, cell in aligned(tags, labels).get("Samples", {}).items() if cell.isdigit()}
+    stated = counts_of(aligned(tags, labels).get("Samples", {}))
     longest = max(stated.values(), default=0)
     fewer = {column: count for column, count in stated.items() if count < longest}
     fewer |= {column - 1: count for column, count in fewer.items() if column > 1 and labels[column - 1] == X_LABEL}
@@ -198,7 +203,7 @@ def _decimals(body: bytes, dialect: Dialect) -> int:
         cell = decoded(line).split(dialect.separator)[0].strip().upper().replace(dialect.decimal, ".")
         mantissa, _, exponent = cell.partition("E")
         places = len(mantissa.partition(".")[2])
-        if exponent.lstrip("+-").isdigit():
+        if exponent.isascii() and exponent.lstrip("+-").isdigit() and len(exponent) < 6:
             places -= int(exponent)
         most = max(most, min(places, 300))
     return most

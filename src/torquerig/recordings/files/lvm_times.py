@@ -34,6 +34,7 @@ class Sampling:
     keep_times: bool = False
 
 
+@np.errstate(all="ignore")
 def sampling(times: NDArray[np.float64] | None, increment: float, *, decimals: int) -> Sampling:
     """Return the sampling of a channel from its X values [s] and its ``Delta_X`` [s].
 

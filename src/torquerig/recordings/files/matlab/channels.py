@@ -96,6 +96,7 @@ def _signals(leaves: Sequence[Leaf], found: _Found) -> list[Leaf]:
     return signals
 
 
+@np.errstate(all="ignore")
 def _bare(signals: Sequence[Leaf]) -> dict[str, Channel]:
     """Return time and volts where the file is one matrix of two columns, of which the first rises."""
     node = signals[0].node
@@ -164,6 +165,7 @@ def _same(one: Leaf, other: Leaf) -> bool:
     )
 
 
+@np.errstate(all="ignore")
 def _rate_by(time: Leaf, where: str) -> float | None:
     if not isinstance(time.node, Numbers):
         return None
