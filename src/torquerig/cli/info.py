@@ -24,6 +24,9 @@ from torquerig.recordings.inspection.recording_info import RecordingInfo, stream
 from torquerig.recordings.inspection.stretch_faults import head_of, sound_stretch
 from torquerig.recordings.recording import Recording
 
+LARGE = 2**26
+"""From this size on [bytes] it is told that a file could not be read in pieces."""
+
 
 @click.command("info")
 @click.argument("recordings", nargs=-1, required=True, type=click.Path(path_type=Path))
@@ -41,7 +44,9 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
 
     Example: torquerig info run1.tdms
     """
-    paths = [path for one in recordings for path in recordings_in(one)]
+    named = [path for one in recordings for path in recordings_in(one)]
+    # info run.* names the sidecars too
+    paths = [path for path in named if path.suffix.lower() != ".yaml" or len(named) == 1]
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
 
@@ -86,7 +91,7 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
     head = head_of(stream)
     speed, speed_text = _speed(stream, head)
     click.echo(wrapped(speed_text))
-    if stream.table.read_whole:
+    if stream.table.read_whole and path.stat().st_size > LARGE:
         click.echo(f"read whole: {stream.table.read_whole}")
     print_suspicions(info, head)
     if picture is not None:
