@@ -25,7 +25,7 @@ def read_gz(path: Path, only: Collection[str] = ()) -> Table:
     InputError
         Where the compressed file is no text table by its ending.
     RecordingError
-        For a damaged file, and one that unpacks to more than 4 GiB or 1000 times its size.
+        For a damaged file, and one that unpacks to more than 4 GiB or 200 times its size.
     """
     return table_of(_source(path), only)
 

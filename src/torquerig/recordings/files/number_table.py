@@ -55,11 +55,11 @@ class Table:
 
 def distinct(names: Iterable[str]) -> list[str]:
     """Return the names made distinct: the second of equal ones ends with ``_2``, the third with ``_3``."""
-    given: list[str] = []
+    given: dict[str, None] = {}
     for name in names:
         candidate, count = name, 1
         while candidate in given:
             count += 1
             candidate = f"{name}_{count}"
-        given.append(candidate)
-    return given
+        given[candidate] = None
+    return list(given)

@@ -5,22 +5,25 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from datetime import date, time, timedelta
 from pathlib import Path
-from zipfile import BadZipFile, ZipFile
+from warnings import catch_warnings, simplefilter
+from zipfile import ZipFile
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.csv import table_of
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.text_tables.source import TextSource
 
-# the unpacked workbook [bytes]: a full sheet of a million rows and ten columns has about 400 MB
-_LARGEST = 2**29
+# the unpacked sheets [bytes]: half a million rows of ten columns; read, they take four times as much memory
+_LARGEST = 2**28
+# the other parts, of which openpyxl makes objects: styles and shared words [bytes]
+_LARGEST_OTHERS = 2**25
 # unpacked bytes per packed byte of one part; sheets of numbers have 5 to 20, a bomb up to 1030
 _LARGEST_RATIO = 200
 # parts below this size are not judged by their ratio [bytes]
 _JUDGED = 2**22
-# columns and rows without a cell between them after which the rest is a stray cell [1]
+# columns of a table, and empty rows after which the rest is a stray cell [1]
 _WIDEST, _FARTHEST = 1024, 10_000
-_DAMAGED = (BadZipFile, KeyError, ValueError, TypeError, IndexError, AttributeError, OSError, EOFError, SyntaxError)
+_SAVE_AGAIN = "open it in Excel and save it again"
 
 
 def read_xlsx(path: Path, only: Collection[str] = ()) -> Table:
@@ -31,7 +34,7 @@ def read_xlsx(path: Path, only: Collection[str] = ()) -> Table:
     Raises
     ------
     RecordingError
-        For a damaged workbook, one that unpacks to more than 512 MiB or 200 times its size, and one without a table.
+        For a damaged workbook, one that unpacks to more than 256 MiB or 200 times its size, and one without a table.
     """
     problems = []
     for title, text in _sheets(path):
@@ -51,51 +54,61 @@ def read_xlsx(path: Path, only: Collection[str] = ()) -> Table:
 
 def _sheets(path: Path) -> Iterator[tuple[str, bytes]]:
     """Yield title and text of each sheet, rows as lines and cells separated by tabs."""
-    import warnings
-
     import openpyxl
 
-    _check_size(path)
+    _check_parts(path)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of styles and extensions that do not matter here
+        with catch_warnings():
+            simplefilter("ignore")  # of styles and extensions that do not matter here
             book = openpyxl.load_workbook(path, read_only=True, data_only=True)
-            try:
-                for sheet in book.worksheets:
-                    sheet.reset_dimensions()
-                    yield sheet.title, _text(sheet.iter_rows(values_only=True))
-            finally:
-                book.close()
-    except RecordingError:
-        raise
-    except _DAMAGED as error:
-        reason = " ".join(str(error).split())[:100]
-        raise RecordingError(
-            f"{path}: is not a whole Excel workbook ({reason}); open it in Excel and save it again"
-        ) from error
+            texts = []
+            for sheet in book.worksheets:
+                sheet.reset_dimensions()  # the stated ones may be those of an empty sheet of a million rows
+                texts.append((sheet.title, _text(sheet.iter_rows(values_only=True))))
+            book.close()
+    except Exception as error:  # openpyxl has no error of its own for what is damaged
+        raise RecordingError(f"{path}: is no whole Excel workbook ({_reason(error)}); {_SAVE_AGAIN}") from None
+    yield from texts
 
 
-def _check_size(path: Path) -> None:
-    """Refuse a bomb, and XML with a document type, before anything is unpacked."""
+def _check_parts(path: Path) -> None:
+    """Refuse a bomb, and XML with a document type, before anything is read from it."""
     try:
         with ZipFile(path) as archive:
             parts = archive.infolist()
-            whole = sum(part.file_size for part in parts)
+            sheets = sum(part.file_size for part in parts if "/worksheets/" in part.filename)
+            others = sum(part.file_size for part in parts if part.filename.endswith((".xml", ".rels"))) - sheets
             large = [part for part in parts if part.file_size > _JUDGED]
             packed_much = any(part.file_size > _LARGEST_RATIO * max(part.compress_size, 1) for part in large)
-            if whole > _LARGEST or packed_much:
+            if sheets > _LARGEST or others > _LARGEST_OTHERS or packed_much:
                 raise RecordingError(
-                    f"{path}: the workbook unpacks to {whole / 2**20:.0f} MiB, which is too much to read; save the "
-                    "table as CSV"
+                    f"{path}: the workbook unpacks to {(sheets + others) / 2**20:.0f} MiB, which is too much to read; "
+                    "save the table as CSV"
                 )
-            for part in parts:
-                with archive.open(part) as file:
-                    if b"<!DOCTYPE" in file.read(2**12):
-                        raise RecordingError(f"{path}: its XML has a document type; save it again in Excel")
-    except (BadZipFile, OSError, EOFError, ValueError, NotImplementedError, RuntimeError) as error:
-        raise RecordingError(
-            f"{path}: is not a whole Excel workbook ({error}); open it in Excel and save it again"
-        ) from error
+            if any(_has_document_type(archive, part.filename) for part in parts):
+                raise RecordingError(f"{path}: its XML has a document type; {_SAVE_AGAIN}")
+    except RecordingError:
+        raise
+    except Exception as error:  # zipfile and zlib have several, and a damaged directory gives any
+        raise RecordingError(f"{path}: is no whole Excel workbook ({_reason(error)}); {_SAVE_AGAIN}") from None
+
+
+def _has_document_type(archive: ZipFile, name: str) -> bool:
+    """Return whether a part of XML has a document type, which can repeat text without end."""
+    if not name.lower().endswith((".xml", ".rels")):
+        return False
+    before = b""
+    with archive.open(name) as file:
+        while data := file.read(2**20):
+            text = before + data.replace(b"\0", b"").lower()  # UTF-16 has a NUL in each letter
+            if b"<!doctype" in text or b"<!entity" in text:
+                return True
+            before = text[-16:]
+    return False
+
+
+def _reason(error: Exception) -> str:
+    return (str(error).strip() or type(error).__name__).splitlines()[0][:100]
 
 
 def _text(rows: Iterable[tuple[object, ...]]) -> bytes:

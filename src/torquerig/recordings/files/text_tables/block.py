@@ -15,6 +15,8 @@ from torquerig.recordings.files.text_tables.stamps import is_stamp
 SEPARATORS = "\t;|, "
 # share of the best candidate's rows with which an earlier separator is preferred
 _AS_GOOD = 0.9
+# characters and cells of the longest row; what is longer is no row of a table
+_LONGEST_ROW, _MOST_CELLS = 2**16, 4096
 _DIRECTIVE = re.compile(r'^"?sep=(.)"?$', re.IGNORECASE)
 
 NUMBER, STAMP, WORDS, EMPTY = "number", "stamp", "words", "empty"
@@ -88,8 +90,9 @@ def is_directive(line: TextLine) -> bool:
 def _block(lines: Sequence[TextLine], separator: str) -> Block | None:
     rows: dict[int, list[str]] = {}
     for place, line in enumerate(lines):
-        if line.text.strip() and not line.is_comment():
-            rows[place] = [family_of(cell, separator) for cell in split_cells(line.text, separator)]
+        if len(line.text) <= _LONGEST_ROW and line.text.strip() and not line.is_comment():
+            cells = split_cells(line.text, separator)
+            rows[place] = [family_of(cell, separator) for cell in cells] if len(cells) <= _MOST_CELLS else []
     data = {place: row for place, row in rows.items() if _is_data(row, separator)}
     widths = Counter(len(row) for row in data.values())
     if not widths:

@@ -9,8 +9,8 @@ from torquerig.errors import RecordingError
 
 # the largest unpacked text [bytes]: an hour of four channels at 25 kHz has about 3 GiB as CSV
 _LARGEST = 2**32
-# unpacked bytes per packed byte: tables of numbers have 2 to 100, a file made of one repeated byte 1030
-_LARGEST_RATIO = 1000
+# unpacked bytes per packed byte: tables of numbers have 2 to 50, one repeated row up to 1030
+_LARGEST_RATIO = 200
 # the ratio is judged beyond this many unpacked bytes
 _JUDGED = 2**24
 

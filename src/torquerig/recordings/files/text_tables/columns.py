@@ -40,7 +40,8 @@ class ColumnPlan:
 def plan_columns(layout: Layout) -> ColumnPlan:
     """Return which columns are read; time stamps become times only where no column of numbers holds the time."""
     numbers = tuple(name for name in layout.of_family(NUMBER) if not name.startswith(UNNAMED))
-    skipped = {name: f"words, for example {_example(layout, name)}" for name in layout.of_family(WORDS)}
+    words = [name for name in layout.of_family(WORDS) if not name.startswith(UNNAMED) or any(layout.column(name))]
+    skipped = {name: f"words, for example {_example(layout, name)}" for name in words}
     skipped |= {name: "is empty" for name in layout.of_family(EMPTY) if not name.startswith(UNNAMED)}
     skipped |= {name: "has no name" for name in layout.of_family(NUMBER) if name.startswith(UNNAMED)}
     time = time_column(numbers, layout.units)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig.recordings.files.text_tables.block import NUMBER, STAMP, Block, family_of, is_directive
-from torquerig.recordings.files.text_tables.cells import split_cells
+from torquerig.recordings.files.text_tables.cells import form_of, split_cells
 from torquerig.recordings.files.text_tables.lines import TextLine
 from torquerig.recordings.files.text_tables.preamble import read_preamble
 from torquerig.recordings.names.channel_units import known_unit
@@ -47,7 +47,7 @@ def read_header(lines: Sequence[TextLine], block: Block) -> Header:
             if rows or is_directive(line):
                 break
             continue
-        if line.is_comment():
+        if _is_remark(line, block):
             continue
         cells = _cells(line.text, block)
         if cells is None or read_preamble([line]).notes:
@@ -72,14 +72,33 @@ def _from_comment(lines: Sequence[TextLine], block: Block) -> Header:
     if not filled:
         return Header()
     last = filled[-1]
-    if not last.is_comment():
+    if not _is_remark(last, block):
         cells = split_cells(last.text, block.separator)
         is_wrong = len(cells) > 1 and any(_is_known(cell) for cell in cells) and not read_preamble([last]).notes
         return Header(above=above, wrong=last if is_wrong else None)
-    commented = _cells(last.text.strip().strip('"').lstrip("#%/").strip(" "), block)
-    if commented is None or not any(_is_known(cell) for cell in commented):
+    rows = [(line, _commented(line, block)) for line in filled[-2:]]
+    last_cells = rows[-1][1]
+    if len(rows) > 1 and last_cells and _are_units(last_cells) and _has_known(rows[0][1]):
+        units = tuple(_unbracketed(cell) for cell in last_cells)
+        return Header(names=tuple(rows[0][1] or ()), names_line=rows[0][0].number, units=units,
+                      units_line=last.number, above=above[:-2])  # fmt: skip
+    if not _has_known(last_cells):
         return Header(above=above)
-    return Header(names=tuple(commented), names_line=last.number, above=above[:-1])
+    return Header(names=tuple(last_cells or ()), names_line=last.number, above=above[:-1])
+
+
+def _is_remark(line: TextLine, block: Block) -> bool:
+    return line.is_comment() or (block.separator != ";" and line.text.lstrip().startswith(";"))
+
+
+def _commented(line: TextLine, block: Block) -> list[str] | None:
+    if not line.is_comment():
+        return None
+    return _cells(line.text.strip().strip('"').lstrip("#%/").strip(" "), block)
+
+
+def _has_known(cells: Sequence[str] | None) -> bool:
+    return cells is not None and any(_is_known(cell) for cell in cells)
 
 
 def _cells(text: str, block: Block) -> list[str] | None:
@@ -106,7 +125,11 @@ def _cells(text: str, block: Block) -> list[str] | None:
     cells += [""] * (block.width - len(cells))
     families = [family_of(cell, block.separator) for cell in cells]
     numbers = sum(family in (NUMBER, STAMP) for family in families)
-    return None if 2 * numbers > sum(bool(cell) for cell in cells) else [cell.rstrip(":").rstrip() for cell in cells]
+    # channels may be called 1, 2, 3 behind a known name
+    numbered = any(_is_known(cell) for cell in cells) and all(cell.isdigit() for cell in cells if form_of(cell))
+    if 2 * numbers > sum(bool(cell) for cell in cells) and not numbered:
+        return None
+    return [cell.rstrip(":").rstrip() for cell in cells]
 
 
 def _are_units(cells: Sequence[str]) -> bool:

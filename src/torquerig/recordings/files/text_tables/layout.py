@@ -18,6 +18,8 @@ from torquerig.recordings.files.text_tables.preamble import Preamble, read_pream
 UNNAMED = "(unnamed)"
 # rows that settle the layout; where the first lines hold fewer, more lines are looked at, up to the last number
 _ENOUGH, _FIRST_LINES, _MOST_LINES = 50, 400, 25_600
+# the first part of a file, in which its rows must begin [bytes]
+_LONGEST_PREAMBLE = 2**22
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,6 +81,7 @@ def find_layout(head: bytes, path: Path) -> Layout:
         separate thousands or decimals.
     """
     most = _FIRST_LINES
+    head = head if len(head) <= _LONGEST_PREAMBLE else head[: head.rfind(b"\n", 0, _LONGEST_PREAMBLE) + 1]
     while True:
         lines = first_lines(head, most)
         block = find_block(lines)

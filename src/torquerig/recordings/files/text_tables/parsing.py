@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.files.text_tables.block import WORDS, family_of
 from torquerig.recordings.files.text_tables.cells import MISSING, form_of
 from torquerig.recordings.files.text_tables.columns import StampColumn
 from torquerig.recordings.files.text_tables.layout import Layout
@@ -123,6 +124,7 @@ class RowParser:
                 comments += 1
                 continue
             cells = self._row(text, number, needed)
+            self._refuse_names(cells, places.values(), number)
             for name, place in places.items():
                 values[name].append(self._number(cells[place], name, number, missing))
             for column, place in zip(stamps, texts, strict=True):
@@ -148,6 +150,15 @@ class RowParser:
             f"{self._layout.path}:{number}: the row has {len(cells)} cell{'s' * (len(cells) != 1)} and the table "
             f"{width} columns; complete or delete the row{hint}"
         )
+
+    def _refuse_names(self, cells: Sequence[str], places: Collection[int], line: int) -> None:
+        """Refuse a row of words among the numbers: the names of another table."""
+        numbers = [cells[place] for place in places]
+        if numbers and all(family_of(cell, "") == WORDS and not any(map(str.isdigit, cell)) for cell in numbers):
+            raise RecordingError(
+                f"{self._layout.path}:{line}: the row holds words in place of numbers, as at the start of another "
+                "table; split the file there"
+            )
 
     def _number(self, cell: str, name: str, line: int, missing: Counter[str]) -> float:
         found = self._layout.dialect.number(cell)
