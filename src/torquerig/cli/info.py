@@ -99,7 +99,7 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
 
 
 def _speed(stream: RecordingStream, head: Recording) -> tuple[float | None, str]:
-    """Return the mean motor speed over the first block [rad/s], and a text with its source."""
+    """Return the mean motor speed over the first block [rad/s], and a text with its 95 % interval and its source."""
     from torquerig.orders.angle.best_angle import best_motor_speed
 
     first, head = sound_stretch(head)
@@ -110,7 +110,7 @@ def _speed(stream: RecordingStream, head: Recording) -> tuple[float | None, str]
         why = "a linear axis has no motor speed" if is_linear_axis else error
         return stream.run.speed, f"motor speed: not found ({why})"
     rpm = found.value * 30 / pi
-    uncertainty = f" +- {100 * found.relative_sd:.2g} %" if isfinite(found.relative_sd) else ""
+    uncertainty = f" +- {100 * found.half_width:.2g} %" if isfinite(found.half_width) else ""
     whole = stream.samples is not None and stream.samples <= head.samples
     where = "" if whole else f" over {_span(first, head)}"
     set_point = stream.run.speed_rpm

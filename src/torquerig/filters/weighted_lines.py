@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isnan
+from math import isnan, pi
 from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError, RecordingError
@@ -60,7 +60,7 @@ class WeightedLines:
             return recording
         angle = best_motor_angle(recording, self.lines)
         hops = hops_of(angle.values, ratio=self.lines[0].output_order / self.lines[0].motor_order)
-        speed_sd = angle.speed_sd
+        ends_sd = angle.ends_sd
         del angle  # frees an array as long as the recording
         if hops is None:
             raise RecordingError(
@@ -69,9 +69,8 @@ class WeightedLines:
         name = recording.torque_name()
         values = recording.channels[name].values
         orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
-        if not isnan(speed_sd):  # where the uncertainty of the speed is known
-            turns = abs(float(hops.turns[-1] - hops.turns[0]))
-            orders = orders[orders * turns * speed_sd < _PLACED]
+        if not isnan(ends_sd):  # where the uncertainty of the angle is known
+            orders = orders[orders * ends_sd < 2 * pi * _PLACED]
         length = self.block if recording.run.profile == "steady" else self.changing_block
         blocks = blocks_of(hops, length=max(round(length * recording.sample_rate), 4))
         fitted = block_amplitudes(values, hops, orders, blocks)

@@ -34,7 +34,7 @@ def test_a_moving_run_has_its_own_error(
     moving = asked_less(record(wear_rig.rig, 4, profile=profile, occupancy=0.0, duration=8.0, encoder=False), own)
     first, second = shaft_angles([steady, moving], wear_rig.rig)
     assert first.factor == pytest.approx(OFF, abs=3e-4)
-    assert second.factor == pytest.approx(OFF * own, abs=7e-4)  # a speed loop follows a reversal to a few of 10000
+    assert second.factor == pytest.approx(OFF * own, abs=9e-4)  # a speed loop follows a reversal to a few of 10000
     assert not second.measured
 
 

@@ -25,7 +25,7 @@ from torquerig.simulation.simulator import simulate
 
 _NEAR = 0.013  # [1] a set-point off by more is out of the reach of those who follow the lines around it
 _STRAYED = 0.02  # [1] from the speed that the sheet or the comb of all lines tells
-_FOLLOWED = 0.003  # [1] uncertainty of the speed above which a run's own torque does not tell it
+_FOLLOWED = 0.005  # [1] half the 95 % interval of the speed; a wider one does not tell it
 _WANDERS, _ANOTHER = 1e-3, 0.03  # [1] from the factor of the rig: less is how a speed wanders, more no error of scale
 
 
@@ -96,7 +96,7 @@ def _followed(recording: Recording, rig: Rig, also: Sequence[float]) -> MotorAng
     if told is not None and abs(told / stated - 1) > _NEAR:
         recording = replace(recording, run=replace(run, speed=told))
     angle = motor_angle_from_torque(recording, kinematics_of(rig).lines(), also=also, largest_deviation=_STRAYED)
-    return angle if angle.speed_sd < _FOLLOWED else None
+    return angle if angle.half_width < _FOLLOWED else None
 
 
 def _simulated(recording: Recording, rig: Rig, factor: float, also: Sequence[float]) -> ShaftAngle:

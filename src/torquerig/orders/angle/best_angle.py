@@ -17,18 +17,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MotorSpeed:
-    """The mean motor speed [rad/s], its relative standard uncertainty [1], and its source in words."""
+    """The mean motor speed [rad/s], the relative half-width of its 95 % interval [1], and its source in words."""
 
     value: float
-    relative_sd: float
+    half_width: float
     origin: str
 
 
 def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine], *, ratio: float | None = None) -> MotorAngle:
     """Return the motor's angle from the best source that the recording has; ``origin`` names the source.
 
-    The sources in order of preference: an encoder or another angle or speed channel, the pulses of a tacho, the comb
-    of ``lines`` in the torque near the set-point.
+    The sources in order of preference: an encoder or another angle or speed channel, the pulses of a tacho, the
+    ``lines`` in the torque near the set-point, the set-point.
 
     Parameters
     ----------
@@ -52,9 +52,9 @@ def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine], *, ra
 
 
 def best_motor_speed(recording: Recording, lines: Sequence[KinematicLine]) -> MotorSpeed:
-    """Return the mean motor speed by :func:`best_motor_angle`, with its uncertainty."""
+    """Return the mean motor speed by :func:`best_motor_angle`, with its 95 % interval."""
     angle = best_motor_angle(recording, lines)
-    return MotorSpeed(abs(angle.mean_speed(recording.sample_rate)), angle.speed_sd, angle.origin)
+    return MotorSpeed(abs(angle.mean_speed(recording.sample_rate)), angle.half_width, angle.origin)
 
 
 def _ratio(recording: Recording, lines: Sequence[KinematicLine]) -> float:

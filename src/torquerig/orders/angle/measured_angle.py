@@ -15,17 +15,21 @@ if TYPE_CHECKING:
 
     from torquerig.recordings.recording import Channel, Recording
 
+TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
+
 
 @dataclass(frozen=True)
 class MotorAngle:
     """The angle of the motor shaft at each sample [rad], shape (samples,), and its source in words.
 
-    ``speed_sd`` is the relative standard uncertainty of the mean speed [1]; nan where it is not known.
+    ``half_width`` is half the width of the 95 % interval of the mean speed, relative [1], and ``ends_sd`` the standard
+    uncertainty of the angle between the two ends [rad]; each is nan where it is not known.
     """
 
     values: NDArray[np.float64]
     origin: str
-    speed_sd: float = float("nan")
+    half_width: float = float("nan")
+    ends_sd: float = float("nan")
 
     def mean_speed(self, rate: float) -> float:
         """Return the mean motor speed [rad/s] at ``rate`` samples per second."""
@@ -59,16 +63,19 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
         if name is not None:
             channel = recording.channels[name]
             angle = read(channel, recording.sample_rate) * factor
-            return MotorAngle(angle, f"from the channel {name}", _rounding(channel, angle, factor))
+            return of_ends(angle, f"from the channel {name}", _rounding(channel, factor))
     return None
 
 
-def _rounding(channel: Channel, angle: NDArray[np.float64], factor: float) -> float:
-    """Return the relative uncertainty of the mean speed [1] by counts: 1/sqrt(12) of a count at both ends."""
+def of_ends(angle: NDArray[np.float64], origin: str, ends_sd: float) -> MotorAngle:
+    """Return the angle [rad], with the interval of its mean speed that ``ends_sd`` [rad] gives."""
     turned = abs(float(angle[-1] - angle[0])) if angle.size else 0.0
-    if channel.unit != "count" or not turned:
-        return float("nan")
-    return channel.si_per_unit * factor / float(np.sqrt(6)) / turned
+    return MotorAngle(angle, origin, TWO_SIDED * ends_sd / turned if turned else float("nan"), ends_sd)
+
+
+def _rounding(channel: Channel, factor: float) -> float:
+    """Return the uncertainty of the angle between the ends [rad] by counts: 1/sqrt(12) of a count at both."""
+    return channel.si_per_unit * factor / float(np.sqrt(6)) if channel.unit == "count" else float("nan")
 
 
 def _integral_of(channel: Channel, rate: float) -> NDArray[np.float64]:

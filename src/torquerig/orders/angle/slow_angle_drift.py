@@ -13,11 +13,14 @@ from torquerig.orders.line_sums.sums import order_sums
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    Floats = NDArray[np.float64]
+
 ACCELERATION = 1e-3  # [1/s] standard deviation of the relative acceleration of a steady run
 _TURNS_PER_HOP = 2.0  # motor turns between block centres; each block is twice as long
 _PARTS = 8  # parts of a hop with a constant window value
 _LEADING = 300.0  # [1] power over the noise beyond which a line gets no more weight
-_FACTORS = (1.0, 3.0, 10.0)  # tried multiples of the acceleration: a random load may vary the speed more
+_CONSTANT = 0.01  # multiple of the acceleration that stands for a constant speed
+_FACTORS = (_CONSTANT, 1.0, 3.0, 10.0)  # tried multiples: a random load may vary the speed more
 _ORDER_CAPS = (8.0, 16.0, 32.0, 90.0, np.inf)  # [1/rev] low orders first: they tolerate the largest angle error
 
 
@@ -30,10 +33,12 @@ def slow_angle_drift(
     *,
     acceleration: float = ACCELERATION,
     factors: tuple[float, ...] = _FACTORS,
+    used: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float64], float]:
     """Return the slow drift [rad], shape (samples,), and the standard uncertainty of the angle between the ends [rad].
 
-    The drift is the common phase of the isolated lines, smoothed by a penalty on its second difference.
+    The drift is the common phase of the isolated lines, smoothed by a penalty on its second difference. It is zero
+    where a constant speed has the highest evidence.
 
     Parameters
     ----------
@@ -47,11 +52,11 @@ def slow_angle_drift(
         Standard deviation of the relative acceleration [1/s].
     factors : tuple of float
         Multiples of ``acceleration`` of which the one with the highest evidence is taken [1].
+    used : ndarray, shape (orders,), bool, optional
+        The lines from which the drift is estimated; by default all isolated ones.
     """
-    gaps = np.diff(orders, prepend=-np.inf, append=np.inf)
-    isolated = np.minimum(gaps[:-1], gaps[1:]) >= 0.9
     speed = (angle[-1] - angle[0]) / angle.size * rate
-    usable = isolated & (orders * abs(speed) / (2 * np.pi) < 0.4 * rate) & np.isfinite(floor)
+    usable = usable_lines(angle, orders, floor) if used is None else used
     hop = _PARTS * max(round(_TURNS_PER_HOP * 2 * np.pi / abs(speed) * rate / _PARTS), 1)
     blocks = torque.size // hop - 1
     if blocks < 8 or not usable.any():
@@ -60,13 +65,24 @@ def slow_angle_drift(
     phasors = _phasors(torque, angle, seen, hop, blocks)
     noise = floor[usable]
     bend = acceleration * abs(speed) * (hop / rate) ** 2
-    found = [_estimated(phasors, seen, noise, bend=bend * each) for each in factors]
-    drift, ends = max(found, key=lambda each: each.evidence).drift, found[0].ends
+    found = {each: _estimated(phasors, seen, noise, bend=bend * each) for each in factors}
+    likeliest = max(found, key=lambda each: found[each].evidence)
+    if likeliest == _CONSTANT:
+        return np.zeros_like(angle), 0.0
+    drift, ends = found[likeliest].drift, max(found[1.0].ends, found[likeliest].ends)
     centres = (np.arange(blocks) + 1) * hop
     at = np.arange(angle.size)
     first, last = (drift[1] - drift[0]) / hop, (drift[-1] - drift[-2]) / hop
     outer = first * np.minimum(at - centres[0], 0) + last * np.maximum(at - centres[-1], 0)
     return np.asarray(np.interp(at, centres, drift - drift.mean()) + outer), ends
+
+
+def usable_lines(angle: Floats, orders: Floats, floor: Floats) -> NDArray[np.bool_]:
+    """Return which lines are isolated, below 0.4 of the sample rate, and of known floor, shape (orders,)."""
+    gaps = np.diff(orders, prepend=-np.inf, append=np.inf)
+    isolated = np.minimum(gaps[:-1], gaps[1:]) >= 0.9
+    per_sample = abs(float(angle[-1] - angle[0])) / angle.size
+    return np.asarray(isolated & (orders * per_sample / (2 * np.pi) < 0.4) & np.isfinite(floor))
 
 
 @dataclass(frozen=True)

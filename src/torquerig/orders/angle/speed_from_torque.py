@@ -1,19 +1,20 @@
-"""The motor's angle from the torque alone: the comb of known orders near the set-point."""
+"""The motor's angle from the torque alone: the known orders near the set-point."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.orders.angle.comb_score import comb_score, noise_floor_at, order_power
-from torquerig.orders.angle.measured_angle import MotorAngle
+from torquerig.orders.angle.comb_score import noise_floor_at, order_power
+from torquerig.orders.angle.measured_angle import TWO_SIDED, MotorAngle
+from torquerig.orders.angle.order_peaks import order_peaks
 from torquerig.orders.angle.periodic_angle_error import periodic_angle_error
-from torquerig.orders.angle.slow_angle_drift import ACCELERATION, slow_angle_drift
-from torquerig.orders.angle.speed_trajectory import speed_trajectory
+from torquerig.orders.angle.speed_posterior import REACH, TOLERANCE, speed_posterior
+from torquerig.orders.angle.varying_angle import TorqueComb, varying_angle
 from torquerig.recordings.set_point import set_point_profile
 
 if TYPE_CHECKING:
@@ -22,13 +23,11 @@ if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import KinematicLine
     from torquerig.recordings.recording import Recording
 
-_SET_POINT_ERROR = 0.015  # [1] largest relative deviation of the speed from the set-point (CONTRACTS.md: 0.01)
-_SET_POINT_SD = _SET_POINT_ERROR / np.sqrt(3)  # [1] its standard deviation, where no line improves on it
-_CLEAR = 5.0  # robust standard deviations of the best score over the median, at least
-_TRAJECTORY_PENALTY = 3.0  # score by which a free speed trajectory must exceed a constant factor
-_TRAJECTORY_ROUNDS = 2  # drift estimates after a trajectory: the first one smooths its steps
-_LOWEST_SCORE = 20.0  # score of the lines along an accepted angle, at least; noise alone reached half of it
-_SET_POINT_ALONE = "from the set-point alone: no comb of lines exceeds the noise"
+    Floats = NDArray[np.float64]
+
+_MAINS = (50.0, 60.0)  # [Hz]
+_DETERMINED = 0.5 * TOLERANCE  # [1] a wider 95 % interval says little more than the set-point
+_SET_POINT_ALONE = "from the set-point alone: the lines of the torque do not determine the speed"
 
 
 def motor_angle_from_torque(
@@ -38,10 +37,11 @@ def motor_angle_from_torque(
     also: Sequence[float] = (),
     largest_deviation: float = np.inf,
 ) -> MotorAngle:
-    """Return the motor's angle with the highest score of the comb of ``lines`` in the torque.
+    """Return the motor's angle from the lines of the torque, or from the set-point where they do not determine it.
 
-    The set-point profile is scaled by one factor within 1.5 %, found by the summed log power at all orders. In a
-    steady run, slow deviations from it are then estimated from the common phase of the lines above the noise.
+    The set-point profile is scaled by one factor (:func:`~torquerig.orders.angle.speed_posterior.speed_posterior`).
+    In a steady run the common phase of the lines then shows whether the speed drifts. Where the lines are smeared by
+    a speed that varies by per cents, the most likely speed over time is sought.
 
     Parameters
     ----------
@@ -62,11 +62,9 @@ def motor_angle_from_torque(
 
     Notes
     -----
-    ``speed_sd`` is the larger of two: the Cramer-Rao bound of the lines above the noise, phases unknown (Rife &
-    Boorstyn 1974, IEEE Trans. Inf. Theory 20, eq. 17), and the uncertainty of the drift between the two ends.
-    Source: maximum likelihood of a harmonic comb in coloured noise (Fyfe & Munck 1997 for the need). Where no line
-    exceeds the noise, the result is the set-point, and ``origin`` states it. The zero of the shaft's angle is not
-    determined.
+    ``half_width`` is that of the 95 % interval of the posterior; with a drift, the uncertainty of the drift between the
+    two ends is added. Where the interval is wider than half the tolerance of a set-point, 1 %, the result is the
+    set-point with this tolerance, and ``origin`` states it. The zero of the shaft's angle is not determined.
     """
     if recording.run.profile == "reversal":
         raise RecordingError(
@@ -76,109 +74,36 @@ def motor_angle_from_torque(
     if recording.samples < 4:
         raise RecordingError(f"{recording.name}: {recording.samples} samples hold no line; take a longer recording")
     nominal = np.cumsum(speed) / recording.sample_rate
-    torque = recording.torque()
     orders = np.array(sorted({float(f"{order:.9g}") for order in (*(line.motor_order for line in lines), *also)}))
-    comb = _comb(torque, nominal, orders)
-    if recording.run.profile != "steady":
-        if not comb.is_clear:
-            return MotorAngle(nominal, _SET_POINT_ALONE, comb.sd)
-        origin = f"from the set-point profile times {comb.factor:.5f}, by the comb of lines"
-        return MotorAngle(nominal * comb.factor, origin, comb.sd)
-    found = _steady_angles(torque, nominal, orders, comb, recording.sample_rate)
-    turned = nominal[-1] - nominal[0]
-    near = [each for each in found if abs((each.angle[-1] - each.angle[0]) / turned - 1) < largest_deviation]
-    return _best_of(near, torque, nominal, orders, comb)
+    return _fitted(recording, nominal, orders, largest_deviation=min(largest_deviation, REACH))
 
 
-@dataclass(frozen=True)
-class _Found:
-    """A candidate angle [rad], its source in words, the uncertainty between its ends [rad], and its penalty [1]."""
-
-    angle: NDArray[np.float64]
-    origin: str
-    ends: float
-    penalty: float = 0.0
-
-
-def _steady_angles(
-    torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64], comb: _Comb, rate: float
-) -> list[_Found]:
-    """Return the candidates: a constant factor, the same with a slow drift, and a free speed trajectory.
-
-    The factor need not be clear here, because strong lines that do not belong to the comb can hide its maximum. The
-    candidates are compared later by the score of the lines along each angle.
-    """
-    scaled = nominal * comb.factor
-    scaled = scaled + periodic_angle_error(torque, scaled, orders, comb.floor)
-    drift, ends = slow_angle_drift(torque, scaled, orders, comb.floor, rate)
-    origin = f"from the set-point times {comb.factor:.5f}"
-    found = [
-        _Found(scaled, f"{origin}, by the comb of lines", ends),
-        _Found(scaled + drift, f"{origin} and its slow drift, by the comb of lines", ends),
-    ]
-    relative = speed_trajectory(torque, nominal, orders, rate=rate)
-    if relative is not None:
-        angle = np.cumsum(np.gradient(nominal) * relative)
-        largest = max(ACCELERATION, float(np.abs(np.diff(relative)).max()) * rate)
-        for _ in range(_TRAJECTORY_ROUNDS):
-            drift, ends = slow_angle_drift(
-                torque, angle, orders, comb.floor, rate, acceleration=largest, factors=(1.0,)
-            )
-            angle = angle + drift
-            angle = angle + periodic_angle_error(torque, angle, orders, comb.floor)
-        origin = "from the speed over time, by the comb of lines near the set-point"
-        found.append(_Found(angle, origin, ends, penalty=_TRAJECTORY_PENALTY))
-    return found
-
-
-def _best_of(
-    found: Sequence[_Found],
-    torque: NDArray[np.float64],
-    nominal: NDArray[np.float64],
-    orders: NDArray[np.float64],
-    comb: _Comb,
-) -> MotorAngle:
-    """Return the candidate with the highest score less its penalty; the set-point's where all scores are too low."""
-    scores = [comb_score(torque, each.angle, orders, comb.floor) for each in found]
-    if not found or max(scores) < _LOWEST_SCORE:
-        return MotorAngle(nominal, _SET_POINT_ALONE, _SET_POINT_SD)
-    best = found[int(np.argmax([score - each.penalty for score, each in zip(scores, found, strict=True)]))]
-    angle = best.angle + periodic_angle_error(torque, best.angle, orders, comb.floor)
-    known = comb.sd if comb.is_clear else 0.0
-    return MotorAngle(angle, best.origin, max(known, best.ends / abs(float(angle[-1] - angle[0]))))
-
-
-@dataclass(frozen=True)
-class _Comb:
-    """The most likely factor on the set-point, its uncertainty, and the noise power of a bin near each line [unit^2].
-
-    Where the factor is not clear, the uncertainty is that of the set-point.
-    """
-
-    factor: float
-    sd: float
-    floor: NDArray[np.float64]
-    is_clear: bool
-
-
-def _comb(torque: NDArray[np.float64], nominal: NDArray[np.float64], orders: NDArray[np.float64]) -> _Comb:
-    """Return the speed factor with the largest summed log power of the order spectrum at the lines."""
+def _fitted(recording: Recording, nominal: Floats, orders: Floats, *, largest_deviation: float) -> MotorAngle:
+    """Return the angle of the set-point [rad] times the factor that the lines determine, with a confirmed variation."""
+    torque, rate = recording.torque(), recording.sample_rate
+    is_steady = recording.run.profile == "steady"
+    turned = abs(float(nominal[-1] - nominal[0]))
+    hertz = turned / (2 * np.pi) / (nominal.size - 1) * rate
+    mains = tuple(each / hertz for each in _MAINS) if is_steady else ()
+    peaks = order_peaks(torque, nominal, orders, reach=REACH)
+    found = speed_posterior(peaks, orders, mains=mains)
+    is_determined = found.half_width < _DETERMINED
+    factor, half_width, origin = 1.0, TOLERANCE, _SET_POINT_ALONE
+    if is_determined:
+        factor, half_width = 1 + found.middle, found.half_width
+        name = "set-point" if is_steady else "set-point profile"
+        origin = f"from the {name} times {factor:.5f}, by the lines of the torque"
+    constant = MotorAngle(nominal * factor, origin, half_width, half_width * turned / TWO_SIDED)
+    if not is_steady:
+        return constant
     power, per_bin = order_power(torque, nominal)
-    seen = orders[orders * (1 + _SET_POINT_ERROR) / per_bin < 0.9 * power.size]
-    floor = noise_floor_at(power, orders / per_bin, within=_SET_POINT_ERROR)
-    step = 0.25 * per_bin / max(seen.max(initial=1.0), 1.0)
-    factors = 1 + np.arange(-_SET_POINT_ERROR, _SET_POINT_ERROR, step)
-    score = np.zeros(factors.size)
-    information = np.zeros(factors.size)
-    bins = np.arange(power.size)
-    for order, level in zip(orders, floor, strict=True):
-        if order in seen:
-            excess = np.interp(order * factors / per_bin, bins, power) / level
-            score += np.log1p(excess)
-            # a line exceeds what noise reaches with probability e^-7; its phase has 2 pi / per_bin samples
-            information += np.where(excess > 7, excess, 0.0) * (2 * np.pi * order / per_bin) ** 2 / 6
-    best = int(np.argmax(score))
-    deviation = 1.4826 * float(np.median(np.abs(score - np.median(score))))
-    is_clear = bool(score[best] - np.median(score) > _CLEAR * deviation and information[best])
-    sd = float(1 / np.sqrt(information[best])) if is_clear else _SET_POINT_SD
-    return _Comb(float(factors[best]), sd, floor, is_clear)
+    floor = noise_floor_at(power, orders / per_bin, within=REACH)
+    comb = TorqueComb(torque, nominal, orders, floor, rate, peaks, mains)
+    varying = varying_angle(comb, constant, is_determined=is_determined, largest_deviation=largest_deviation)
+    if varying is None and not is_determined:
+        return constant
+    best = varying or constant
+    periodic = periodic_angle_error(torque, best.values, orders, comb.floor)
+    # the mean speed stays the one that was found
+    periodic = periodic - np.linspace(periodic[0], periodic[-1], periodic.size)
+    return replace(best, values=best.values + periodic)

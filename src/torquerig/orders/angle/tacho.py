@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.orders.angle.measured_angle import MotorAngle
+from torquerig.orders.angle.measured_angle import MotorAngle, of_ends
 from torquerig.recordings.set_point import set_point_speed
 
 if TYPE_CHECKING:
@@ -60,9 +60,9 @@ def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> Motor
     first, last = 1 / (edges[1] - edges[0]), 1 / (edges[-1] - edges[-2])
     outer = first * np.minimum(at - edges[0], 0.0) + last * np.maximum(at - edges[-1], 0.0)
     # each of the two end edges is uncertain by the rounding to a sample: 1/sqrt(12)
-    sd = float(np.sqrt(1 / 6) / (edges[-1] - edges[0]))
+    ends_sd = float(np.sqrt(1 / 6) / np.diff(edges).mean()) * 2 * np.pi / pulses
     angle = (inner + outer) * 2 * np.pi / pulses
-    return MotorAngle(np.asarray(angle), f"from the tacho {name}, {pulses:g} pulses a motor turn", speed_sd=sd)
+    return of_ends(np.asarray(angle), f"from the tacho {name}, {pulses:g} pulses a motor turn", ends_sd)
 
 
 def rising_edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
