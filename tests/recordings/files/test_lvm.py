@@ -128,6 +128,13 @@ def test_one_x_column_holds_the_times_of_the_first_channel(
     assert table.rates == pytest.approx({"torque": 1000, "speed": 1 / deltas[1]})
 
 
+def test_a_channel_that_starts_later_is_noted(tmp_path: Path) -> None:
+    channels = [("torque", "Nm", 0.001, sine(9)), ("speed", "rpm", 0.001, sine(9))]
+    segment = text(channels, x_columns="No").replace("X_Dimension", "X0\t0.0\t0.5\nX_Dimension")
+    table = read_lvm(written(tmp_path, segment, x_columns="No"))
+    assert "speed starts 0.5 s after torque" in table.notes[0]
+
+
 @pytest.mark.parametrize("before", ["Notes\tbearing changed", "Test_Name\tDauer 3\nOperator\tme", "Notes\t"])
 def test_tags_before_the_channels(tmp_path: Path, before: str) -> None:
     channels = [("Dev1/ai0", "V", 0.001, sine(7)), ("Untitled", "V", 1.0, [])]

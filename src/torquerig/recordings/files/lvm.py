@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.lvm_text import X_LABEL, Segment, aligned, counts_of, segments_of
-from torquerig.recordings.files.lvm_times import TIME_UNITS, Sampling, sampling
+from torquerig.recordings.files.lvm_times import Sampling, sampling, seconds_of
 from torquerig.recordings.files.number_table import Table, distinct
+from torquerig.recordings.files.starts import late_starts
 from torquerig.recordings.files.text_tables.cells import Dialect
 
 Numbers = NDArray[np.float64]
@@ -43,7 +44,7 @@ def read_lvm(path: Path) -> Table:
     remarks: dict[str, list[str]] = {}
     signals = [index for index, label in enumerate(first.labels) if label != X_LABEL]
     columns: dict[str, Numbers] = {}
-    rates, units, times = {}, {}, {}
+    rates, units, times, starts = {}, {}, {}, {}
     for name, index in zip(distinct(first.labels[index] for index in signals), signals, strict=True):
         header = {tag: cells.get(index, "") for tag, cells in headers[0].items()}
         reason = _unreadable(segments, headers, index)
@@ -58,12 +59,14 @@ def read_lvm(path: Path) -> Table:
             remarks.setdefault(found.note, []).append(name)
         if found.rate > 0:
             rates[name] = found.rate
+        starts[name] = _start(header, x_values)
         if x_values is not None and (found.keep_times or found.rate == 0 or len(segments) > 1):
             times[name] = x_values
         if header.get("Y_Unit_Label"):
             units[name] = header["Y_Unit_Label"]
     columns, skipped = _with_times(columns, times, rates, skipped)
     notes += [f"{', '.join(names[:3])}{', ...' if len(names) > 3 else ''}: {note}" for note, names in remarks.items()]
+    notes += late_starts(starts, rates)
     return Table(columns=columns, rates=rates, units=units, skipped=skipped, notes=tuple(notes))
 
 
@@ -81,7 +84,7 @@ def _has_own_x(segment: Segment, header: Mapping[str, dict[int, str]], index: in
 @np.errstate(all="ignore")
 def _sampling(x_values: Numbers | None, header: Mapping[str, str], *, decimals: int) -> tuple[Sampling, Numbers | None]:
     """Return the sampling of a channel and its X values in seconds."""
-    unit = TIME_UNITS[header.get("X_Unit_Label", "").lower()]
+    unit = seconds_of(header.get("X_Unit_Label", "")) or 1.0
     times = None if x_values is None else x_values * unit
     increment = _number(header.get("Delta_X", "")) * unit
     # a digit of a minute or an hour is more than one of a second
@@ -109,7 +112,7 @@ def _unreadable(segments: list[Segment], headers: list[dict[str, dict[int, str]]
     first = {tag: cells.get(index, "") for tag, cells in headers[0].items()}
     if first.get("X_Dimension", "").lower() not in ("", "time", "zeit"):
         return f"its X dimension is {first['X_Dimension']}, not time"
-    if first.get("X_Unit_Label", "").lower() not in TIME_UNITS:
+    if seconds_of(first.get("X_Unit_Label", "")) is None:
         return f"its X unit {first['X_Unit_Label']!r} is no unit of time"
     if all(bool(segment.blank[index].all()) for segment in segments):
         return "it has no samples"
@@ -145,14 +148,25 @@ def _cut(blank: NDArray[np.bool_]) -> NDArray[np.bool_]:
 def _segment_starts(segments: list[Segment], headers: list[dict[str, dict[int, str]]]) -> list[float]:
     """Return what is added to the X values of each segment [X units]: 0, unless they begin anew in each."""
     starts = [float(segment.columns[0][0]) if segment.columns[0].size else np.nan for segment in segments]
-    moments = [_moment(header) for header in headers]
+    moments = [
+        _moment({tag: next(iter(header.get(tag, {}).values()), "") for tag in ("Date", "Time")}) for header in headers
+    ]
     if len(segments) == 1 or len(set(starts)) > 1 or any(moment is None for moment in moments):
         return [0.0] * len(segments)
     return [(moment - moments[0]).total_seconds() for moment in moments if moment and moments[0]]
 
 
-def _moment(header: Mapping[str, dict[int, str]]) -> datetime | None:
-    date, time = (next(iter(header.get(tag, {}).values()), "") for tag in ("Date", "Time"))
+def _start(header: Mapping[str, str], x_values: Numbers | None) -> float:
+    """Return when a channel starts [s]: its Date and Time, and its first X value or X0."""
+    moment = _moment(header)
+    whole = 0.0 if moment is None else (moment - datetime(2000, 1, 1)).total_seconds()
+    unit = seconds_of(header.get("X_Unit_Label", "")) or 1.0
+    first = x_values[0] if x_values is not None and x_values.size else _number(header.get("X0", "")) * unit
+    return whole + (float(first) if np.isfinite(first) else 0.0)
+
+
+def _moment(header: Mapping[str, str]) -> datetime | None:
+    date, time = header.get("Date", ""), header.get("Time", "")
     whole, _, fraction = time.replace(",", ".").partition(".")
     try:
         return datetime.strptime(f"{date} {whole}.{(fraction or '0')[:6]}", "%Y/%m/%d %H:%M:%S.%f")

@@ -8,21 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.files.timing import shortest_rate
+from torquerig.recordings.names.channel_units import unit_meanings
 
 # largest deviation of an X value from the even grid [samples]; one lost sample makes half a sample or more
 _UNEVEN = 0.25
-# seconds in one X unit
-TIME_UNITS = {
-    "": 1.0,
-    "s": 1.0,
-    "sec": 1.0,
-    "seconds": 1.0,
-    "ms": 1e-3,
-    "us": 1e-6,
-    "µs": 1e-6,
-    "min": 60.0,
-    "h": 3600.0,
-}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,3 +63,10 @@ def _off_grid(times: NDArray[np.float64], step: float) -> float:
     off = times - times[0] - step * np.arange(times.size)
     with np.errstate(invalid="ignore"):
         return float(np.max(np.abs(off)))
+
+
+def seconds_of(unit: str) -> float | None:
+    """Return the length of an X unit [s]; a blank unit is the second, another than one of time is None."""
+    if not unit.strip():
+        return 1.0
+    return next((meaning.factor for meaning in unit_meanings(unit.strip()) if meaning.kind == "time"), None)

@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.lvm_times import TIME_UNITS
+from torquerig.recordings.files.lvm_times import seconds_of
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
+from torquerig.recordings.files.starts import late_starts
 from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timing import shortest_rate
 from torquerig.recordings.recording import Recording
@@ -124,7 +125,7 @@ def channels_in(file: Any) -> TdmsChannels:
     """Return the channels of an open file; ``group/name`` where two groups share a name."""
     every = [channel for group in file.groups() for channel in group.channels()]
     doubled = {name for name, count in Counter(channel.name for channel in every).items() if count > 1}
-    channels, rates, units, skipped = {}, {}, {}, {}
+    channels, rates, units, skipped, starts = {}, {}, {}, {}, {}
     for channel in every:
         name = f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name
         reason = _reason(channel)
@@ -132,13 +133,14 @@ def channels_in(file: Any) -> TdmsChannels:
             skipped[name] = reason
             continue
         channels[name] = channel
-        increment = _number(channel, "wf_increment") * TIME_UNITS[_text(channel, "wf_xunit_string").lower()]
+        increment = _number(channel, "wf_increment") * (seconds_of(_text(channel, "wf_xunit_string")) or 1.0)
         if increment > 0:
             rates[name] = shortest_rate(1 / increment, tolerance=1e-11)
+        starts[name] = _start(channel)
         if _text(channel, "unit_string"):
             units[name] = _text(channel, "unit_string")
     return TdmsChannels(
-        channels=channels, rates=rates, units=units, skipped=skipped, notes=_late(channels, rates),
+        channels=channels, rates=rates, units=units, skipped=skipped, notes=late_starts(starts, rates),
         sidecar=str(file.properties.get(SIDECAR_KEY, "")),
     )  # fmt: skip
 
@@ -151,20 +153,9 @@ def _reason(channel: Any) -> str:
     if kind not in "fiub":
         return {"O": "texts", "U": "texts", "M": "time stamps", "c": "complex numbers"}.get(kind, "no numbers")
     axis = _text(channel, "wf_xname")
-    if _text(channel, "wf_xunit_string").lower() not in TIME_UNITS:
+    if seconds_of(_text(channel, "wf_xunit_string")) is None:
         return f"its X unit is {_text(channel, 'wf_xunit_string')}, not one of time"
     return f"its X axis is {axis}, not time" if axis.lower() not in ("", "time", "zeit") else ""
-
-
-def _late(channels: Mapping[str, Any], rates: Mapping[str, float]) -> tuple[str, ...]:
-    """Return a sentence for each channel that starts a tenth of a sample or more before or after the first."""
-    starts = {name: _start(channel) for name, channel in channels.items() if name in rates}
-    first = next(iter(starts), "")
-    return tuple(
-        f"{name} starts {start - starts[first]:.6g} s after {first}; the samples are read as if they started together"
-        for name, start in starts.items()
-        if abs(start - starts[first]) * rates[name] > 0.1
-    )
 
 
 def _start(channel: Any) -> float:

@@ -13,6 +13,7 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.files.matlab.leaves import RATE_NAMES, Leaf
 from torquerig.recordings.files.matlab.tree import Numbers, Unread
 from torquerig.recordings.files.number_table import distinct
+from torquerig.recordings.files.starts import late_starts
 from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timebase import rate_of_times
 from torquerig.recordings.names.time_column import time_column
@@ -67,7 +68,9 @@ def channels_of(leaves: Sequence[Leaf], *, where: str, remedy: str) -> Channels:
         )
     bare = _bare(signals)
     if bare:
-        return Channels(channels=bare, rates=_stated_rates(leaves, bare, ()), units={}, skipped=found.skipped)
+        notes = (f"{signals[0].path[-1]}: a matrix of two columns is read as time [s] and torque [V]",)
+        rates = _stated_rates(leaves, bare, ())
+        return Channels(channels=bare, rates=rates, units={}, skipped=found.skipped, notes=notes)
     return _named(leaves, signals, found, where)
 
 
@@ -115,6 +118,7 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
     channels: dict[str, Channel] = {}
     rates: dict[str, float] = {}
     units: dict[str, str] = {}
+    starts: dict[str, float] = {}
     for name, leaf in zip(names, signals, strict=True):
         node = leaf.node
         if not isinstance(node, Numbers) or (several and leaf.is_time):
@@ -130,12 +134,14 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
         for column, one in enumerate(columns):
             channels[one] = Channel(numbers=node, column=column)
             rates |= {one: rate} if rate else {}
+            starts |= {one: _seconds(own, 1)[0]} if several and own is not None else {}
             units |= {one: leaf.unit} if leaf.unit else {}
         if node.is_logical:
             found.notes.append(f"{name}: true and false are read as 1 and 0")
         if node.width > 1:
             found.notes.append(f"{name}: a matrix of {node.width} columns is read as {columns[0]} to {columns[-1]}")
-    return Channels(channels=channels, rates=rates, units=units, skipped=found.skipped, notes=tuple(found.notes))
+    notes = (*found.notes, *late_starts(starts, rates))
+    return Channels(channels=channels, rates=rates, units=units, skipped=found.skipped, notes=notes)
 
 
 def _column_names(name: str, width: int, given: tuple[str, ...], *, taken: Iterable[str]) -> list[str]:
@@ -165,16 +171,22 @@ def _same(one: Leaf, other: Leaf) -> bool:
     )
 
 
-@np.errstate(all="ignore")
 def _rate_by(time: Leaf, where: str) -> float | None:
-    if not isinstance(time.node, Numbers):
-        return None
-    column = time_column([time.path[-1]], {time.path[-1]: time.unit})
-    values = time.node.read(0, time.node.samples)[:, 0] * (column.seconds if column else 1.0)
+    times = _seconds(time, time.node.samples if isinstance(time.node, Numbers) else 0)
     try:
-        return rate_of_times(values, name=".".join(time.path), where=where)
+        return rate_of_times(times, name=".".join(time.path), where=where) if times.size > 1 else None
     except RecordingError:
         return None
+
+
+@np.errstate(all="ignore")
+def _seconds(time: Leaf, count: int) -> NDArray[np.float64]:
+    """Return the first ``count`` times of a leaf [s]."""
+    if not isinstance(time.node, Numbers):
+        return np.empty(0)
+    column = time_column([time.path[-1]], {time.path[-1]: time.unit})
+    seconds: NDArray[np.float64] = time.node.read(0, count)[:, 0] * (column.seconds if column else 1.0)
+    return seconds
 
 
 def _scalar_rate(leaves: Iterable[Leaf], scope: tuple[str, ...]) -> float | None:
