@@ -40,6 +40,18 @@ def test_a_gain_is_found_to_the_sample_and_scaled_back(factor: float, zero: floa
     assert np.array_equal(mended[:START], volts[:START])
 
 
+@pytest.mark.parametrize("takes", [4, 8])
+def test_a_gain_behind_an_amplifier_is_found(takes: int, clean: Recording) -> None:
+    """Its edge takes some samples, and noise of the amplifier goes on."""
+    gain = np.ones(clean.samples)
+    gain[START:STOP] = 0.5
+    gain = np.convolve(gain, np.full(takes, 1 / takes), "same")
+    noise = 1e-4 * np.random.default_rng(2).standard_normal(clean.samples)
+    (found,) = gain_moments(clean.with_values("torque_V", volts_of(clean) * gain + noise))
+    assert (found.start, found.stop) == (pytest.approx(START, abs=takes), pytest.approx(STOP, abs=takes))
+    assert found.factor == pytest.approx(0.5, rel=0.06)
+
+
 def test_what_is_no_gain_is_left_alone(clean: Recording) -> None:
     volts, time = volts_of(clean), np.arange(clean.samples) / clean.sample_rate
     assert gain_moments(clean) == ()

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.edges import edges_over
 from torquerig.recordings.repair.examination import Examination
 from torquerig.recordings.repair.faults import Fault, fault_in_time, in_words
 from torquerig.recordings.repair.moments import moments_of
@@ -30,7 +31,7 @@ _TRIMMED, _FEWEST = 3, 4  # blocks at either end, which hold the edge, and betwe
 _ALIKE, _MOST = 4.0, 0.6  # spreads or 30 % within which a band follows the factor; so many of the bands do
 _OF_THE_FACTOR = 0.3
 _SMALLEST = 0.15  # of the logarithm of the factor
-_STEP = 8.0  # robust spreads of the steps from sample to sample: an edge that can be seen
+_STEP, _LAGS = 8.0, (1, 2, 4, 8)  # robust spreads of an edge that can be seen, and samples that it may take
 _REACH = 3  # blocks either way in which the edge is looked for
 _BESIDE = 12  # samples either way that a straight line is put through
 
@@ -144,11 +145,16 @@ def _moment(volts: Floats, spectra: ShortSpectra, start: int, stop: int) -> Gain
 
 
 def _step(volts: Floats, hop: int, block: int) -> int | None:
-    """Return the sample after the largest step near the start of a block, None where no step stands out."""
+    """Return the sample after the largest edge near a block's start, sharp or rounded; None where none is clear."""
     low = max((block - _REACH) * hop, 0)
-    steps = np.abs(np.diff(volts[low : (block + _REACH + 1) * hop]))
-    at = int(np.argmax(steps)) if steps.size else 0
-    if not 0 < at < steps.size - 1:
-        return None
-    noise = max(spread_about_zero(steps[:at]), spread_about_zero(steps[at + 1 :]))
-    return low + at + 1 if steps[at] > _STEP * max(noise, 1e-12) else None
+    near = volts[low : (block + _REACH + 1) * hop]
+    for lag in _LAGS:
+        edges = np.abs(np.diff(near) if lag == 1 else edges_over(near, lag))
+        at = int(np.argmax(edges)) if edges.size else 0
+        part = 3 * lag if lag > 1 else 0  # of the edge itself, on either side
+        if not part < at < edges.size - 1 - part:
+            continue
+        noise = max(spread_about_zero(edges[: at - part]), spread_about_zero(edges[at + 1 + part :]))
+        if edges[at] > _STEP * max(noise, 1e-12):
+            return low + at + 1 + lag // 2
+    return None
