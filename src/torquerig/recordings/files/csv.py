@@ -10,6 +10,7 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.errors import RecordingError
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.table_pieces import Columns, TablePieces, pieces_of
 from torquerig.recordings.files.text_tables.source import TextSource, open_text
@@ -71,9 +72,19 @@ def csv_pieces(path: Path, *, step: int = _STEP) -> TablePieces:
 
     The first piece determines the layout. The number of samples is known only at the end.
     """
-    if path.stat().st_size <= step:
-        return pieces_of(read_csv(path), reason="")
-    return source_pieces(open_text(path), step=step)
+    source = open_text(path)
+    return whole_pieces(source) if path.stat().st_size <= step else source_pieces(source, step=step)
+
+
+def whole_pieces(source: TextSource) -> TablePieces:
+    """Return the table of a short text, read at once, so that the number of its samples is known.
+
+    Where a cell is faulty, the columns are read when they are needed: the fault matters only in its own column.
+    """
+    try:
+        return pieces_of(table_of(source), reason="")
+    except RecordingError:
+        return source_pieces(source)
 
 
 def source_pieces(source: TextSource, *, step: int = _STEP) -> TablePieces:

@@ -6,9 +6,9 @@ from collections.abc import Collection
 from pathlib import Path
 
 from torquerig.errors import InputError
-from torquerig.recordings.files.csv import source_pieces, table_of
+from torquerig.recordings.files.csv import source_pieces, table_of, whole_pieces
 from torquerig.recordings.files.number_table import Table
-from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
+from torquerig.recordings.files.table_pieces import TablePieces
 from torquerig.recordings.files.text_tables.source import TextSource, open_text
 
 TEXT_ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".asc", ".log", ".prn")
@@ -32,9 +32,8 @@ def read_gz(path: Path, only: Collection[str] = ()) -> Table:
 
 def gz_pieces(path: Path) -> TablePieces:
     """Return a compressed text table in pieces; a small one is read at once."""
-    if path.stat().st_size <= _SMALL:
-        return pieces_of(read_gz(path), reason="")
-    return source_pieces(_source(path))
+    source = _source(path)
+    return whole_pieces(source) if path.stat().st_size <= _SMALL else source_pieces(source)
 
 
 def _source(path: Path) -> TextSource:

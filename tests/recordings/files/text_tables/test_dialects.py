@@ -8,6 +8,7 @@ import pytest
 from tests.recordings.files.text_tables.made_tables import ROWS, SPEED, TORQUE, dialects
 from torquerig.errors import RecordingError
 from torquerig.recordings.files import open_stream, read_recording
+from torquerig.recordings.files.blocks import Blocking, sound_blocks
 from torquerig.recordings.files.csv import csv_pieces, read_csv
 
 DIALECTS = dialects()
@@ -77,6 +78,8 @@ def test_a_sidecar_reads_its_columns_alone(tmp_path: Path) -> None:
         read_recording(path)
     path.with_suffix(".yaml").write_text("channels: {torque_Nm: {quantity: torque, unit: Nm}}\n")
     assert read_recording(path).torque() == pytest.approx([1.5, 1.6, 1.7])
+    (block,) = sound_blocks(open_stream(path), Blocking(samples=9))
+    assert block.recording.torque() == pytest.approx([1.5, 1.6, 1.7])
 
 
 @pytest.mark.parametrize("word", ["OVLD", "1.#INF", "----", "-1.#IND", "#DIV/0!", "OL", "over range", "lost"])
