@@ -21,6 +21,10 @@ from torquerig.recordings.files.text_tables.stamps import Stamps
 
 _COMMENT = re.compile(rb'(?m)^[ \t"]*(?:#|%|//)[^\n]*(?:\n|\Z)')
 _PLUS = re.compile(rb"(?<![0-9eE.,+\-])\+(?=[0-9.,])")
+_GROUPED = {
+    sign: re.compile(rb"(?<![0-9.,])[+-]?[1-9][0-9]{0,2}(?:" + re.escape(sign.encode()) + rb"[0-9]{3})+(?![0-9])")
+    for sign in ",."
+}
 _ARROW_MISSING = sorted({form for word in MISSING for form in (word, word.upper(), word.capitalize())} | {"NaN"})
 
 
@@ -80,8 +84,10 @@ class RowParser:
         layout = self._layout
         texts = list(self._stamps.columns) if self._stamps else []
         kept = [*self._numbers, *texts]
-        if not kept or layout.dialect.thousands:
+        sign = layout.dialect.thousands
+        if not kept or (sign and (texts or sign == layout.dialect.separator)):
             return None
+        body = _GROUPED[sign].sub(lambda match: match[0].replace(sign.encode(), b""), body) if sign else body
         try:
             table = csv.read_csv(
                 pa.BufferReader(_single_blanks(body) if layout.dialect.separator == " " else body),

@@ -201,13 +201,18 @@ def _clock(parts: dict[str, str | None]) -> int | None:
 def _converted_at_once(cells: Sequence[str], form: StampForm) -> NDArray[np.float64] | None:
     """Return the seconds where all stamps have the same digits at the same places, else None.
 
-    Only stamps with year, month and day, or without a date, and with hours, minutes and seconds of 24 hours.
+    Only stamps with a year of four digits, or without a date, and with hours, minutes and seconds of 24 hours.
     """
     if len(cells) < 2 or any(not cell.isascii() for cell in (cells[0], cells[-1])):
         return None
     match = (_STAMP if form.has_date else _BARE_CLOCK).fullmatch(cells[0])
     parts = {} if match is None else match.groupdict()
-    if match is None or not parts.get("second") or parts["half"] or (form.has_date and not parts.get("year")):
+    if (
+        match is None
+        or not parts.get("second")
+        or parts["half"]
+        or (form.has_date and _date_groups(parts, form) is None)
+    ):
         return None
     try:
         text = np.array(cells, dtype="S")
@@ -229,6 +234,15 @@ def _converted_at_once(cells: Sequence[str], form: StampForm) -> NDArray[np.floa
     return _assembled(cells[0], signs, match, text, form)
 
 
+def _date_groups(parts: dict[str, str | None], form: StampForm) -> tuple[str, str, str] | None:
+    """Return the groups of year, month and day; None for dates that are read one by one."""
+    if parts.get("year"):
+        return "year", "month", "day"
+    if len(parts.get("late") or "") < 4:
+        return None
+    return ("late", "one", "two") if form.month_first else ("late", "two", "one")
+
+
 def _assembled(
     first: str, signs: NDArray[np.uint8], match: re.Match[str], text: NDArray[np.bytes_], form: StampForm
 ) -> NDArray[np.float64] | None:
@@ -245,10 +259,10 @@ def _assembled(
     fine = number("part") * 10 ** (9 - (high - low)) if low >= 0 else np.zeros(len(text), np.int64)
     days = np.zeros(len(text), np.int64)
     if form.has_date:
-        month, day = number("month"), number("day")
+        year, month, day = (number(group) for group in _date_groups(match.groupdict(), form) or ())
         if month.min() < 1 or month.max() > 12 or day.min() < 1:
             return None
-        months = (number("year") - 1970) * 12 + month - 1
+        months = (year - 1970) * 12 + month - 1
         whole_days = months.astype("datetime64[M]").astype("datetime64[D]") + (day - 1)
         if not np.array_equal(whole_days.astype("datetime64[M]").astype(np.int64), months):
             return None  # a 31st of June
