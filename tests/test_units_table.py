@@ -87,7 +87,7 @@ def test_wrong_units_are_refused_with_the_remedy(text: str, unit: str, words: st
 
 def test_written_quantities_read_back_to_the_same_float() -> None:
     for unit in ("N*m", "kg*m^2", "1"):
-        for value in (0.1 + 0.2, 1e-300, 12345.678901234567):
+        for value in (0.1 + 0.2, 1e-10 / 3, 12345.678901234567):
             assert parse_quantity(written_quantity(value, unit), unit) == value
     assert in_unit(2 * pi * 1000 / 60, "rpm") == pytest.approx(1000)
     assert kind_of("Nms/rad") == "rotary damping"

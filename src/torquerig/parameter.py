@@ -8,8 +8,7 @@ from math import exp, inf, isfinite, log, sqrt
 from typing import TYPE_CHECKING, Any
 
 from torquerig.errors import UnitError
-from torquerig.sensible import beyond_sense
-from torquerig.units import IN_A_LINE, in_unit, kind_of, parse_quantity, with_unit, written_quantity
+from torquerig.units import IN_A_LINE, in_unit, parse_quantity, unreasonable, with_unit, written_quantity
 
 if TYPE_CHECKING:
     import numpy as np
@@ -159,13 +158,9 @@ class Parameter:
             bound = f"at least {self.low:g}" if number < self.low else f"at most {self.high:g}"
             bound = f"more than {self.above:g}" if number <= self.above else bound
             raise ValueError(f"{_written(number, self.unit)} is out of range: {self.meaning} must be {bound}")
-        limit = beyond_sense(number, kind_of(self.unit))
-        if limit is not None:
-            most = "smallest" if abs(number) < limit else "largest"
-            raise ValueError(
-                f"{_written(number, self.unit)} is beyond reason for {self.meaning}; the {most} sensible size is "
-                f"{_written(limit, self.unit)}"
-            )
+        problem = unreasonable(number, self.unit)
+        if problem:
+            raise ValueError(f"{_written(number, self.unit)} is {problem} for {self.meaning}")
         return number
 
     def read_estimate(self, written: Any) -> Estimate:

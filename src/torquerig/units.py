@@ -7,11 +7,13 @@ newton-metre of textile count, ``5,2 N*m`` as 52, ``600 rpm`` as a frequency (pi
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from math import pi
+from math import ceil, floor, log10, pi
 
 from torquerig.errors import UnitError, did_you_mean
+from torquerig.sensible import beyond_sense
 from torquerig.unit_remedies import COMMON, QUESTIONS, separated_number
 from torquerig.unit_spellings import Signature, signatures
 
@@ -201,15 +203,35 @@ def parse_quantity(text: str, unit: str) -> float:
         return number
     if not written:
         raise UnitError(f"{text!r} has no unit; write {with_unit(match[1], unit)}")
-    if written in factors:
-        return number * factors[written]
     spelled = {one.factor for one in meanings(match[2]) if one.kind == wanted}
-    if len(spelled) == 1:
-        return number * spelled.pop()
+    if written in factors or len(spelled) == 1:
+        value = number * (factors[written] if written in factors else spelled.pop())
+        problem = unreasonable(value, unit)
+        if problem:
+            raise UnitError(f"{text!r} is {problem}")
+        return value
     other = _kinds().get(written)
     if other is None:
         raise UnitError(f"{text!r} has an unknown unit; {did_you_mean(match[2], factors)}")
     raise UnitError(_of_another_kind(text, match[1], unit, number * UNITS[other][written], other))
+
+
+def unreasonable(value: float, unit: str) -> str | None:
+    """Return what is wrong with a size [SI] beyond reason, with the nearest sensible one; None for others."""
+    kind = kind_of(unit)
+    limit = beyond_sense(value, kind)
+    if limit is None:
+        return None
+    shown = COMMON.get(kind, (unit,))[0]
+    end = "smallest" if abs(value) < limit else "largest"
+    inwards = _inwards(in_unit(limit, shown), floor if end == "largest" else ceil)
+    return f"beyond reason; the {end} sensible size is {_example(f'{inwards:g}', shown)}"
+
+
+def _inwards(limit: float, rounding: Callable[[float], int]) -> float:
+    """Return a limit with two digits that is itself within it."""
+    digit = 10.0 ** (floor(log10(limit)) - 1)
+    return float(f"{rounding(float(f'{limit / digit:.9g}')) * digit:.2g}")
 
 
 def with_unit(number: str | float, unit: str) -> str:

@@ -114,7 +114,7 @@ class Settings(_Section):
 
     duration: Annotated[float, Parameter("s", "length of a run", above=0)] = 10.0
     seed: int = Field(default=1, ge=0)
-    draws: int = Field(default=0, ge=0)
+    draws: int = Field(default=0, ge=0, le=1000)  # each is a run of every drive
     present: Present
     motors: Literal["all"] | tuple[str, ...]
     gearboxes: tuple[str, ...] = Field(min_length=1)

@@ -16,7 +16,7 @@ from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.synthetic.components import AnyComponent
 from torquerig.synthetic.grid import on_grid
-from torquerig.synthetic.timeline import Timeline, turning
+from torquerig.synthetic.timeline import Timeline, samples_of, turning
 from torquerig.version import __version__
 
 TRUE_LOAD, TRUE_NOISE = "true_load_Nm", "true_noise_Nm"
@@ -105,9 +105,7 @@ def components_of(recording: Recording) -> Mapping[str, NDArray[np.float64]]:
 
 
 def _timeline(mixture: Mixture) -> Timeline:
-    samples, rate = round(mixture.duration * mixture.sample_rate), mixture.sample_rate
-    if samples < 2:
-        raise InputError(f"a recording of {mixture.duration:g} s at {rate:g} Hz has {samples} samples; ask for more")
+    samples, rate = samples_of(mixture.duration, mixture.sample_rate), mixture.sample_rate
     if mixture.motor_speed is None:
         if mixture.counts_per_rev is not None:
             raise InputError("an encoder needs a speed to count; add motor_speed: 1000 rpm")

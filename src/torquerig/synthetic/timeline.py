@@ -7,10 +7,30 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.errors import InputError
 from torquerig.recordings.recording import random_for
 from torquerig.sensor_stages.coloured_noise import low_passed_noise
 
 WANDER_CUTOFF = 0.3  # [Hz] bandwidth of the speed variation; as in the simulated rig
+
+MOST_SAMPLES = 10_000_000  # with ten components they take about 1 GB
+
+
+def samples_of(duration: float, rate: float) -> int:
+    """Return the samples of a recording of ``duration`` [s] at ``rate`` [Hz].
+
+    Raises
+    ------
+    InputError
+        For fewer than 2 and more than ``MOST_SAMPLES``, with the longest duration.
+    """
+    samples = duration * rate
+    if samples > MOST_SAMPLES:
+        raise InputError(f"a recording of {duration:g} s at {rate:g} Hz has {samples:.4g} samples, too many for the "
+                         f"memory; ask for at most {MOST_SAMPLES / rate:.4g} s")  # fmt: skip
+    if round(samples) < 2:
+        raise InputError(f"a recording of {duration:g} s at {rate:g} Hz has {round(samples)} samples; ask for more")
+    return round(samples)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["MatrixCase", "matrix_from", "read_matrix"]
 
+MOST_DRAWS = 1_000_000
 OLD_KEYS = {("datum",): "baseline", ("doubt",): "uncertainty", ("criteria", "*", "demand"): "requirement"}
 """Paths of keys that files of earlier versions have, and the names that they have now."""
 
@@ -53,6 +54,9 @@ def matrix_from(document: Document, *, catalog: Catalog | None = None) -> Matrix
     )
     profile = _profile(document, file, matrix)
     _check_points_by_hand(document, cells, profile)
+    if file.draws > MOST_DRAWS:
+        raise InputError(f"{document.place(('draws',))}: {file.draws} Monte Carlo samples are too many; the most are "
+                         f"{MOST_DRAWS}, which resolve shares of 0.1 %")  # fmt: skip
     if file.draws < 1:
         raise InputError(f"{document.place(('draws',))}: {file.draws} Monte Carlo samples are too few; write 1 or more")
     return MatrixCase(

@@ -54,6 +54,10 @@ CAUSES: dict[Family, tuple[str, str]] = {
 }
 
 
+MOST_COUNTED = 10_000  # [1] poles or slots; the largest wind generators have some hundred
+LARGEST_RATIO = 1e6  # [1] gears in series reach some thousand
+
+
 @dataclass(frozen=True, kw_only=True)
 class Kinematics:
     """Poles, slots, ratio and teeth of a drive, which determine its order lines.
@@ -75,13 +79,14 @@ class Kinematics:
 
     def __post_init__(self) -> None:
         for name, count in (("pole pairs", self.pole_pairs), ("slots", self.slots)):
-            if count is not None and count < 1:
+            if count is not None and not 1 <= count <= MOST_COUNTED:
                 raise InputError(
-                    f"{count} {name} are not possible; write at least 1, or leave it out where it is unknown"
+                    f"{count} {name} are not possible; write 1 to {MOST_COUNTED}, or leave it out where it is unknown"
                 )
-        if not (isfinite(self.ratio) and self.ratio > 0):
+        if not (isfinite(self.ratio) and 1 / LARGEST_RATIO <= self.ratio <= LARGEST_RATIO):
             raise InputError(
-                f"a gear ratio of {self.ratio} is not possible; write motor turns per output turn, more than 0"
+                f"a gear ratio of {self.ratio:g} is not possible; write motor turns per output turn, more than 0 and "
+                f"at most {LARGEST_RATIO:g}"
             )
         by_teeth = prod(stage.ratio for stage in self.teeth)
         if self.teeth and abs(by_teeth / self.ratio - 1) > 0.02:

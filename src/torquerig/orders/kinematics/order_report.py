@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, pi
 
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.coincidences import BetterSpeed, Coincidences, better_speed, coincidences
 from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine, Kinematics
+
+FASTEST = 1e6 * pi / 30  # [rad/s] ten times the fastest dental turbines
+SLOWEST_MAINS, FASTEST_MAINS = 0.01, 1e5  # [Hz] railways have 16.7 Hz, ships and aircraft 400 Hz
 
 
 @dataclass(frozen=True)
@@ -73,8 +76,11 @@ def orders_report(
     """
     if not isfinite(motor_speed) or motor_speed == 0:
         raise InputError("at a speed of 0 no line has a frequency; give the motor's speed, for example 1000 rpm")
-    if not (isfinite(mains) and mains > 0):
-        raise InputError(f"a mains frequency of {mains} Hz is not possible; give for example 50 Hz")
+    if abs(motor_speed) > FASTEST:
+        raise InputError(f"a motor speed of {motor_speed * 30 / pi:g} rpm is beyond reason; the largest sensible is "
+                         f"{FASTEST * 30 / pi:g} rpm")  # fmt: skip
+    if not (isfinite(mains) and SLOWEST_MAINS <= mains <= FASTEST_MAINS):
+        raise InputError(f"a mains frequency of {mains:g} Hz is not possible; give for example 50 Hz")
     lines = kinematics.lines(harmonics)
     return OrdersReport(
         kinematics=kinematics,

@@ -16,6 +16,8 @@ from torquerig.orders.kinematics.planetary_assembly import (
     stage_ratio,
 )
 
+MOST_TEETH = 10_000  # the largest slewing rings have 1000
+
 
 @dataclass(frozen=True)
 class Planetary:
@@ -56,6 +58,8 @@ class Planetary:
                 f"a planetary stage with sun {self.sun} and ring {self.ring} does not exist; the ring must have more "
                 "teeth than the sun, and both at least one"
             )
+        if self.ring > MOST_TEETH:
+            raise InputError(f"a ring of {self.ring} teeth does not exist; the most are {MOST_TEETH}")
         if self.planets is not None and self.planets < 1:
             raise InputError(f"{self.planets} planets are not possible; write at least 1, or leave planets out")
         if self.fixed not in ("ring", "carrier", "sun"):

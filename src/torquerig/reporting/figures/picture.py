@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from dataclasses import dataclass
+from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -11,8 +13,11 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
+from matplotlib.ticker import FixedFormatter, Formatter, FuncFormatter
 
 from torquerig.errors import InputError
+from torquerig.harmless import harmless
 from torquerig.whole_file import refuse_unwritable, whole_file
 
 STYLE: dict[Any, Any] = {
@@ -91,9 +96,33 @@ def png(figure: Figure) -> bytes:
 
 
 def _saved(figure: Figure, ending: str, metadata: dict[str, Any]) -> bytes:
+    _show_names_as_written(figure)
     for axes in figure.axes:
         axes.spines[["top", "right"]].set_visible(False)
     buffer = BytesIO()
     with rc_context(STYLE):
         figure.savefig(buffer, format=ending, dpi=150, metadata=metadata)
     return buffer.getvalue()
+
+
+def _show_names_as_written(figure: Figure) -> None:
+    """Let no name of a foreign file count as a formula of TeX, nor act on what shows the picture.
+
+    Tick labels of a logarithmic axis are formulas of matplotlib's own; those that name things are fixed texts.
+    """
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            labels = axis.get_major_formatter()
+            if isinstance(labels, FixedFormatter | FuncFormatter):
+                axis.set_major_formatter(FuncFormatter(partial(_as_written, labels)))
+    for text in figure.findobj(Text):
+        if isinstance(text, Text) and "mathdefault" not in text.get_text():
+            text.set_text(_written(text.get_text()))
+
+
+def _as_written(labels: Formatter, value: float, place: int | None) -> str:
+    return _written(str(labels(value, place)))
+
+
+def _written(text: str) -> str:
+    return re.sub(r"(?<!\\)\$", r"\\$", harmless(text))

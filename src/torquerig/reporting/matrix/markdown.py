@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from torquerig.decide.matrix_analysis import MatrixAnalysis
+from torquerig.harmless import harmless
 from torquerig.reporting.layout import Table
 from torquerig.reporting.matrix.chapters import chapters
 
@@ -38,4 +39,4 @@ def _row(texts: list[str]) -> str:
 
 def escaped(text: str) -> str:
     """Return text with escaped Markdown characters."""
-    return re.sub(r"([\\`*_{}\[\]<>|#])", r"\\\1", text.replace("\n", " "))
+    return re.sub(r"([\\`*_{}\[\]<>|#])", r"\\\1", harmless(text).replace("\n", " "))
