@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 
+from torquerig.cli.suspicions import angle_sentences
 from torquerig.diagnosis.motion.diagnose_motion import under_measured_motion
 from torquerig.diagnosis.motion.lines import in_a_line
 from torquerig.diagnosis.motion.moved import BAND, moved_runs
@@ -14,6 +15,7 @@ from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 
 _HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]
@@ -31,7 +33,15 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
     rows = _of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings)
     names = sorted(scenario.uncertainties)
     fitted = f"parameters fitted before mechanisms are tested: {', '.join(names) or 'none, no parameter has a rel_sd'}"
-    return "\n".join([grid([_HEAD, *rows]), wrapped(fitted), "scenario and recordings match; no diagnosis was made"])
+    ratio = None if is_moved else kinematics_of(scenario.rig).ratio
+    suspicious = [
+        wrapped(f"suspicious: {each.name}: {sentence}")
+        for each in recordings
+        for sentence in angle_sentences(each, ratio=ratio)
+    ]
+    return "\n".join(
+        [grid([_HEAD, *rows]), *suspicious, wrapped(fitted), "scenario and recordings match; no diagnosis was made"]
+    )
 
 
 def _of_motion(scenario: Scenario, recordings: Sequence[Recording]) -> list[list[str]]:

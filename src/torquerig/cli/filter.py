@@ -19,6 +19,7 @@ from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.orders.angle.measured_angle import SOURCES
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
@@ -26,6 +27,7 @@ from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.set_point import set_point_speed
 from torquerig.renamed import current_name
 from torquerig.scenario.recording_lines import kinematics_of_recording
 from torquerig.units import parse_quantity
@@ -224,12 +226,12 @@ def _draw(
     from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 
     lines = chain.lines or kinematics.lines()
-    speed = before.run.speed or 0.0
+    speed = set_point_speed(before, "the order lines of a picture")
     figure = spectrum_figure(before, after, lines=lines, motor_speed=speed, ratio=kinematics.ratio)
     write_picture(figure, path, overwrite=force)
     click.echo(f"wrote {path}")
 
 
 def _refuse_picture_without_speed(sheet: Recording) -> None:
-    if not sheet.run.speed:
+    if not sheet.run.speed and not any(sheet.find(quantity) for quantity in SOURCES):
         raise InputError(f"{sheet.name}: the sidecar has no speed_rpm, so the order lines have no frequency; add it")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
-from math import isfinite, pi
+from math import ceil, floor, isfinite, log10, pi
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -23,6 +24,9 @@ from torquerig.recordings.inspection.file_contents import file_contents
 from torquerig.recordings.inspection.recording_info import RecordingInfo, stream_info
 from torquerig.recordings.inspection.stretch_faults import head_of, sound_stretch
 from torquerig.recordings.recording import Recording
+
+if TYPE_CHECKING:
+    from torquerig.orders.angle.best_angle import MotorSpeed
 
 LARGE = 2**26
 """From this size on [bytes] it is told that a file could not be read in pieces."""
@@ -109,13 +113,21 @@ def _speed(stream: RecordingStream, head: Recording) -> tuple[float | None, str]
         is_linear_axis = stream.run.speed is None and any(head.find(each) for each in ("position", "velocity"))
         why = "a linear axis has no motor speed" if is_linear_axis else error
         return stream.run.speed, f"motor speed: not found ({why})"
-    rpm = found.value * 30 / pi
-    uncertainty = f" +- {100 * found.half_width:.2g} %" if isfinite(found.half_width) else ""
     whole = stream.samples is not None and stream.samples <= head.samples
     where = "" if whole else f" over {_span(first, head)}"
     set_point = stream.run.speed_rpm
     stated = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
-    return found.value, f"motor speed: {rpm:.6g} rpm{uncertainty}{where} ({found.origin}{stated})"
+    return found.value, f"motor speed: {_with_interval(found)}{where} ({found.origin}{stated})"
+
+
+def _with_interval(speed: MotorSpeed) -> str:
+    """Return a speed in rpm and half its 95 % interval in %, with digits that do not round it out of the interval."""
+    rpm = speed.value * 30 / pi
+    if not (isfinite(speed.half_width) and speed.half_width > 0):
+        return f"{rpm:.6g} rpm"
+    digits = max(6, ceil(-log10(speed.half_width)) + 2)
+    step = 10.0 ** (floor(log10(100 * speed.half_width)) - 1)
+    return f"{rpm:.{digits}g} rpm +- {ceil(100 * speed.half_width / step - 1e-9) * step:.2g} %"
 
 
 def _span(first: int, head: Recording) -> str:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import click
 
+from torquerig.orders.angle.speed_contradictions import speed_contradictions
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.inspection.recording_info import RecordingInfo, recording_info
-from torquerig.recordings.inspection.stretch_faults import first_stretch, head_of, stretch_faults
+from torquerig.recordings.inspection.stretch_faults import first_stretch, head_of, sound_stretch, stretch_faults
 from torquerig.recordings.recording import Recording
+from torquerig.recordings.repair.angle_jumps import angle_jumps
 
 
 def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None = None) -> None:
@@ -23,7 +27,7 @@ def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None =
         What the command does with suspicious samples; printed where there are some.
     """
     stretch = stretch_faults(head, samples=info.samples)
-    found = info.suspicions(stretch)
+    found = [*angle_sentences(head), *info.suspicions(stretch)]
     _print(found, note)
     where = None if stretch is None else stretch.where()
     if where is not None:
@@ -34,9 +38,23 @@ def print_suspicions_of_start(stream: RecordingStream, *, note: str) -> None:
     """Print what is suspicious in the first stretch of a recording that is read block by block; ``note`` as above."""
     start = first_stretch(head_of(stream))
     info = recording_info(start)
-    _print(info.suspicions(stretch_faults(start, samples=info.samples)), note)
+    _print([*angle_sentences(start), *info.suspicions(stretch_faults(start, samples=info.samples))], note)
     if start.samples != stream.samples:
         click.echo(f"faults of samples were sought in the first {start.duration:.3g} s")
+
+
+def angle_sentences(recording: Recording, *, ratio: float | None = None) -> list[str]:
+    """Return what is suspicious in the angle and speed channels; ``ratio`` is that of the gears, else the run's [1]."""
+    sound = sound_stretch(recording)[1]
+    found = list(speed_contradictions(sound, ratio=ratio))
+    jumps = angle_jumps(sound)
+    if jumps:
+        first, furthest = jumps[0], max(abs(one.turn) for one in jumps) / (2 * pi)
+        found.append(
+            f"{first.channel} jumps {len(jumps)} times, first at {first.start / sound.sample_rate:.6g} s, by up to "
+            f"{furthest:.2g} turns from one sample to the next: counts or samples were lost or written twice"
+        )
+    return found
 
 
 def _print(sentences: list[str], note: str | None) -> None:

@@ -11,7 +11,7 @@
 ``inspection/``     levels, runs of one value, spikes, dropouts, spectrum, in one pass
 ``repair/``         faults of samples, from the samples alone: found, described in a sentence, and repaired
 ``stage``           the interface of sensor stages and filters: Recording in, Recording out
-``channel_angle``   the angle of an angle channel, counts unwrapped and smoothed
+``channel_angle``   the angle of an angle channel: unwrapped, counts smoothed
 ``replay``          a recorded torque or motion as the input of a simulation
 ``spectrum``        amplitude spectra
 =================== ===============================================================================

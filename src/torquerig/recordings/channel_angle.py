@@ -1,4 +1,4 @@
-"""The angle [rad] of an angle channel: counts unwrapped where the counter runs over, and smoothed."""
+"""The angle [rad] of an angle channel: unwrapped where it starts again after a turn or an overflow; counts smoothed."""
 
 from __future__ import annotations
 
@@ -15,36 +15,60 @@ if TYPE_CHECKING:
 _COUNTS_SPANNED, _LONGEST_SMOOTHING = 16, 2e-3
 
 
+# a counter overflows at a power of two, or after so many of the turns that the sidecar states
+_BITS = range(8, 33)
+_OF_A_TURN = (2.0, 4.0, 0.5, 0.25)
+_FILLED = 0.9  # share of such a range that the values cover, at least
+_ROUNDED = 1.01  # values between 0 and 360.0 may be rounded or noisy
+
+
 def angle_of(channel: Channel, rate: float) -> NDArray[np.float64]:
-    """Return an angle channel in radians, shape (samples,); counts are unwrapped and smoothed first."""
-    values = channel.values
-    if values.size < 3:
+    """Return an angle channel in radians, shape (samples,); unwrapped, and counts smoothed."""
+    if channel.values.size < 3:
         return channel.in_si()
     if channel.unit == "count":
-        values = _smoothed(_unwrapped(values, counts_per_rev=2 * np.pi / channel.si_per_unit), rate)
+        values = _smoothed(_unwrapped(channel), rate)
         values *= channel.si_per_unit  # in place: smoothing returned a new array
         return values
-    return channel.in_si()
+    return unsmoothed_angle_of(channel)
 
 
 def unsmoothed_angle_of(channel: Channel) -> NDArray[np.float64]:
-    """Return an angle channel in radians, shape (samples,), as it was recorded; counts are unwrapped."""
-    if channel.unit != "count" or channel.values.size < 3:
+    """Return an angle channel in radians, shape (samples,), as it was recorded but unwrapped."""
+    if channel.values.size < 3:
         return channel.in_si()
+    unwrapped = _unwrapped(channel)
+    return unwrapped if channel.si_per_unit == 1.0 else np.asarray(unwrapped * channel.si_per_unit)
+
+
+def wrap_of(channel: Channel) -> float | None:
+    """Return the range [unit of the channel] after which an angle channel starts again, or None where it does not.
+
+    It starts again where it steps by more than half of a range that holds all its values: one turn; 16 or 32 bit; or
+    another power of two, or a simple multiple of a turn, that the values fill.
+    """
+    values = channel.values
+    if values.size < 3:
+        return None
+    span, steps = float(np.ptp(values)), np.diff(values)
+    largest = float(max(steps.max(), -steps.min()))
     turn = 2 * np.pi / channel.si_per_unit
-    return np.asarray(_unwrapped(channel.values, counts_per_rev=turn) * channel.si_per_unit)
+    if channel.unit == "count":
+        likely = [float(round(turn)), 2.0**16, 2.0**32]
+        others = [2.0**bits for bits in _BITS] + [round(turn * share) for share in _OF_A_TURN]
+    else:
+        likely, others = [turn], []
+    filled = [each for each in sorted(others) if span > _FILLED * each]
+    fits = (each for each in (*likely, *filled) if largest > 0.5 * each and span <= _ROUNDED * each)
+    return next(fits, None)
 
 
-def _unwrapped(counts: NDArray[np.float64], *, counts_per_rev: float) -> NDArray[np.float64]:
-    """Unwrap a counter that overflows at one turn, or at 16 or 32 bit."""
-    steps = np.diff(counts)
-    largest = max(steps.max(), -steps.min())
-    span = counts.max() - counts.min()
-    moduli = [round(counts_per_rev), 2**16, 2**32]
-    modulus = next((m for m in moduli if largest > 0.5 * m and span <= m), None)
-    if modulus is None:
-        return counts
-    return np.concatenate([counts[:1], counts[0] + np.cumsum(steps - modulus * np.round(steps / modulus))])
+def _unwrapped(channel: Channel) -> NDArray[np.float64]:
+    values, wrap = channel.values, wrap_of(channel)
+    if wrap is None:
+        return values
+    steps = np.diff(values)
+    return np.concatenate([values[:1], values[0] + np.cumsum(steps - wrap * np.round(steps / wrap))])
 
 
 def _smoothed(counts: NDArray[np.float64], rate: float) -> NDArray[np.float64]:

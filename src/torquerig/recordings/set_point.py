@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.channel_angle import unsmoothed_angle_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -15,14 +16,48 @@ if TYPE_CHECKING:
 
 
 def set_point_speed(recording: Recording, purpose: str) -> float:
-    """Return the set-point of the motor speed [rad/s]; RecordingError, naming ``purpose``, where there is none."""
-    speed = recording.run.speed
-    if speed is None or speed == 0:
+    """Return the set-point of the motor speed [rad/s]; where none is stated, the mean speed that a channel measured.
+
+    Parameters
+    ----------
+    recording : Recording
+        A channel of the output shaft counts where the run states the gear ratio.
+    purpose : str
+        What needs the speed, for the message.
+
+    Raises
+    ------
+    RecordingError
+        Where neither the run states a speed nor a channel measures one, or the gear ratio to that channel is unknown.
+    """
+    speed = recording.run.speed or _measured(recording)
+    if not speed:
         raise RecordingError(
-            f"{recording.name}: the run states no motor speed, and {purpose} need one; "
-            "add to the sidecar: run: {speed_rpm: 1000}"
+            f"{recording.name}: the run states no motor speed, no channel measures it, and {purpose} need one; "
+            "add to the sidecar: run: {speed_rpm: N}, with the speed of the motor in rpm as N"
         )
     return speed
+
+
+def _measured(recording: Recording) -> float | None:
+    """Return the mean motor speed [rad/s] by the first angle or speed channel, None where there is none."""
+    ratio = recording.run.gear_ratio
+    for quantity, factor in (("motor_angle", 1.0), ("angle", ratio), ("motor_speed", 1.0), ("speed", ratio)):
+        name = recording.find(quantity)
+        if name is None or recording.samples < 2:
+            continue
+        if factor is None:
+            raise RecordingError(
+                f"{recording.name}: the channel {name} is of the output shaft, and the run states neither speed_rpm "
+                "nor gear_ratio; add one of them to run: in the sidecar"
+            )
+        channel = recording.channels[name]
+        if "speed" in quantity:
+            return float(np.nanmean(channel.in_si())) * factor
+        angle = unsmoothed_angle_of(channel)
+        turned = float(angle[-1] - angle[0]) / (angle.size - 1) * recording.sample_rate
+        return turned * factor if np.isfinite(turned) else None
+    return None
 
 
 def set_point_profile(recording: Recording, purpose: str) -> NDArray[np.float64]:

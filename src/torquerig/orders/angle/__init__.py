@@ -14,6 +14,7 @@
 ``periodic_angle_error`` deviations that repeat with each turn, from the side lines
 ``wide_speed_search``    the speed of a run whose stated speed is far off
 ``comb_score``           how far order lines exceed the noise floor along an angle
+``speed_contradictions`` channels that contradict the set-point or each other, with the likely reason
 ``second_differences``   the banded matrix of a penalty on second differences
 ======================== ==========================================================================
 """

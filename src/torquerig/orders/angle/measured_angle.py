@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.channel_angle import angle_of
+from torquerig.recordings.channel_angle import angle_of, wrap_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from torquerig.recordings.recording import Channel, Recording
 
+SOURCES = ("motor_angle", "angle", "motor_speed", "speed")  # quantities in the order of preference
 TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
 
 
@@ -50,21 +51,28 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
 
     Notes
     -----
-    Counts are unwrapped where the counter overflows, and smoothed over about 16 counts, at most 2 ms.
+    An angle is unwrapped where it starts again; ``origin`` states the range. Counts are smoothed over about 16 counts,
+    at most 2 ms.
     """
-    readers = (
-        ("motor_angle", 1.0, angle_of),
-        ("angle", ratio, angle_of),
-        ("motor_speed", 1.0, _integral_of),
-        ("speed", ratio, _integral_of),
-    )
-    for quantity, factor, read in readers:
+    for quantity in SOURCES:
         name = recording.find(quantity)
         if name is not None:
             channel = recording.channels[name]
-            angle = read(channel, recording.sample_rate) * factor
-            return of_ends(angle, f"from the channel {name}", _rounding(channel, factor))
+            factor = ratio if quantity in ("angle", "speed") else 1.0
+            angle = angle_by(channel, recording.sample_rate, factor=factor)
+            return of_ends(angle, f"from the channel {name}{_wrapping(channel)}", _rounding(channel, factor))
     return None
+
+
+def angle_by(channel: Channel, rate: float, *, factor: float) -> NDArray[np.float64]:
+    """Return the motor's angle [rad] by an angle or speed channel whose shaft turns ``factor`` times slower."""
+    read = angle_of if "angle" in channel.quantity else _integral_of
+    return read(channel, rate) * factor
+
+
+def _wrapping(channel: Channel) -> str:
+    wrap = wrap_of(channel) if "angle" in channel.quantity else None
+    return "" if wrap is None else f", which wraps at {wrap:.6g} {channel.unit}{'s' * (channel.unit == 'count')}"
 
 
 def of_ends(angle: NDArray[np.float64], origin: str, ends_sd: float) -> MotorAngle:

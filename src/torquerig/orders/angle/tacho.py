@@ -86,7 +86,7 @@ def _pulses_per_turn(recording: Recording, frequency: float, ratio: float) -> fl
     stated = recording.run.others.get(PULSES_KEY)
     if isinstance(stated, int | float) and not isinstance(stated, bool) and stated > 0:
         return float(stated)
-    remedy = f"add to the sidecar: run: {{{PULSES_KEY}: 1}}"
+    remedy = f"add to the sidecar: run: {{{PULSES_KEY}: N}}, with the pulses in one turn of the motor as N"
     speed = abs(set_point_speed(recording, "pulses of a tacho")) / (2 * np.pi)
     whole, parts = round(frequency / speed), round(frequency / speed * ratio)
     for pulses in (float(whole), parts / ratio):
