@@ -19,10 +19,10 @@
 ``number_table``        columns of numbers as a format's reader returns them
 ``table_pieces``        the same, piece by piece; ``tdms_pieces``: TDMS with chunks of any size
 ``text_tables``         text tables in the dialects of loggers, Excel and MATLAB
-``parquet``, ``csv``    read and written
+``parquet``, ``csv``    read and written; ``parquet_columns``: which columns are numbers
 ``mat``, ``tdms``       read and written; ``matlab``: what a .mat file of each version holds
 ``gz``, ``xlsx``        read: compressed text tables, Excel workbooks
-``lvm``                 read: the LabVIEW measurement text, with ``lvm_text``, ``lvm_rows`` and ``lvm_times``
+``lvm``                 read: the LabVIEW measurement text; its segments, rows and rates are in ``lvm_parts``
 ``wav``                 read: shares of full scale
 ``hdf5``, ``mdf``       read: plain datasets; MDF4 through asammdf
 ``other_formats``       the export to choose for formats that are not read

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.lvm_text import X_LABEL, Segment, aligned, counts_of, segments_of
-from torquerig.recordings.files.lvm_times import Sampling, sampling, seconds_of
+from torquerig.recordings.files.lvm_parts.text import X_LABEL, Segment, aligned, counts_of, segments_of
+from torquerig.recordings.files.lvm_parts.times import Sampling, sampling, seconds_of
 from torquerig.recordings.files.number_table import Table, distinct
 from torquerig.recordings.files.starts import late_starts
 from torquerig.recordings.files.text_tables.cells import Dialect

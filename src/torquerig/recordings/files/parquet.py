@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.parquet_columns import StoredColumn, schema_of
 from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces
 from torquerig.recordings.recording import Recording
@@ -20,68 +21,83 @@ _LARGEST_GROUP = 2**20
 
 
 def read_parquet(path: Path) -> Table:
-    """Read the columns of numbers of a Parquet file; missing values become NaN, other columns are skipped by name."""
+    """Read the columns of numbers and moments of a Parquet file; the others are skipped by name.
+
+    Missing values become NaN. Moments become seconds after the first. The unit is the metadata ``unit`` of a field.
+
+    Raises
+    ------
+    RecordingError
+        When the file is damaged, or two columns have the same name.
+    """
     import pyarrow as pa
     from pyarrow import parquet
 
     try:
         table = parquet.read_table(path)
-        kept, skipped = _kinds(table.schema)
-        columns = {name: _numbers(table[name]) for name in kept}
+        schema = schema_of(table.schema)
+        columns = {
+            name: column.with_origin(table[column.stored]).numbers(table[column.stored])
+            for name, column in schema.columns.items()
+        }
     except (pa.ArrowException, OSError, ValueError, LookupError) as error:
         raise _not_whole(path, error) from None
-    return Table(columns=columns, skipped=skipped, sidecar=_sidecar(table.schema.metadata))
-
-
-def _kinds(schema: Any) -> tuple[list[str], dict[str, str]]:
-    """Return the names of the columns of numbers, and of the others with the reason."""
-    import pyarrow as pa
-
-    names = [name for name in schema.names if not name.startswith("__index")]
-    if len(set(names)) < len(names):
-        raise ValueError("two columns have the same name")
-    kinds = {name: schema.field(name).type for name in names}
-    kept = [name for name, kind in kinds.items() if pa.types.is_floating(kind) or pa.types.is_integer(kind)]
-    return kept, {name: f"values of the type {kind}" for name, kind in kinds.items() if name not in kept}
+    return Table(
+        columns=columns, units=schema.units, skipped=schema.skipped, notes=schema.notes,
+        sidecar=_sidecar(table.schema.metadata),
+    )  # fmt: skip
 
 
 def parquet_pieces(path: Path) -> TablePieces:
-    """Return the columns of numbers in pieces; each needs at most the memory of a row group's compressed columns."""
+    """Return the columns of :func:`read_parquet` in pieces of a row group's compressed columns at most."""
     import pyarrow as pa
     from pyarrow import parquet
 
     try:
         with parquet.ParquetFile(path) as file:
-            kept, skipped = _kinds(file.schema_arrow)
+            schema = schema_of(file.schema_arrow)
             sidecar = _sidecar(file.schema_arrow.metadata)
             rows, groups = file.metadata.num_rows, file.num_row_groups
             largest = max((file.metadata.row_group(group).num_rows for group in range(groups)), default=0)
+            columns = {name: _with_origin(file, column) for name, column in schema.columns.items()}
     except (pa.ArrowException, OSError, ValueError, LookupError) as error:
         raise _not_whole(path, error) from None
 
     def pieces(names: Sequence[str]) -> Iterator[Columns]:
+        wanted = {name: columns[name] for name in names}
         try:
             if largest <= _LARGEST_GROUP:
                 with parquet.ParquetFile(path) as file:
                     for group in range(groups):
                         # column by column, so that only one is in memory both compressed and decompressed
-                        columns: dict[str, NDArray[np.float64]] = {}
-                        for name in names:
-                            columns |= _columns(file.read_row_group(group, [name], use_threads=False), [name])
-                        yield columns
-                        del columns
+                        piece: dict[str, NDArray[np.float64]] = {}
+                        for name, one in wanted.items():
+                            part = file.read_row_group(group, [one.stored], use_threads=False)
+                            piece[name] = one.numbers(part[one.stored])
+                            del part
+                        yield piece
+                        del piece
                         pa.default_memory_pool().release_unused()
                 return
             # buffered: read in parts, not a row group at a time
+            stored = [one.stored for one in wanted.values()]
             with parquet.ParquetFile(path, buffer_size=2**20, pre_buffer=False) as file:
-                for batch in file.iter_batches(PIECE, columns=list(names), use_threads=False):
-                    yield _columns(batch, names)
+                for batch in file.iter_batches(PIECE, columns=stored, use_threads=False):
+                    yield {name: one.numbers(batch[one.stored]) for name, one in wanted.items()}
         except (pa.ArrowException, OSError, ValueError, LookupError) as error:
             raise _not_whole(path, error) from None
 
     return TablePieces(
-        names=tuple(kept), lengths=dict.fromkeys(kept, rows), pieces=pieces, skipped=skipped, sidecar=sidecar
-    )
+        names=tuple(columns), lengths=dict.fromkeys(columns, rows), pieces=pieces, units=schema.units,
+        skipped=schema.skipped, notes=schema.notes, sidecar=sidecar,
+    )  # fmt: skip
+
+
+def _with_origin(file: Any, column: StoredColumn) -> StoredColumn:
+    """Return a column with the moment of its first row."""
+    if not column.tick or not file.metadata.num_rows:
+        return column
+    return column.with_origin(next(file.iter_batches(1, columns=[column.stored], use_threads=False))[column.stored])
 
 
 def write_parquet(recording: Recording, path: Path) -> None:
@@ -128,26 +144,6 @@ def append_parquet(writer: Any, columns: Mapping[str, NDArray[np.float64]]) -> N
     import pyarrow as pa
 
     writer.write_table(pa.table(dict(columns), schema=writer.schema), row_group_size=PIECE)
-
-
-def _columns(table: Any, names: Sequence[str]) -> Columns:
-    return {name: _numbers(table[name]) for name in names}
-
-
-def _numbers(column: Any) -> NDArray[np.float64]:
-    """Return a column as float64; through DLPack, because ``to_numpy`` imports pandas for 40 MB."""
-    import pyarrow as pa
-    from pyarrow import compute
-
-    if not pa.types.is_float64(column.type):
-        column = column.cast(pa.float64())
-    if column.null_count:
-        column = compute.fill_null(column, float("nan"))
-    chunks = column.chunks if isinstance(column, pa.ChunkedArray) else [column]
-    parts = [np.from_dlpack(chunk) for chunk in chunks if len(chunk)]
-    if not parts:
-        return np.empty(0)
-    return np.asarray(parts[0] if len(parts) == 1 else np.concatenate(parts), dtype=np.float64)
 
 
 def _not_whole(path: Path, error: Exception) -> RecordingError:

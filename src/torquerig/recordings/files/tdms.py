@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.lvm_times import seconds_of
+from torquerig.recordings.files.lvm_parts.times import seconds_of
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.files.starts import late_starts

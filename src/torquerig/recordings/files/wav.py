@@ -68,6 +68,11 @@ def _opened(path: Path, *, mapped: bool) -> tuple[int, Any]:
             rate, samples = wavfile.read(path, mmap=mapped)
         # scipy raises errors of many kinds for a damaged header: division by zero, a name that is not set
         except Exception as error:
+            if "Unknown wave file format" in str(error):
+                coding = str(error).partition(": ")[2].partition(".")[0] or "unknown"
+                raise RecordingError(
+                    f"{path}: the coding {coding} of the WAV file is not read; save it as PCM or as floats"
+                ) from None
             raise RecordingError(f"{path}: not a whole WAV file ({error}); copy it again from its source") from None
     if rate <= 0:
         raise RecordingError(f"{path}: the header of the WAV file states {rate} samples per second; copy it again")

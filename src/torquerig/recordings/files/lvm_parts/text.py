@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.lvm_rows import Rows, decoded
+from torquerig.recordings.files.lvm_parts.rows import Rows, decoded
 from torquerig.recordings.files.text_tables.cells import Dialect
 
 END = b"***End_of_Header***"
