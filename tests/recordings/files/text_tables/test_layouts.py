@@ -101,6 +101,15 @@ def test_what_is_not_clear_is_refused(tmp_path: Path, text: str, told: str) -> N
     assert told in str(caught.value)
 
 
+def test_thousands_that_come_late(tmp_path: Path) -> None:
+    speeds = 900 + np.arange(600) / 4
+    cells = [f"{one:,.2f}".replace(",", "?").replace(".", ",").replace("?", ".") for one in speeds]
+    path = tmp_path / "run1.csv"
+    rows = [f"{number // 8},{number % 8 * 125:03d};{cell}\n" for number, cell in enumerate(cells)]
+    path.write_text("Time [s];Speed [rpm]\n" + "".join(rows))
+    assert read_csv(path).columns["Speed [rpm]"] == pytest.approx(speeds)
+
+
 def test_days_and_months(tmp_path: Path) -> None:
     # 2 to 3 December, or February to March: a day apart is nearer than a month
     path = tmp_path / "run1.csv"

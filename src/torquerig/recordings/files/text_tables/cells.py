@@ -54,10 +54,11 @@ class Dialect:
         if lowered in _INFINITE:
             return float("-inf" if lowered.startswith("-") else "inf")
         text = _OTHER_GROUPS.sub("", cell.replace("\u2212", "-"))
-        if self.thousands and self.thousands in text:
-            grouped = _GROUPED_BY_COMMA if self.thousands == "," else _GROUPED_BY_POINT
-            if grouped.fullmatch(text) or _ONE_GROUP[self.thousands].fullmatch(text):
-                text = text.replace(self.thousands, "")
+        # once the decimal sign is known, 1.234,5 has one reading, and 1.234 only where groups are usual
+        other = "." if self.decimal == "," else ","
+        grouped = _GROUPED_BY_POINT if other == "." else _GROUPED_BY_COMMA
+        if grouped.fullmatch(text) or (self.thousands == other and _ONE_GROUP[other].fullmatch(text)):
+            text = text.replace(other, "")
         if (_COMMA if self.decimal == "," else _POINT).fullmatch(text) is None:
             return None
         return float(text.replace(self.decimal, "."))
