@@ -17,6 +17,7 @@ from torquerig.recordings.files.sidecar import ChannelEntry, sidecar_path
 from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.stream import pieces_of_file
 from torquerig.recordings.files.timebase import usual_rate
+from torquerig.recordings.files.timing import timing_of
 from torquerig.recordings.run import Run
 
 
@@ -76,8 +77,12 @@ def tracks_of(path: Path) -> Tracks:
         if times is not None and times.size == values.size:
             start = float(times[0])
             if rate is None:
-                rate = usual_rate(times, name=str(time), where=str(path))
-                values, bridged = _evenly(values, times, rate, name=str(time), path=path)
+                timing = timing_of(times, name=str(time))
+                rate = timing.rate if timing.rate > 0 else usual_rate(times, name=str(time), where=str(path))
+                # coarse and late stamps are those of even samples
+                bridged: tuple[str, ...] = (f"{path.name}: {timing.note}",) if timing.note else ()
+                if timing.problem:
+                    values, bridged = _evenly(values, times, rate, name=str(time), path=path)
                 notes = notes if bridged and bridged[0] in notes else (*notes, *bridged)
         if rate is None:
             raise RecordingError(

@@ -110,6 +110,14 @@ def test_thousands_that_come_late(tmp_path: Path) -> None:
     assert read_csv(path).columns["Speed [rpm]"] == pytest.approx(speeds)
 
 
+def test_entries_above_a_break_are_no_rows(tmp_path: Path) -> None:
+    path = tmp_path / "run1.csv"
+    keys = '"Model","DL850"\n"TraceName","Torque","Speed"\n"VUnit","Nm","rpm"\n"HResolution",1.0e-3,1.0e-3\n\n'
+    path.write_text(keys + "".join(f",{number}.5,1000\n" for number in range(6)))
+    columns = list(read_csv(path).columns.values())
+    assert [values.tolist() for values in columns] == [[0.5, 1.5, 2.5, 3.5, 4.5, 5.5], [1000.0] * 6]
+
+
 def test_days_and_months(tmp_path: Path) -> None:
     # 2 to 3 December, or February to March: a day apart is nearer than a month
     path = tmp_path / "run1.csv"

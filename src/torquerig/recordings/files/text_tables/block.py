@@ -7,6 +7,8 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from torquerig.recordings.files.text_tables.cells import form_of, is_missing, split_cells
 from torquerig.recordings.files.text_tables.lines import TextLine
 from torquerig.recordings.files.text_tables.stamps import is_stamp
@@ -99,7 +101,7 @@ def _block(lines: Sequence[TextLine], separator: str) -> Block | None:
         return None
     width = widths.most_common(1)[0][0]
     families = tuple(_family(column) for column in zip(*(r for r in data.values() if len(r) == width), strict=True))
-    first, last, count = _longest_run(rows, families)
+    first, last, count = _longest_run(_below_break(rows, width), families)
     if not count:
         return None
     filled = Counter(cell for row in data.values() if len(row) == width for cell in row if cell != EMPTY)
@@ -147,6 +149,25 @@ def _longest_run(rows: dict[int, list[str]], families: Sequence[str]) -> tuple[i
         between = []
     best = max(runs, key=len, default=[])
     return (best[0], best[-1], len(best)) if best else (0, 0, 0)
+
+
+def _below_break(rows: dict[int, list[str]], width: int) -> dict[int, list[str]]:
+    """Return the rows below the last break at which a column is empty for good that was filled above it.
+
+    A break is a line between the rows that is none of them. Above it are entries with a key, as of oscilloscopes.
+    """
+    whole = {place: [cell == EMPTY for cell in row] for place, row in rows.items() if len(row) == width}
+    places = list(whole)
+    emptied = np.array(list(whole.values()), dtype=bool).reshape(len(places), width)
+    if not places:
+        return rows
+    all_below = np.logical_and.accumulate(emptied[::-1])[::-1]
+    all_above = np.logical_and.accumulate(~emptied)
+    breaks = [
+        place for number, place in enumerate(places)
+        if number and place > places[number - 1] + 1 and np.any(all_below[number] & all_above[number - 1])
+    ]  # fmt: skip
+    return {place: row for place, row in rows.items() if place >= breaks[-1]} if breaks else rows
 
 
 def _is_unsplit(cell: str, separator: str) -> bool:
