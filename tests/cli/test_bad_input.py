@@ -66,8 +66,6 @@ CASES: dict[str, tuple[tuple[str, ...], str]] = {
     "unknown chain": (("filter", "good.csv", "--chain", "report_filter_cod", "--motor", "REF", "--ratio", "5"), "did you mean 'report_filter_code'"),
     "out of two chains": (("filter", "good.csv", "--out", "x.csv"), "--out and --picture need exactly one --chain"),
     "filter onto itself": (("filter", "good.csv", "--chain", "none", "--out", "good.csv"), "good.csv: is the input; choose another name"),
-    "filter onto the sidecar": (("filter", "good.csv", "--chain", "none", "--out", "good.parquet", "--force"), "good.yaml: is the sidecar of the input good.csv; choose"),
-    "a sidecar of another recording": (("simulate", WEAR_RIG, "--out", "good.parquet", "--force"), "good.yaml: is the sidecar of good.csv; choose another name for good.parquet"),
     "filter onto itself with force": (("filter", "good.csv", "--chain", "none", "--out", "good.csv", "--force"), "good.csv: is the input; choose another name"),
     "a picture of another kind beside a recording": (("filter", "good.csv", "--chain", "none", "--motor", "REF", "--ratio", "5", "--out", "new.csv", "--picture", "x.gif"), "x.gif: a picture is written as .svg or .png"),
     "a picture in no folder": (("filter", "good.csv", "--chain", "none", "--out", "new.csv", "--picture", "no/x.svg"), "there is no folder no; make it first"),
@@ -167,3 +165,9 @@ def test_ctrl_c_leaves_no_half_recording(command: str, monkeypatch: pytest.Monke
         main(arguments)
     assert stopped.value.code == 130
     assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_recording_of_another_ending_leaves_the_sidecar(tmp_path: Path) -> None:
+    before = (tmp_path / "good.yaml").read_bytes()
+    main(["simulate", WEAR_RIG, "--duration", "0.02 s", "--out", "good.parquet", "--force"])
+    assert (tmp_path / "good.yaml").read_bytes() == before

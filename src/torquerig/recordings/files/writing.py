@@ -26,8 +26,6 @@ WRITERS: Mapping[str, Callable[[Recording, Path], None]] = {
     ".tdms": write_tdms,
 }
 
-_WITH_SIDECAR = (*WRITERS, ".lvm", ".wav", ".txt", ".dat", ".xlsx", ".csv.gz")
-
 
 def write_recording(recording: Recording, path: Path, *, overwrite: bool = False) -> list[Path]:
     """Write a recording and its sidecar; return the two paths. The same recording gives the same bytes.
@@ -115,11 +113,6 @@ def _refuse_overwriting(path: Path, sidecar: Path, *, overwrite: bool) -> None:
     for one in (path, sidecar):
         if one.exists() and not overwrite:
             raise InputError(f"{one}: is there already; choose another name, or overwrite it with --force")
-    if sidecar.exists() and not path.exists():
-        for ending in _WITH_SIDECAR:
-            if path.with_suffix(ending).exists():
-                raise InputError(f"{sidecar}: is the sidecar of {path.with_suffix(ending).name}; choose another name "
-                                 f"for {path.name}")  # fmt: skip
     if sidecar.exists():
         try:
             read_sidecar(sidecar)
