@@ -91,6 +91,10 @@ def test_a_folder_stands_for_its_recordings_and_json_holds_them(
     assert (Path(first["path"]).name, Path(second["path"]).name) == ("b.csv", "run.tdms")
     assert first["columns"][0] | {"mean": 2.0, "rate": 1.0, "samples": 3} == first["columns"][0]
     assert second["problem"]
+    assert first["problem"] == ""
+    assert first["sample_rate_Hz"] == 1.0
+    assert first["motor_speed_rpm"] is None
+    assert first["suspicions"] == []
 
 
 def test_an_empty_folder_is_one_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,7 +6,7 @@ import json
 from contextlib import suppress
 from math import ceil, floor, isfinite, log10, pi
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -14,7 +14,7 @@ from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
 from torquerig.cli.contents_shown import show_contents, show_reading
 from torquerig.cli.recordings_named import recordings_in
-from torquerig.cli.suspicions import print_suspicions
+from torquerig.cli.suspicions import print_suspicions, suspicions_in
 from torquerig.errors import InputError, RecordingError, TorquerigError, UnknownNameError
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
 from torquerig.plain_table import grid, wrapped
@@ -58,7 +58,8 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
             raise InputError(f"{picture}: one picture shows one recording, and {len(paths)} are named; name one")
         check_picture(picture, overwrite=force)
     if as_json:
-        click.echo(json.dumps([file_contents(path).as_dict() for path in paths], indent=2, ensure_ascii=False))
+        found = [_without_nan(_as_dict(path)) for path in paths]
+        click.echo(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
         return
     failed = 0
     for count, path in enumerate(paths):
@@ -73,6 +74,37 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
             click.echo(f"{path}: cannot be read: {error}")
     if failed:
         raise RecordingError(f"{failed} of {len(paths)} files cannot be read; the reasons are above")
+
+
+def _as_dict(path: Path) -> dict[str, Any]:
+    """Return all that is known of one file; a file that cannot be read is its path and the problem."""
+    try:
+        found = file_contents(path).as_dict()
+    except TorquerigError as error:
+        return {"path": str(path), "problem": str(error)}
+    if found["problem"]:
+        return found
+    try:
+        stream = open_stream(path)
+        info, head = stream_info(stream), head_of(stream)
+    except RecordingError as error:
+        return found | {"problem": str(error)}
+    speed, text = _speed(stream, head)
+    return found | {
+        "sample_rate_Hz": info.sample_rate,
+        "motor_speed_rpm": None if speed is None else speed * 30 / pi,
+        "motor_speed": text,
+        "suspicions": suspicions_in(info, head)[0],
+    }
+
+
+def _without_nan(value: Any) -> Any:
+    """Return nested values in which numbers that are not finite, which JSON cannot write, are None."""
+    if isinstance(value, dict):
+        return {key: _without_nan(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_without_nan(one) for one in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def _show(path: Path, picture: Path | None, *, force: bool) -> None:

@@ -26,12 +26,16 @@ def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None =
     note : str, optional
         What the command does with suspicious samples; printed where there are some.
     """
-    stretch = stretch_faults(head, samples=info.samples)
-    found = [*angle_sentences(head), *info.suspicions(stretch)]
+    found, where = suspicions_in(info, head)
     _print(found, note)
-    where = None if stretch is None else stretch.where()
     if where is not None:
         click.echo(where)
+
+
+def suspicions_in(info: RecordingInfo, head: Recording) -> tuple[list[str], str | None]:
+    """Return what is suspicious in a recording, and where it was sought if that is not all; arguments as above."""
+    stretch = stretch_faults(head, samples=info.samples)
+    return [*angle_sentences(head), *info.suspicions(stretch)], None if stretch is None else stretch.where()
 
 
 def print_suspicions_of_start(stream: RecordingStream, *, note: str) -> None:
