@@ -10,9 +10,9 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.errors import RecordingError
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.table_pieces import Columns, TablePieces, pieces_of
+from torquerig.recordings.files.text_tables.parsing import FaultyCellError
 from torquerig.recordings.files.text_tables.source import TextSource, open_text
 from torquerig.recordings.files.text_tables.table import TextTable, open_table
 from torquerig.recordings.names.header import split_header
@@ -83,7 +83,7 @@ def whole_pieces(source: TextSource) -> TablePieces:
     """
     try:
         return pieces_of(table_of(source), reason="")
-    except RecordingError:
+    except FaultyCellError:
         return source_pieces(source)
 
 

@@ -28,6 +28,10 @@ _GROUPED = {
 _ARROW_MISSING = sorted({form for word in MISSING for form in (word, word.upper(), word.capitalize())} | {"NaN"})
 
 
+class FaultyCellError(RecordingError):
+    """A cell that is no number or no time stamp; the other columns can be read."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Parsed:
     """The columns of some rows, the number of missing cells of each column, and of comment lines between the rows."""
@@ -170,7 +174,7 @@ class RowParser:
         found = self._layout.dialect.number(cell)
         if found is None and any(sign.isdigit() for sign in cell):
             two = f" (it may be {cell.replace(',', '')} or {cell.replace(',', '.')})" * (form_of(cell) == "one group")
-            raise RecordingError(
+            raise FaultyCellError(
                 f"{self._layout.path}:{line}: {name}: {cell!r} is no number{two}; correct the cell or delete the row, "
                 "or name the columns to be read in a sidecar"
             )
@@ -184,7 +188,7 @@ class RowParser:
         except ValueError as error:
             number, cell = error.args
             columns = self._stamps.columns if self._stamps else ()
-            raise RecordingError(
+            raise FaultyCellError(
                 f"{self._layout.path}:{lines[number]}: {columns[-1]}: {cell!r} is no time stamp as those above it; "
                 "correct the cell or delete the row"
             ) from error
