@@ -136,3 +136,33 @@ def test_the_command_writes_what_it_says(tmp_path: Path, capsys: pytest.CaptureF
     assert "torque: 1000 Hz to 500 Hz, low-passed" in shown
     assert "speed: 100 Hz to 500 Hz, interpolated" in shown
     assert read_recording(tmp_path / "one.parquet").sample_rate == 500
+
+
+def test_channels_of_one_file_start_when_it_says(tmp_path: Path) -> None:
+    whole = noise(3000, seed=8)
+    with TdmsWriter(tmp_path / "run.tdms") as file:
+        for name, first, unit in (("torque", 0, "Nm"), ("force", 500, "N")):
+            properties = {"wf_increment": 1e-3, "wf_start_offset": first * 1e-3, "unit_string": unit}
+            file.write_segment([ChannelObject("g", name, whole[first : first + 2000], properties)])
+    joined = join_recordings([tmp_path / "run.tdms"]).recording
+    assert joined.duration == pytest.approx(1.5, abs=2e-3)
+    assert joined.channels["torque"].values == pytest.approx(joined.channels["force"].values, abs=1e-9)
+
+
+@pytest.mark.parametrize("minutes", [0.0, 1.0])
+def test_two_files_meet_on_the_clock_of_the_logger(tmp_path: Path, minutes: float) -> None:
+    whole = noise(9000, seed=9)
+    begin = np.datetime64("2024-05-01T10:00:00.000000")
+    for name, channel, unit, first in (("a", "torque", "Nm", 0), ("b", "force", "N", 1000)):
+        start = begin + np.timedelta64(round((first * 1e-3 + (minutes * 60 if name == "b" else 0)) * 1e6), "us")
+        with TdmsWriter(tmp_path / f"{name}.tdms") as file:
+            properties = {"wf_increment": 1e-3, "wf_start_time": start, "unit_string": unit}
+            file.write_segment([ChannelObject("g", channel, whole[first : first + 4000], properties)])
+    paths = [tmp_path / "a.tdms", tmp_path / "b.tdms"]
+    if minutes:
+        with pytest.raises(RecordingError, match="no common time"):
+            join_recordings(paths, align="clock")
+        return
+    joined = join_recordings(paths, align="clock").recording
+    assert joined.duration == pytest.approx(3.0, abs=2e-3)
+    assert joined.channels["torque"].values == pytest.approx(joined.channels["force"].values, abs=1e-6)

@@ -67,7 +67,7 @@ def read_lvm(path: Path) -> Table:
     columns, skipped = _with_times(columns, times, rates, skipped)
     notes += [f"{', '.join(names[:3])}{', ...' if len(names) > 3 else ''}: {note}" for note, names in remarks.items()]
     notes += late_starts(starts, rates)
-    return Table(columns=columns, rates=rates, units=units, skipped=skipped, notes=tuple(notes))
+    return Table(columns=columns, rates=rates, units=units, skipped=skipped, notes=tuple(notes), starts=starts)
 
 
 def _has_own_x(segment: Segment, header: Mapping[str, dict[int, str]], index: int) -> bool:

@@ -28,6 +28,8 @@ class Table:
     notes : tuple of str
         What the reader understood beyond names and numbers, one sentence each: the line of the names, a unit row, the
         source of the times.
+    starts : mapping of str to float
+        When the columns start on the clock of the file [s], where the file states it.
     sidecar : str
         The text of the sidecar that torquerig wrote into the file; empty where it holds none.
     time_has_unit : bool
@@ -40,6 +42,7 @@ class Table:
     skipped: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     sidecar: str = ""
+    starts: Mapping[str, float] = field(default_factory=dict)
     time_has_unit: bool = True
 
     def time_name(self) -> str | None:

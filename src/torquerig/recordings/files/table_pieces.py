@@ -29,7 +29,7 @@ class TablePieces:
         Samples of each column; empty where they are known only after reading to the end.
     pieces : callable
         Takes names of columns and yields mappings of equally long arrays, from the start.
-    rates, units, skipped, notes, sidecar, time_has_unit
+    rates, units, skipped, notes, sidecar, starts, time_has_unit
         As in :class:`Table`.
     read_whole : str
         The reason why the file was read at once; empty where it was not.
@@ -43,6 +43,7 @@ class TablePieces:
     skipped: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     sidecar: str = ""
+    starts: Mapping[str, float] = field(default_factory=dict)
     time_has_unit: bool = True
     read_whole: str = ""
 
@@ -69,5 +70,6 @@ def pieces_of(table: Table, *, reason: str) -> TablePieces:
         skipped=table.skipped,
         notes=table.notes,
         sidecar=table.sidecar,
+        starts=table.starts,
         read_whole=reason,
     )

@@ -52,7 +52,7 @@ def read_tdms(path: Path) -> Table:
     check_whole(path, warnings, incomplete=incomplete)
     return Table(
         columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes,
-        sidecar=found.sidecar,
+        sidecar=found.sidecar, starts=found.starts,
     )  # fmt: skip
 
 
@@ -119,6 +119,7 @@ class TdmsChannels:
     skipped: Mapping[str, str]
     notes: tuple[str, ...]
     sidecar: str
+    starts: Mapping[str, float]
 
 
 def channels_in(file: Any) -> TdmsChannels:
@@ -141,7 +142,7 @@ def channels_in(file: Any) -> TdmsChannels:
             units[name] = _text(channel, "unit_string")
     return TdmsChannels(
         channels=channels, rates=rates, units=units, skipped=skipped, notes=late_starts(starts, rates),
-        sidecar=str(file.properties.get(SIDECAR_KEY, "")),
+        sidecar=str(file.properties.get(SIDECAR_KEY, "")), starts=starts,
     )  # fmt: skip
 
 

@@ -67,6 +67,7 @@ def tdms_pieces(path: Path) -> TablePieces:
         skipped=found.skipped,
         notes=found.notes,
         sidecar=found.sidecar,
+        starts=found.starts,
     )
 
 

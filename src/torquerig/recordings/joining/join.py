@@ -74,7 +74,9 @@ def _offsets(files: Sequence[Tracks], align: str) -> tuple[list[float], list[str
     if align == "clock":
         for one in files:
             if not one.has_clock:
-                raise InputError(f"{one.path}: it has no column of times; align by a common channel, or by start")
+                raise InputError(
+                    f"{one.path}: it states no start and has no column of times; align by a common channel, or by start"
+                )
         return [0.0] * len(files), []
     for one in files:
         if align not in one.tracks:

@@ -34,7 +34,7 @@ class Track:
 
 @dataclass(frozen=True, kw_only=True)
 class Tracks:
-    """The columns of one file; ``has_clock`` says whether their starts come from a column of times."""
+    """The columns of one file; ``has_clock`` says whether the file states their starts or has a column of times."""
 
     path: Path
     tracks: Mapping[str, Track]
@@ -72,7 +72,7 @@ def tracks_of(path: Path) -> Tracks:
     tracks: dict[str, Track] = {}
     for name, entry in entries.items():
         rate = stated or table.rates.get(name)
-        values, start = columns[name], 0.0
+        values, start = columns[name], table.starts.get(name, 0.0)
         _check_finite(name, values, path)
         if times is not None and times.size == values.size:
             start = float(times[0])
@@ -91,7 +91,7 @@ def tracks_of(path: Path) -> Tracks:
             )
         tracks[name] = Track(name=name, values=values, rate=rate, start=start, entry=entry)
     run = sidecar.run if sidecar else Run()
-    return Tracks(path=path, tracks=tracks, run=run, has_clock=times is not None, notes=notes)
+    return Tracks(path=path, tracks=tracks, run=run, has_clock=times is not None or bool(table.starts), notes=notes)
 
 
 def _evenly(
