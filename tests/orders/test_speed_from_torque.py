@@ -21,7 +21,7 @@ def stated(seeds, **limits):
     for seed in seeds:
         drawn = drawn_signal(seed, **limits)
         found = best_motor_speed(drawn.recording, drawn.kinematics.lines())
-        inside.append(abs(found.value / drawn.speed - 1) <= found.half_width)
+        inside.append(abs(drawn.speed / found.value - 1) <= found.half_width)
         widths.append(found.half_width)
         if drawn.strong_lines >= 4:
             strong.append(found.half_width)

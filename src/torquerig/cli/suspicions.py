@@ -35,20 +35,25 @@ def print_suspicions(info: RecordingInfo, head: Recording, *, note: str | None =
 def suspicions_in(info: RecordingInfo, head: Recording) -> tuple[list[str], str | None]:
     """Return what is suspicious in a recording, and where it was sought if that is not all; arguments as above."""
     stretch = stretch_faults(head, samples=info.samples)
-    return [*angle_sentences(head), *info.suspicions(stretch)], None if stretch is None else stretch.where()
+    contradictions = speed_contradictions(sound_stretch(head)[1])
+    return [*contradictions, *info.suspicions(stretch)], None if stretch is None else stretch.where()
 
 
 def print_suspicions_of_start(stream: RecordingStream, *, note: str) -> None:
     """Print what is suspicious in the first stretch of a recording that is read block by block; ``note`` as above."""
     start = first_stretch(head_of(stream))
     info = recording_info(start)
-    _print([*angle_sentences(start), *info.suspicions(stretch_faults(start, samples=info.samples))], note)
+    contradictions = speed_contradictions(sound_stretch(start)[1])
+    _print([*contradictions, *info.suspicions(stretch_faults(start, samples=info.samples))], note)
     if start.samples != stream.samples:
         click.echo(f"faults of samples were sought in the first {start.duration:.3g} s")
 
 
 def angle_sentences(recording: Recording, *, ratio: float | None = None) -> list[str]:
-    """Return what is suspicious in the angle and speed channels; ``ratio`` is that of the gears, else the run's [1]."""
+    """Return what is suspicious in the angle and speed channels alone, jumps too.
+
+    ``ratio`` [1] is that of the gears, by default that of the run.
+    """
     sound = sound_stretch(recording)[1]
     found = list(speed_contradictions(sound, ratio=ratio))
     jumps = angle_jumps(sound)

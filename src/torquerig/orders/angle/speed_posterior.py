@@ -21,7 +21,7 @@ _BEYOND = 0.002  # [1] standard deviation of a deviation beyond the tolerance
 _PRESENT = 0.3  # [1] prior probability that a known order is seen in the spectrum
 _TONES = 1.1  # unknown tones per factor e of frequency: about ten from 1 Hz to 10 kHz
 _HEIGHTS = 17.0  # natural logarithm of the range of a line's power over the floor: 1e7
-_DISPLACED, _FURTHER = 0.02, 5.0  # share of the lines whose peak is displaced, and by how many times its uncertainty
+_DISPLACED, _FURTHER = 0.01, 5.0  # share of the lines whose peak is displaced, and by how many times its uncertainty
 _WANDERS = (
     (0.0, 0.98),
     (3e-5, 0.01),

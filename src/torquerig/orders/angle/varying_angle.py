@@ -136,7 +136,7 @@ def _along_trajectory(
 ) -> tuple[Floats, float] | None:
     """Return the angle of the most likely speed over time by a part of the lines, and the sd between its ends.
 
-    None for a run of few turns, and where the first estimate scores so low that a better one will not reach ``needed``.
+    None for a run of few turns, and where the first estimate is so poor that a better one will not reach ``needed``.
     """
     torque, orders, floor = comb.torque, comb.orders[part], comb.floor[part]
     relative = speed_trajectory(torque, comb.nominal, orders, rate=comb.rate)
@@ -147,7 +147,7 @@ def _along_trajectory(
     for _ in range(_TRAJECTORY_ROUNDS):
         drift, ends = slow_angle_drift(torque, angle, orders, floor, comb.rate, acceleration=largest, factors=(1.0,))
         angle = angle + drift
-        if _score(comb, angle) < 0.5 * needed:
+        if np.isfinite(needed) and (_score(comb, angle) < 0.5 * needed or not _sharpens(comb, angle)):
             return None
         angle = angle + periodic_angle_error(torque, angle, orders, floor)
     return angle, ends
