@@ -67,6 +67,10 @@ def test_name_and_unit_are_read(cell: str, stated: str | None, name: str, quanti
         ("Temperature [°F]", None, "other", "degF", "its quantity"),
         ("state", None, "other", "", "its quantity and unit"),
         ("Speed", "Hz", "other", "Hz", "its quantity"),
+        ("Channel A", None, "other", "", "its quantity and unit"),
+        ("Phase A", None, "other", "", "its quantity and unit"),
+        ("Motor m", None, "other", "", "its quantity and unit"),
+        ("phase_A", None, "other", "", "its quantity and unit"),
     ],
 )
 def test_nothing_is_guessed(cell: str, stated: str | None, quantity: str, unit: str, missing: str) -> None:

@@ -5,15 +5,17 @@ from __future__ import annotations
 import re
 
 from torquerig.recordings.names.channel_units import unit_meanings
+from torquerig.recordings.names.words import quantity_by_words
 
 _BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[<{](?P<unit>[^\]>}]*)[\]>}]\s*$")
 _ROUND = re.compile(r"^(?P<name>.*?)\s*\((?P<unit>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*$")
+_BLANK = re.compile(r"^(?P<name>.+)\s+(?P<unit>[^\s_(][^\s_]*)$")
 # what separates a unit without brackets from the name: "Torque / Nm", "Torque, Nm", "Drehmoment in Nm", "torque_Nm"
 _SEPARATED = (
     re.compile(r"^(?P<name>[^/]+?)\s*/\s*(?P<unit>.+)$"),
     re.compile(r"^(?P<name>.+?)\s*[,;:|]\s*(?P<unit>[^,;:|]+)$"),
     re.compile(r"^(?P<name>.+?)\s+in\s+(?P<unit>\S+(?:\s\S+)?)$", re.IGNORECASE),
-    re.compile(r"^(?P<name>.+)\s+(?P<unit>[^\s_(][^\s_]*)$"),
+    _BLANK,
 )
 
 
@@ -30,7 +32,7 @@ def split_header(cell: str) -> tuple[str, str | None]:
     if bracket and bracket["name"]:
         return bracket["name"].rstrip("_/ ,:"), bracket["unit"].strip()
     matches = [match for pattern in (_ROUND, *_SEPARATED) if (match := pattern.match(text))]
-    units = [match for match in matches if match["name"] and _is_unit(match["unit"])]
+    units = [match for match in matches if match["name"] and _is_unit(match["unit"]) and not _is_label(match)]
     if units:
         longest = max(units, key=lambda match: len(match["unit"]))  # "Drehzahl U/min": U/min, not min
         return longest["name"].rstrip("_/ ,:"), longest["unit"].strip()
@@ -43,9 +45,15 @@ def _underscored(text: str) -> tuple[str, str | None]:
     for first in range(1, len(parts)):
         unit = "/".join(parts[first:])
         name = "_".join(parts[:first])
-        if name and _is_unit(unit):
+        # one letter is a unit behind a quantity (force_N), and a label elsewhere (phase_A)
+        if name and _is_unit(unit) and (len(unit) > 1 or quantity_by_words(name) is not None):
             return name, unit
     return text, None
+
+
+def _is_label(match: re.Match[str]) -> bool:
+    """Return whether what stands behind a blank is a label of one letter: ``Channel A``, ``Sensor C``."""
+    return match.re is _BLANK and match["unit"].isalpha() and len(match["unit"]) == 1
 
 
 def _is_unit(text: str) -> bool:
