@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from torquerig.recordings.names.channel_units import unit_meanings
-from torquerig.recordings.names.words import quantity_by_words
+from torquerig.recordings.names.words import close_quantity, quantity_by_words
 
 _BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[<{](?P<unit>[^\]>}]*)[\]>}]\s*$")
 _ROUND = re.compile(r"^(?P<name>.*?)\s*\((?P<unit>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*$")
@@ -46,7 +46,7 @@ def _underscored(text: str) -> tuple[str, str | None]:
         unit = "/".join(parts[first:])
         name = "_".join(parts[:first])
         # one letter is a unit behind a quantity (force_N), and a label elsewhere (phase_A)
-        if name and _is_unit(unit) and (len(unit) > 1 or quantity_by_words(name) is not None):
+        if name and _is_unit(unit) and (len(unit) > 1 or quantity_by_words(name) or close_quantity(name)):
             return name, unit
     return text, None
 
