@@ -17,7 +17,7 @@ import yaml
 
 from torquerig.errors import InputError, did_you_mean
 from torquerig.safe_yaml import LONGEST_TEXT, read_yaml
-from torquerig.unit_remedies import halved_between_terminals
+from torquerig.units.remedies import halved_between_terminals
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter

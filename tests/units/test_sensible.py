@@ -8,8 +8,8 @@ import pytest
 
 from torquerig.errors import UnitError
 from torquerig.parameter import Parameter
-from torquerig.sensible import LIMITS, beyond_sense
 from torquerig.units import UNITS, parse_quantity
+from torquerig.units.sensible import LIMITS, beyond_sense
 
 
 def test_every_kind_of_quantity_has_its_limits() -> None:
