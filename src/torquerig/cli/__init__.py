@@ -25,7 +25,7 @@ COMMANDS = {
     "simulate": "simulate one rig and write the recording of its sensor",
     "duty": "compute torque, speed and winding temperature of a motor over a duty cycle",
     "size": "check whether motor, gearbox and sensor are large enough for a duty cycle",
-    "synth": "make test signals from known components",
+    "synth": "make test signals from known components, or with known faults",
     "info": "show channels, levels and faults of recordings",
     "sheet": "draft the sidecar of a recording: units, scales and test conditions",
     "join": "bring columns of several rates or files to one recording",

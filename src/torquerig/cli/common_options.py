@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import click
 
 from torquerig.document import Document, read_document
-from torquerig.errors import InputError, did_you_mean
+from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.recordings.run import PROFILES
 from torquerig.scenario.overrides import overridden
+from torquerig.units import parse_quantity
 
 catalog_option = click.option(
     "--catalog", "catalogs", multiple=True, type=click.Path(path_type=Path), metavar="FOLDER",
@@ -26,6 +27,18 @@ profile_option = click.option(
     "--profile", default=None, metavar="WORD|FILE",
     help="steady, ramp, reversal or duty_cycle, or a table file with time_s, speed_rpm and optionally torque_Nm.",
 )  # fmt: skip
+
+
+def quantity_in(unit: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
+    """Return a callback of an option that converts its value with a unit to SI."""
+
+    def converted(_: click.Context, option: click.Parameter, value: str | None) -> float | None:
+        try:
+            return None if value is None else parse_quantity(value, unit)
+        except UnitError as error:
+            raise UnitError(f"{option.opts[0]}: {error}") from None
+
+    return converted
 
 
 def profile_settings(profile: str | None) -> tuple[str, ...]:

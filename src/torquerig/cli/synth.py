@@ -1,4 +1,4 @@
-"""``torquerig synth``: test signals from known components."""
+"""``torquerig synth``: test signals from known components, and faults of samples with their truth."""
 
 from __future__ import annotations
 
@@ -8,24 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from torquerig.errors import InputError, UnitError
-from torquerig.recordings.files import check_target, write_recording
-from torquerig.units import parse_quantity
+from torquerig.cli.common_options import quantity_in
+from torquerig.cli.synth_fault import fault
+from torquerig.errors import InputError
+from torquerig.recordings.files import check_target
 
 if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
-
-
-def _quantity(unit: str) -> Callable[[click.Context, click.Parameter, str | None], float | None]:
-    """Return a callback of an option that converts its value with a unit to SI."""
-
-    def converted(_: click.Context, option: click.Parameter, value: str | None) -> float | None:
-        try:
-            return None if value is None else parse_quantity(value, unit)
-        except UnitError as error:
-            raise UnitError(f"{option.opts[0]}: {error}") from None
-
-    return converted
 
 
 _seed = click.option("--seed", type=click.IntRange(0), default=None, help="Seed of all random numbers; default 1.")
@@ -39,13 +28,13 @@ def _run_options(function: Callable[..., None]) -> Callable[..., None]:
     for option in (
         click.option("--ratio", type=float, default=None, help="Motor turns per output turn, for the sidecar."),
         click.option("--motor", default=None, help="Motor of the catalog, for the sidecar."),
-        click.option("--speed", callback=_quantity("rad/s"), default=None, metavar="SPEED",
+        click.option("--speed", callback=quantity_in("rad/s"), default=None, metavar="SPEED",
                      help="Speed of the motor for the sidecar, such as '1000 rpm'."),
-        click.option("--rate", callback=_quantity("Hz"), default="25 kHz", show_default=True, metavar="FREQUENCY",
+        click.option("--rate", callback=quantity_in("Hz"), default="25 kHz", show_default=True, metavar="FREQUENCY",
                      help="Sample rate."),
-        click.option("--duration", callback=_quantity("s"), default="10 s", show_default=True, metavar="TIME",
+        click.option("--duration", callback=quantity_in("s"), default="10 s", show_default=True, metavar="TIME",
                      help="Length of the recording."),
-        click.option("--amplitude", callback=_quantity("N*m"), default="1 mN*m", show_default=True, metavar="TORQUE",
+        click.option("--amplitude", callback=quantity_in("N*m"), default="1 mN*m", show_default=True, metavar="TORQUE",
                      help="Amplitude of each sine, zero to peak."),
     ):  # fmt: skip
         function = option(function)
@@ -54,7 +43,7 @@ def _run_options(function: Callable[..., None]) -> Callable[..., None]:
 
 @click.group("synth")
 def command() -> None:
-    """Make test signals from known components, to measure the effect of a filter on each component.
+    """Make test signals from known components, and recordings with known faults, to validate filters and detectors.
 
     The same description and seed give the same bytes.
     """
@@ -71,8 +60,8 @@ def control(*, seed: int | None, out: Path, force: bool, **run: Any) -> None:
 
 
 @command.command("sweep")
-@click.option("--from", "start", callback=_quantity("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
-@click.option("--to", "stop", callback=_quantity("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
+@click.option("--from", "start", callback=quantity_in("Hz"), default="1 Hz", show_default=True, metavar="FREQUENCY")
+@click.option("--to", "stop", callback=quantity_in("Hz"), default="10 kHz", show_default=True, metavar="FREQUENCY")
 @click.option(
     "--linear", "spacing", flag_value="linear", help="Sweep linearly in frequency instead of logarithmically."
 )
@@ -116,9 +105,12 @@ def pair(*, description: Path, seed: int | None, out: Path, force: bool) -> None
         _write(recording, target, force=force)
 
 
+command.add_command(fault)
+
+
 @command.command("effects")
 @click.argument("scenario", type=click.Path(path_type=Path))
-@click.option("--duration", callback=_quantity("s"), default="10 s", show_default=True, metavar="TIME")
+@click.option("--duration", callback=quantity_in("s"), default="10 s", show_default=True, metavar="TIME")
 @click.option("--set", "settings", multiple=True, metavar="PATH=VALUE", help="Change a value without editing.")
 @_seed
 @_out
@@ -181,7 +173,9 @@ def _write_mixture(
 
 
 def _write(recording: Recording, out: Path, *, force: bool) -> None:
-    written = write_recording(recording, out, overwrite=force)
+    from torquerig.synthetic.writing import write_synthetic
+
+    written = write_synthetic(recording, out, overwrite=force)
     torque = recording.torque()
     click.echo(
         f"wrote {' and '.join(str(path) for path in written)}: {recording.samples} samples at "

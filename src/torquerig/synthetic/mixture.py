@@ -15,6 +15,7 @@ from torquerig.parameter import Parameter
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.run import Run
 from torquerig.synthetic.components import AnyComponent
+from torquerig.synthetic.faults.registry import AnyFault, with_faults
 from torquerig.synthetic.grid import on_grid
 from torquerig.synthetic.timeline import Timeline, samples_of, turning
 from torquerig.version import __version__
@@ -46,13 +47,14 @@ class Mixture(BaseModel):
     speed_wander: Annotated[float, Parameter("1", "rms of the slow wander as a share of the speed", low=0)] = 0.0
     counts_per_rev: Annotated[int, Field(ge=1)] | None = None
     components: Annotated[dict[str, AnyComponent], BeforeValidator(_named)]
+    faults: tuple[AnyFault, ...] = ()
 
 
 def mixed(mixture: Mixture) -> Recording:
     """Return the mixture: torque, encoder where it has one, true load and noise, and each component [N m].
 
     Every component is rounded to a grid on which sums are exact: the torque is the sum of the components, and the sum
-    of load and noise, to the last bit.
+    of load and noise, to the last bit. Faults disturb the torque and the encoder afterwards.
 
     Raises
     ------
@@ -71,13 +73,14 @@ def mixed(mixture: Mixture) -> Recording:
     channels |= {TRUE_LOAD: truth(load), TRUE_NOISE: truth(noise)}
     channels |= {component_name(name): truth(values) for name, values in parts.items()}
     run = Run(motor=mixture.motor, gear_ratio=mixture.gear_ratio, speed=mixture.motor_speed)
-    return Recording(
+    made = Recording(
         sample_rate=timeline.rate,
         channels=channels,
         run=run,
         origin={"synthetic": mixture.synthetic, "seed": mixture.seed, "torquerig": __version__},
         name=mixture.synthetic,
     )
+    return with_faults(made, mixture.faults, seed=mixture.seed)
 
 
 def component_name(name: str) -> str:
