@@ -12,7 +12,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.winding import winding_of
-from torquerig.cli.contents_shown import show_contents, show_reading
+from torquerig.cli.contents_shown import known_by, show_contents, show_reading
 from torquerig.cli.recordings_named import recordings_in
 from torquerig.cli.suspicions import print_suspicions, suspicions_in
 from torquerig.errors import InputError, RecordingError, TorquerigError, UnknownNameError
@@ -118,12 +118,14 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
         show_contents(file_contents(path))
         return
     click.echo(f"{path}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s")
-    rows = [["channel", "quantity", "unit", "minimum", "mean", "maximum", "std"]]
+    rows = [["channel", "quantity", "unit", "minimum", "mean", "maximum", "std", "known by"]]
     for name, one in info.channels.items():
         figures = (f"{number:.6g}" for number in (one.minimum, one.mean, one.maximum, one.std))
-        rows.append([name, one.quantity, one.unit, *figures])
+        entry = stream.entries[name]
+        rows.append([name, one.quantity, one.unit, *figures, known_by(entry.reason, entry.missing)])
     click.echo(grid(rows))
-    show_reading(stream.table.notes, stream.table.skipped, {name: one.missing for name, one in stream.entries.items()})
+    missing = {name: (one.reason, one.missing) for name, one in stream.entries.items()}
+    show_reading(stream.table.notes, stream.table.skipped, missing)
     head = head_of(stream)
     speed, speed_text = _speed(stream, head)
     click.echo(wrapped(speed_text))
