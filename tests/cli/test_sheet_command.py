@@ -102,3 +102,14 @@ def test_an_empty_folder_is_one_sentence(tmp_path: Path, capsys: pytest.CaptureF
         main(("info", str(tmp_path)))
     assert stopped.value.code == 2
     assert "there is no recording in this folder" in capsys.readouterr().err
+
+
+def test_info_names_a_possible_alias(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    times = np.arange(8000) / 1000
+    torque = 2 + 0.2 * np.cos(2 * np.pi * 840 * times) + 0.01 * np.random.default_rng(3).standard_normal(8000)
+    rows = "".join(f"{t:.3f},{v:.5f},{3600 * t:.4f}\n" for t, v in zip(times, torque, strict=True))
+    (tmp_path / "run.csv").write_text("Time [s],Torque [Nm],Motor angle [deg]\n" + rows)
+    (tmp_path / "run.yaml").write_text("run: {motor: bldc-12n14p, gear_ratio: 1, speed_rpm: 600}\n")
+    main(("info", str(tmp_path / "run.csv")))
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "may be the alias of cogging x1 at 840 Hz, above half the sample rate" in shown

@@ -37,7 +37,7 @@ def test_drawn_speeds_are_in_their_interval():
     assert np.mean(widths < TOLERANCE) > 0.5
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_two_hundred_drawn_speeds_are_in_their_interval():
     share, _, strong = stated(range(5000, 5200))
     assert 0.91 <= share <= 0.99

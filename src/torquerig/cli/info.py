@@ -129,6 +129,8 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
     head = head_of(stream)
     speed, speed_text = _speed(stream, head)
     click.echo(wrapped(speed_text))
+    for sentence in _aliases(stream, head):
+        click.echo(wrapped(sentence))
     if stream.table.read_whole and path.stat().st_size > LARGE:
         click.echo(f"read whole: {stream.table.read_whole}")
     print_suspicions(info, head)
@@ -152,6 +154,28 @@ def _speed(stream: RecordingStream, head: Recording) -> tuple[float | None, str]
     set_point = stream.run.speed_rpm
     stated = "" if not set_point else f"; set-point {abs(set_point):.6g} rpm"
     return found.value, f"motor speed: {_with_interval(found)}{where} ({found.origin}{stated})"
+
+
+def _aliases(stream: RecordingStream, head: Recording) -> list[str]:
+    """Return a sentence for each line that may be the alias of a line of the rig above half the sample rate."""
+    from torquerig.orders.analysis.frequency_lines import possible_aliases
+    from torquerig.orders.analysis.labels import label_of
+    from torquerig.orders.angle.best_angle import best_motor_speed
+
+    head, lines = sound_stretch(head)[1], _lines(stream)
+    try:
+        speed = best_motor_speed(head, lines)
+        ratio = stream.run.gear_ratio or 1.0
+        half_width = speed.half_width if isfinite(speed.half_width) else 0.0
+        turns = speed.value / (2 * pi * ratio)
+        found = possible_aliases(head, lines, turns_per_second=turns, half_width=half_width)
+    except TorquerigError:
+        return []  # without a torque or a speed there is no line of the rig to compare with
+    return [
+        f"the line at {line.frequency:.6g} Hz ({line.amplitude:.3g} N*m) may be the alias of {label_of([cause])} at "
+        f"{cause.output_order * turns:.6g} Hz, above half the sample rate"
+        for line, cause in found
+    ]
 
 
 def _with_interval(speed: MotorSpeed) -> str:

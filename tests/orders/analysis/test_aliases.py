@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from torquerig.orders.analysis.aliases import alias_of, appears_at
-from torquerig.orders.analysis.frequency_lines import frequency_lines
+from torquerig.orders.analysis.frequency_lines import frequency_lines, possible_aliases
 from torquerig.orders.analysis.line_detection import detected_lines
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Channel, Recording
@@ -44,3 +44,12 @@ def test_lines_are_found_up_to_half_the_rate(share: float) -> None:
     (line,) = frequency_lines(made(1000.0 * share))
     assert line.frequency == pytest.approx(1000.0 * share, abs=0.02)
     assert line.amplitude == pytest.approx(1.0, rel=0.01)
+
+
+def test_aliases_are_found_where_the_speed_is_sharp_and_left_out_where_it_is_not() -> None:
+    lines = Kinematics(pole_pairs=7, slots=12, ratio=1.0).lines()
+    recording = made(840.0)
+    ((line, cause),) = possible_aliases(recording, lines, turns_per_second=10.0, half_width=1e-5)
+    assert (line.frequency, cause.family) == (pytest.approx(160.0, abs=0.02), "cogging")
+    assert possible_aliases(recording, lines, turns_per_second=10.0, half_width=0.01) == []
+    assert possible_aliases(made(163.7), lines, turns_per_second=10.0, half_width=1e-5) == []
