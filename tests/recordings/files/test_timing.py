@@ -48,6 +48,25 @@ def test_lost_samples_are_never_hidden(grain: float | None) -> None:
             assert str(int(places.min()) - 1) in timing.problem
 
 
+@pytest.mark.parametrize("rate", [1000.0, 2500.0, 5000.0])
+@pytest.mark.parametrize("samples", [500, 60_000])
+def test_a_single_lost_or_doubled_sample_is_not_hidden_by_a_stated_rate(rate: float, samples: int) -> None:
+    """Both shift the times by one sample, as a coarse stamp does; at that rate rounding makes no other step."""
+    for places in ([samples // 3], [samples // 3, samples // 2]):
+        lost = timing_of(np.delete(grid(samples, rate), places), name="time", stated=rate)
+        assert f"{len(places)} sample{'s' * (len(places) > 1)} lost" in lost.problem
+        doubled = np.insert(grid(samples, rate), places, grid(samples, rate)[places])
+        assert "too close to the one before" in timing_of(doubled, name="time", stated=rate).problem
+
+
+@pytest.mark.parametrize(("rate", "samples"), [(960.0, 30), (999.9, 20_000), (990.0, 300)])
+def test_few_other_steps_of_a_stated_rate_are_rounding(rate: float, samples: int) -> None:
+    times = np.floor(grid(samples, rate) * 1000 + 1e-6) / 1000
+    timing = timing_of(times, name="time", stated=rate)
+    assert timing.problem == ""
+    assert timing.rate == pytest.approx(rate, rel=timing.uncertainty)
+
+
 def test_doubled_samples_are_counted() -> None:
     times = np.insert(grid(500, 1000), [40, 300], grid(500, 1000)[[40, 300]])
     problem = timing_of(times, name="time").problem

@@ -105,8 +105,10 @@ def _coarse(times: Floats, steps: Floats, name: str, stated: float | None) -> Ti
     if fits and stated is not None:
         fits_stated = float(np.ptp(times - np.arange(times.size) / stated)) <= 1.01 * grain
         step = 1 / stated if fits_stated else step
-    # a few doubled or lost samples fit as well
-    if not fits or (not fits_stated and counts.sum() - counts.max() < _REGULAR_STEPS):
+    # a few doubled or lost samples fit as well; at a stated rate rounding makes a known number of other steps
+    others = int(counts.sum() - counts.max())
+    rounded = steps.size * _share_of_other_steps(step / grain) if fits_stated else 0.0
+    if not fits or (others < _REGULAR_STEPS and others > 2 * rounded):
         return None
     uncertainty = grain / float(times[-1] - times[0])
     rate = shortest_rate(1 / step, tolerance=uncertainty)
@@ -115,6 +117,12 @@ def _coarse(times: Floats, steps: Floats, name: str, stated: float | None) -> Ti
         f"{rate:.6g} Hz (+- {100 * uncertainty:.2g} %)"
     )
     return Timing(rate=rate, uncertainty=uncertainty, scatter=grain, note=note)
+
+
+def _share_of_other_steps(grains: float) -> float:
+    """Return the share of steps that are not the usual one, where each sample is ``grains`` long and times rounded."""
+    share = grains % 1
+    return min(share, 1 - share)
 
 
 def _late(times: Floats, steps: Floats, name: str) -> Timing | None:
