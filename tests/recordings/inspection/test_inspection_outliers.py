@@ -72,3 +72,12 @@ def test_what_lasts_longer_is_a_level_of_the_signal() -> None:
     values = torque()
     values[10_000:14_000] = 0.0
     assert dropouts_in(values, longest=2500) == []
+
+
+@pytest.mark.parametrize("every", [3, 4, 10])
+def test_held_samples_are_no_dropouts_and_hide_none(every: int) -> None:
+    values = np.random.default_rng(3).standard_normal(20_000)[np.arange(20_000) // every * every]
+    assert dropouts_in(values, longest=500) == []
+    values[7000:7100] = -40.0
+    (found,) = dropouts_in(values, longest=500)
+    assert (found.first, found.length, found.value) == (7000, 100, -40.0)

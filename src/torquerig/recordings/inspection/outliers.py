@@ -64,7 +64,8 @@ def dropouts_in(values: NDArray[np.float64], *, longest: int) -> list[Run]:
     if values.size < 16:
         return []
     steps = np.diff(values)
-    usual = _usual(np.abs(steps)) or _smallest_step(values)
+    # where most samples do not move, held values are renewed: their steps are the usual ones
+    usual = _usual(np.abs(steps)) or _usual(np.abs(steps[steps != 0]))
     jumps = np.flatnonzero(np.abs(steps) > _STEP * usual)
     found: list[Run] = []
     for place, after in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
@@ -80,6 +81,8 @@ def dropouts_in(values: NDArray[np.float64], *, longest: int) -> list[Run]:
 def _usual(sizes: NDArray[np.float64]) -> float:
     """Return the standard deviation that a Gaussian of this median size has, by every seventh sample of many."""
     thinned = sizes[:: 7 if sizes.size > 70_000 else 1]
+    if not sizes.size:
+        return 0.0
     return float(np.median(thinned)) / 0.6745
 
 
