@@ -22,7 +22,8 @@ class WrappedAngle(DrawnFault):
     bits: Annotated[int, Whole("of the counter, for counts; 0: it does not overflow")] = 16
 
     zero: ClassVar[dict[str, Any]] = {"unit": "count", "bits": 0}
-    unnamed: ClassVar[str] = "it is no fault: a wrapped angle is read as the angle that goes on"
+    named_by: ClassVar[tuple[str, ...]] = ("info", "filter", "ordermap")
+    named_as: ClassVar[str] = "which wraps at"
 
     def disturbed(self, recording: Recording, rng: np.random.Generator) -> Disturbed:
         """Return the recording with the wrapped angle, and the samples after the first overflow."""

@@ -22,7 +22,8 @@ class WrongCountsPerTurn(DrawnFault):
 
     zero: ClassVar[dict[str, Any]] = {"factor": 1.0}
     acts_on: ClassVar[Acts] = "whole"
-    unnamed: ClassVar[str] = "info prints the speed by the encoder next to the set-point, but does not compare them"
+    named_by: ClassVar[tuple[str, ...]] = ("info", "filter", "ordermap")
+    named_as: ClassVar[str] = r"times the set-point of \d+ rpm: \d+ counts per turn\?"
 
     def disturbed(self, recording: Recording, rng: np.random.Generator) -> Disturbed:
         """Return the recording with the wrong scale of its angle."""
