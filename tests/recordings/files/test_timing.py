@@ -88,6 +88,31 @@ def test_late_stamps_of_a_computer(lateness: float) -> None:
         assert timing_of(np.maximum.accumulate((without + late[1:]) / 1000), name="time").problem
 
 
+@pytest.mark.parametrize(("lateness", "pause"), [(0.0, 50), (0.0, 250), (0.3, 50), (0.3, 250), (1.5, 0), (1.5, 50)])
+def test_pauses_of_a_computer(lateness: float, pause: int) -> None:
+    """The lost sample is in the middle: among the last ones the note says that it would not be seen."""
+    rng = np.random.default_rng(6)
+    for samples in (12_000, 30_000):
+        arrived = np.arange(samples) + rng.exponential(1.0, samples) * lateness
+        for start in rng.integers(0, samples - pause, 4):
+            arrived[start : start + pause] = np.maximum(arrived[start : start + pause], start + pause)
+        timing = timing_of(np.maximum.accumulate(arrived) / 1000, name="time")
+        assert timing.problem == ""
+        assert timing.rate == pytest.approx(1000, rel=timing.uncertainty)
+        assert timing.uncertainty < 1e-3
+        late = arrived - np.arange(samples)
+        for place in rng.integers(samples // 20, samples - samples // 8, 4):
+            kept = np.delete(np.arange(samples), place)
+            assert timing_of(np.maximum.accumulate(kept + late[1:]) / 1000, name="time").problem, place
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_times_at_random_are_no_late_ones(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    assert timing_of(np.cumsum(rng.exponential(1e-3, 20_000)), name="time").problem
+    assert timing_of(np.cumsum(rng.uniform(0.5e-3, 1.5e-3, 20_000)), name="time").problem
+
+
 def test_one_late_stamp_is_noted() -> None:
     times = grid(500, 10)
     times[20] += 0.07

@@ -24,6 +24,12 @@ _MEDIAN_OF = 25
 _SOUND, _FEW = 0.02, 0.01
 # a clock that drifts by less than this share of the time is still one rate [1]
 _DRIFT = 1e-4
+# blocks whose earliest times are compared at least; a lost sample shifts those of later ones by 0.8 samples or more
+_BLOCKS = 16
+# short steps make up for so much of the long ones where times catch up; after lost samples there are none [1]
+_CAUGHT_UP = 0.5
+# rounded times have at most so many sizes of steps, and the second most frequent has more than this share [1]
+_SIZES, _USUAL = 12, 0.1
 # gaps named in a message
 _NAMED = 3
 
@@ -80,7 +86,12 @@ def timing_of(times: Floats, *, name: str, stated: float | None = None) -> Timin
     if worst <= _UNEVEN and steps.all():
         tolerance = max(1e-11, 2 * worst / (times.size - 1))
         return Timing(rate=shortest_rate(rate, tolerance=tolerance), uncertainty=tolerance)
-    return _coarse(times, steps, name, stated) or _late(times, steps, name) or _uneven(times, steps, worst)
+    return (
+        _coarse(times, steps, name, stated)
+        or _late(times, steps, name)
+        or _late_with_pauses(times, steps, name)
+        or _uneven(times, steps, worst)
+    )
 
 
 def shortest_rate(rate: float, *, tolerance: float) -> float:
@@ -158,6 +169,52 @@ def _late(times: Floats, steps: Floats, name: str) -> Timing | None:
         f"{same}; they come back to an even {rate:.6g} Hz (+- {100 * uncertainty:.2g} %){seen}"
     )
     return Timing(rate=rate, uncertainty=uncertainty, scatter=3 * float(np.abs(steps - step).max()), note=note)
+
+
+def _late_with_pauses(times: Floats, steps: Floats, name: str) -> Timing | None:
+    """Return the sampling where the earliest time of every block is on one even grid, else None.
+
+    A pause of the computer delays many samples in a row, so that the middle of a block is late; the times after it
+    catch up, and the earliest ones are as before. The blocks are as short as that allows.
+    """
+    step = float(times[-1] - times[0]) / (times.size - 1)
+    short, long = steps[steps < (1 - _JUMP) * step], steps[steps > (1 + _JUMP) * step]
+    caught_up = float(np.sum(step - short)) >= _CAUGHT_UP * float(np.sum(long - step))
+    if not caught_up or _are_rounded(steps):
+        return None
+    block = _MEDIAN_OF
+    while times.size // block >= _BLOCKS:
+        places, earliest = _earliest(times, block)
+        slope, start = np.polyfit(places, earliest, 1)
+        off = float(np.abs(earliest - start - slope * places).max())
+        if off < 0.5 * _JUMP * slope:
+            uncertainty = max(1e-6, 4 * off / (slope * times.size))
+            rate = shortest_rate(1 / float(slope), tolerance=uncertainty)
+            latest = float(np.max(times - start - slope * np.arange(times.size)))
+            note = (
+                f"the times of {name} are up to {latest:.3g} s late; at least one of {block} comes back to an even "
+                f"{rate:.6g} Hz (+- {100 * uncertainty:.2g} %); a sample lost among the last {block} would not be seen"
+            )
+            scatter = 3 * float(np.abs(steps - slope).max())
+            return Timing(rate=rate, uncertainty=uncertainty, scatter=scatter, note=note)
+        block *= 2
+    return None
+
+
+def _are_rounded(steps: Floats) -> bool:
+    """Return whether the steps have few sizes, of which several are usual: a lost sample is not seen among them."""
+    sizes, counts = np.unique(np.round(steps / np.median(steps[steps > 0]), 3), return_counts=True)
+    return sizes.size <= _SIZES and int(np.sort(counts)[-2:].min()) > _USUAL * steps.size
+
+
+def _earliest(times: Floats, block: int) -> tuple[NDArray[np.intp], Floats]:
+    """Return the sample and the time of the earliest of each block and of the last ones, against an even grid."""
+    samples = times.size
+    off = times - np.linspace(times[0], times[-1], samples)
+    whole = off[: samples // block * block].reshape(-1, block)
+    places = np.append(whole.argmin(axis=1) + block * np.arange(whole.shape[0]),
+                       samples - block + int(np.argmin(off[-block:])))  # fmt: skip
+    return places, times[places]
 
 
 def _few_late(times: Floats, steps: Floats, name: str) -> Timing | None:
