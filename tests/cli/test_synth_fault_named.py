@@ -37,6 +37,8 @@ VARIANTS: tuple[DrawnFault, ...] = (
     BY_NAME["dropouts"](cutoff=1000.0, length=3e-3, level=0.3),
     BY_NAME["held_samples"](every=10),
     BY_NAME["late_stamps"](lateness=0.0),
+    BY_NAME["late_stamps"](pause=50e-3),
+    BY_NAME["late_stamps"](lateness=3e-4),
     BY_NAME["coarse_stamps"](grain=1e-2),
     BY_NAME["missing_samples"](rate=1 / 12),
     BY_NAME["missing_samples"](length=3),

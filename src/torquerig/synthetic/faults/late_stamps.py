@@ -29,7 +29,7 @@ class LateStamps(DrawnFault):
     zero: ClassVar[dict[str, Any]] = {"lateness": 0.0, "pause": 0.0}
     acts_on: ClassVar[Acts] = "stamps"
     named_by: ClassVar[tuple[str, ...]] = ("info",)
-    named_as: ClassVar[str] = "come back to an even|off an even"
+    named_as: ClassVar[str] = "back to an even|off an even"
     needs_times: ClassVar[bool] = True
 
     def disturbed(self, recording: Recording, rng: np.random.Generator) -> Disturbed:
