@@ -7,6 +7,7 @@ import pytest
 from torquerig.decide.eliminate import Decision
 from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.lost_cells import lost_cell_values
+from torquerig.decide.matrix_io.matrix_report import published_tables_text
 from torquerig.decide.matrix_io.published_tables import read_tables, tables_from
 from torquerig.decide.matrix_io.recompute import (
     recomputed_chart,
@@ -14,6 +15,7 @@ from torquerig.decide.matrix_io.recompute import (
     recomputed_pugh,
     technical_shares,
     undeciding_rows,
+    weighted_nets,
 )
 from torquerig.decide.ranks import competition_ranks, dense_ranks
 from torquerig.document import parse_document
@@ -196,3 +198,54 @@ def test_keys_of_earlier_versions_are_read_with_one_notice(capsys):
     notice = capsys.readouterr().err
     assert notice.count("\n") == 1
     assert "'datum' is now 'baseline', 'datum_has' is now 'baseline_has'" in notice
+
+
+WEIGHTED = """
+tables:
+  - name: drives
+    method: pugh
+    columns: [belt, gear, direct]
+    baseline: belt
+    sums: [~, -0.3, 1]
+    rows:
+      cost: {weight: 20 %, cells: [S, "+", "−−"]}
+      noise: {weight: "0,5", cells: [0, "–", 2]}
+      mass: {weight: 0.3, cells: [s, s, 1]}
+"""
+
+
+def weighted(old="", new=""):
+    assert old in WEIGHTED
+    return tables_from(parse_document(WEIGHTED.replace(old, new, 1), FILE))
+
+
+def test_graded_marks_and_weights_of_a_pugh_row_count_in_a_sum_next_to_the_plain_one():
+    (table,) = weighted().tables
+    assert (table.column("direct"), table.weights) == (("--", "++", "+"), (0.2, 0.5, 0.3))
+    assert recomputed_pugh(table).net_certain.tolist() == [0, 0, 1]
+    assert weighted_nets(table).tolist() == [pytest.approx([-0.3, 0.9])] * 3
+    shown = published_tables_text(weighted())
+    assert "weighted SUM (? left out)" in shown
+    assert "the printed sum" not in shown
+    wrong = published_tables_text(weighted("~, -0.3, 1", "~, -0.3, 4"))
+    assert "direct: the printed sum is 4, the signs give 1, weighted 0.9" in " ".join(wrong.split())
+
+
+def test_an_unknown_graded_mark_spans_the_grades():
+    (table,) = weighted("cells: [s, s, 1]", 'cells: [s, "?", 1]').tables
+    low, known, high = weighted_nets(table)
+    assert (low[0], known[0], high[0]) == pytest.approx((-0.9, -0.3, 0.3))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("weight: 0.3, ", "", "rows.mass: the weight is missing"),
+        ("weight: 0.3", "weight: 30", "rows.mass.weight: 30.0 may be per cent, as '20 %' of 'cost' is"),
+        ("weight: 0.3", "weight: much", "rows.mass.weight: 'much' is no clear number; write 20 %, 0.2 or 20"),
+        ("[s, s, 1]", "[s, s, 3]", "rows.mass.cells: 3.0 is no mark of this table"),
+    ],
+)
+def test_a_weight_or_mark_that_is_unclear_is_refused_with_its_line(old, new, said):
+    with pytest.raises(InputError, match=said):
+        weighted(old, new)

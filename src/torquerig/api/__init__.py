@@ -11,7 +11,7 @@
 ``drive_size``           ``size``: whether motor, gearbox and sensor are large enough
 ``drive_duty``           ``duty``: how hot a motor becomes over a duty cycle
 ``rig_modes``            ``modes``: modes of a rig and margins of its speed loop
-``decision_matrix``      ``matrix``: elimination, Pugh and Kesselring of one's own matrix
+``decision_matrix``      ``matrix``: elimination, Pugh and Kesselring of one's own matrix; ``matrix_tables``: of a sheet
 ``result``               what all results have: table, JSON, picture
 ``inputs``               paths and values as these functions take them
 ======================== ==========================================================================

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from torquerig.api.matrix_tables import TablesResult
 from torquerig.api.result import Result, records
 from torquerig.api.values import folders
 from torquerig.catalog.search import catalog_for
 from torquerig.decide.eliminate import Decision
 from torquerig.decide.matrix_analysis import MatrixAnalysis, analyse_matrix
-from torquerig.document import Document, read_document
-from torquerig.errors import InputError
+from torquerig.decide.matrix_io.matrix_table import TableSet
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -98,21 +98,23 @@ class MatrixResult(Result):
         return Path(path)
 
 
-def matrix(path: str | Path, *, catalogs: Sequence[str | Path] = ()) -> MatrixResult:
+def matrix(path: str | Path, *, catalogs: Sequence[str | Path] = ()) -> MatrixResult | TablesResult:
     """Return elimination, Pugh and Kesselring of a decision matrix, and how certain the winner is.
 
     Parameters
     ----------
     path : str or Path
         A matrix as YAML (see ``scenarios/matrix_example.yaml``) or as a filled-in Excel sheet; a shipped one by its
-        name.
+        name. An Excel or CSV sheet of any form with Pugh marks or Kesselring points is read by its shape.
     catalogs : sequence of path
         Further catalog folders, for matrices of catalog motors.
 
     Returns
     -------
-    MatrixResult
-        ``.ranking``, ``.pugh``, ``.elimination`` are tables; ``.write(path)`` makes a page or a workbook.
+    MatrixResult or TablesResult
+        ``.ranking``, ``.pugh``, ``.elimination`` are tables; ``.write(path)`` makes a page or a workbook. A sheet of
+        marks or points, or a file of published tables, gives a TablesResult with ``.ranking``, ``.understood`` (how it
+        was read), ``.differences`` (written results that its cells do not give) and ``.findings``.
 
     Raises
     ------
@@ -128,21 +130,12 @@ def matrix(path: str | Path, *, catalogs: Sequence[str | Path] = ()) -> MatrixRe
     """
     from torquerig.api.scenarios import scenario_file
     from torquerig.decide.matrix_io.matrix_file import matrix_from
+    from torquerig.decide.matrix_io.opened import open_matrix
 
-    document = _document(scenario_file(path))
+    opened = open_matrix(scenario_file(path))
+    if opened.tables is not None or opened.document is None:
+        return TablesResult(tables=opened.tables or TableSet(tables=()), understood=opened.understood)
+    document = opened.document
     wants_motors = isinstance(document.data, dict) and document.data.get("motors")
     catalog = catalog_for(document.path, folders(catalogs)) if wants_motors else None
     return MatrixResult(analysis=analyse_matrix(matrix_from(document, catalog=catalog)))
-
-
-def _document(file: Path) -> Document:
-    if file.suffix.lower() == ".xlsx":
-        from torquerig.decide.matrix_io.excel_matrix import read_excel_matrix
-
-        return read_excel_matrix(file)
-    document = read_document(file)
-    if isinstance(document.data, dict) and "rig" in document.data:
-        raise InputError(f"{file}: is the scenario of a rig, not a matrix; use torquerig.compare")
-    if isinstance(document.data, dict) and "tables" in document.data:
-        raise InputError(f"{file}: holds published tables; the command torquerig matrix checks them")
-    return document

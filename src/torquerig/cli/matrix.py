@@ -8,43 +8,57 @@ from typing import TYPE_CHECKING
 
 import click
 
-from torquerig.document import Document, read_document
 from torquerig.errors import InputError
 from torquerig.whole_file import refuse_unwritable
 
 if TYPE_CHECKING:
     from torquerig.decide.matrix_analysis import MatrixAnalysis
+    from torquerig.document import Document
 
 ENDINGS = (".html", ".md", ".xlsx", ".yaml")
 
 
 @click.command("matrix")
 @click.argument("file", type=click.Path(path_type=Path))
+@click.option("--template", type=click.Choice(["pugh", "kesselring"]),
+              help="Write FILE.xlsx as a filled example of this matrix, with lists and live formulas.")  # fmt: skip
 @click.option("--out", "outs", multiple=True, type=click.Path(path_type=Path), metavar="FILE",
               help=f"Also write the matrix; the ending is the format: {', '.join(ENDINGS)}; repeatable.")  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite the files of --out.")
+@click.option("--force", is_flag=True, help="Overwrite the files of --out or --template.")
 @click.option("--trace", "traced", nargs=2, multiple=True, metavar="ALTERNATIVE CRITERION",
               help="Only show how this cell was computed; repeatable.")  # fmt: skip
 @click.option("--before", type=click.Path(path_type=Path), metavar="FILE",
               help="Only show the changes since this version of FILE, and their effect on the ranking.")  # fmt: skip
 def command(
-    file: Path, outs: Sequence[Path], force: bool, traced: Sequence[tuple[str, str]], before: Path | None
+    file: Path,
+    *,
+    template: str | None,
+    outs: Sequence[Path],
+    force: bool,
+    traced: Sequence[tuple[str, str]],
+    before: Path | None,
 ) -> None:
     """Compute the matrices of FILE, the confidence of the winner, and a list of errors in the matrices.
 
     FILE is a YAML file of published tables (scenarios/reference_tables.yaml), a decision matrix
-    (scenarios/matrix_example.yaml), or a decision matrix as Excel workbook (written with --out drives.xlsx).
+    (scenarios/matrix_example.yaml), or a decision matrix as Excel workbook (written with --out drives.xlsx). Any other
+    workbook or CSV file with a Pugh or Kesselring matrix is read by its shape, and the report says how it was read.
     """
-    document = _read(file)
-    if isinstance(document.data, dict) and "tables" in document.data:
+    if template is not None:
+        _write_template(template, file, force=force, others=bool(outs or traced or before))
+        return
+    from torquerig.decide.matrix_io.opened import open_matrix
+
+    opened = open_matrix(file)
+    document = opened.document
+    if document is None:
         if outs or traced or before:
             raise InputError(
                 f"{file}: is a file of published tables; --out, --trace and --before need a decision matrix"
             )
-        from torquerig.decide.matrix_io.matrix_report import published_tables_text
-        from torquerig.decide.matrix_io.published_tables import tables_from
+        from torquerig.decide.matrix_io.matrix_report import tables_text
 
-        click.echo(published_tables_text(tables_from(document)), nl=False)
+        click.echo(tables_text(opened), nl=False)
         return
     for path in outs:
         check_target(path, force=force)
@@ -65,7 +79,7 @@ def _text(worked: MatrixAnalysis, traced: Sequence[tuple[str, str]], before: Pat
 
     parts = [trace_text(trace(worked, *pair)) for pair in traced]
     if before is not None:
-        parts.append(ranking_changes_text(ranking_changes(_worked_out(_read(before)), worked)))
+        parts.append(ranking_changes_text(ranking_changes(_worked_out(_matrix_document(before)), worked)))
     return "\n\n".join(parts) + "\n" if parts else matrix_analysis_text(worked)
 
 
@@ -81,15 +95,27 @@ def _worked_out(document: Document) -> MatrixAnalysis:
     return analyse_matrix(matrix_from(document, catalog=catalog))
 
 
-def _read(file: Path) -> Document:
-    if file.suffix.lower() == ".xlsx":
-        from torquerig.decide.matrix_io.excel_matrix import read_excel_matrix
+def _matrix_document(file: Path) -> Document:
+    from torquerig.decide.matrix_io.opened import open_matrix
 
-        return read_excel_matrix(file)
-    document = read_document(file)
-    if isinstance(document.data, dict) and "rig" in document.data:
-        raise InputError(f"{file}: is the scenario of a rig, not a matrix; use torquerig compare")
+    document = open_matrix(file).document
+    if document is None:
+        raise InputError(f"{file}: holds tables of marks or points; --before needs a decision matrix of facts")
     return document
+
+
+def _write_template(method: str, path: Path, *, force: bool, others: bool) -> None:
+    if others:
+        raise InputError("--template writes a new workbook; leave out --out, --trace and --before")
+    if path.suffix.lower() != ".xlsx":
+        raise InputError(f"{path}: a template is an Excel workbook; give it the ending .xlsx")
+    check_target(path, force=force)
+    from torquerig.reporting.workbook.template import write_template
+    from torquerig.whole_file import whole_file
+
+    with whole_file(path) as partial:
+        write_template(partial, method)
+    click.echo(f"wrote {path}; change the example in it, save it, and run torquerig matrix {path}", err=True)
 
 
 def check_target(path: Path, *, force: bool) -> None:

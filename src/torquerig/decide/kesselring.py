@@ -26,13 +26,15 @@ class Profile:
     """A points scale: from ``p_min`` (worst) to ``p_max`` (ideal), and when a rating counts as high.
 
     ``high`` is the T/T_max from which a result counts as high, so that a low cell in it is worth a warning; 0.6 is
-    the textbook limit below which a rating is unsatisfactory.
+    the textbook limit below which a rating is unsatisfactory. ``stated`` is False where a sheet states no scale: then
+    sums and ranks are known, and T/T_max is not.
     """
 
     name: str
     p_min: float
     p_max: float
     high: float = 0.6
+    stated: bool = True
 
     def refusal(self, points: float) -> str:
         """Return the error text for points outside the scale."""
@@ -108,7 +110,8 @@ class KesselringResult:
         """A sentence if the raw weights do not sum to 1, else empty; T/T_max does not depend on it."""
         if abs(self.weight_sum - 1) < 1e-9:
             return ""
-        return f"the weights sum to {self.weight_sum:g}, not 1; compare T/T_max, which does not depend on the sum"
+        sums = f"the weights sum to {self.weight_sum:g}, not 1"
+        return f"{sums}; compare T/T_max, which does not depend on the sum" if self.profile.stated else sums
 
     @cached_property
     def total_low(self) -> Array:
@@ -156,7 +159,7 @@ class KesselringResult:
                 share=float(self.share[row]),
             )
             for row, column in np.argwhere(self.high <= self.profile.weak + 1e-9).tolist()
-            if self.share[row] >= self.profile.high - 1e-9
+            if self.profile.stated and self.share[row] >= self.profile.high - 1e-9
         )
 
 

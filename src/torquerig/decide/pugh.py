@@ -1,5 +1,7 @@
 """Pugh matrix: each alternative is better (+), worse (-) or the same (S) as a baseline, under each criterion.
 
+Marks of people may be graded: ``++`` and ``--`` count 2 and -2 in the net, and as one better or worse in the counts.
+
 Pugh calls the baseline the datum. Signs come from values, so that a new baseline needs no new rating. Pugh counts
 ``+``, ``-`` and ``S`` separately; the net of pluses and minuses comes from concept screening and is an option here.
 Source: Pugh, Concept selection - a method that works, ICED 1981; net score: Ulrich and Eppinger, Product Design and
@@ -46,7 +48,8 @@ class PughResult:
     baseline : str
     alternatives, criteria : tuple of str
     low, high : ndarray of int8, shape (alternatives, criteria)
-        The worst and the best sign (-1, 0, +1) that the cells allow; where they differ the sign is ``?``.
+        The worst and the best sign (-1, 0, +1; -2 to 2 where graded) that the cells allow; where they differ the sign
+        is ``?``.
     """
 
     baseline: str
@@ -59,7 +62,7 @@ class PughResult:
         """Return the signs of one alternative, one per criterion."""
         row = self.alternatives.index(alternative)
         pairs = zip(self.low[row].tolist(), self.high[row].tolist(), strict=True)
-        return tuple(_CERTAIN[low] if low == high else Sign.UNKNOWN for low, high in pairs)
+        return tuple(_CERTAIN[(low > 0) - (low < 0)] if low == high else Sign.UNKNOWN for low, high in pairs)
 
     def counts(self, alternative: str) -> Mapping[Sign, int]:
         """Return how many ``+``, ``-``, ``S`` and ``?`` one alternative has: the result as Pugh defines it."""
@@ -124,8 +127,16 @@ def pugh_from_signs(signs: Mapping[str, Sequence[Sign]], *, baseline: str, crite
             raise InputError(f"{name}: {len(given)} signs for {len(criteria)} criteria; give one for each")
     if any(sign is not Sign.SAME for sign in signs.get(baseline, ())):
         raise InputError(f"{baseline}: the baseline is S against itself; leave its signs out")
-    full = {baseline: (Sign.SAME,) * len(criteria), **signs}
-    ends = np.array([[_RANGE[sign] for sign in given] for given in full.values()], dtype=np.int8)
+    ranges = {name: [_RANGE[sign] for sign in given] for name, given in signs.items()}
+    return pugh_from_levels(ranges, baseline=baseline, criteria=criteria)
+
+
+def pugh_from_levels(
+    levels: Mapping[str, Sequence[tuple[int, int]]], *, baseline: str, criteria: Sequence[str]
+) -> PughResult:
+    """Add up graded signs, each as its lowest and highest level from -2 to 2; the baseline has 0 and may be absent."""
+    full = {baseline: [(0, 0)] * len(criteria), **levels}
+    ends = np.array([list(given) for given in full.values()], dtype=np.int8)
     ends = ends.reshape(len(full), len(criteria), 2)
     return PughResult(
         baseline=baseline, alternatives=tuple(full), criteria=tuple(criteria), low=ends[..., 0], high=ends[..., 1]

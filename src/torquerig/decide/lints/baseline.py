@@ -11,7 +11,7 @@ def plus_against_having_baseline(table: MatrixTable, table_set: TableSet) -> lis
     """Find ``+`` against a baseline that has the property too, where the best possible is ``S``."""
     found = []
     for row in table.rows:
-        hit = [name for name, entry in zip(table.alternatives, row.entries, strict=True) if entry == "+"]
+        hit = [name for name, entry in zip(table.alternatives, row.entries, strict=True) if entry in ("+", "++")]
         if table.method is not Method.PUGH or not row.baseline_has or not hit:
             continue
         corrected = recomputed_pugh(table, correct_baseline=True)

@@ -29,7 +29,7 @@ def rows_without_difference(table: MatrixTable, table_set: TableSet) -> list[Fin
 
 def rows_all_minus(table: MatrixTable, table_set: TableSet) -> list[Finding]:
     """Find the rows in which all alternatives have ``-``."""
-    hit = [row for row in table.rows if row.entries and set(row.entries) == {"-"}]
+    hit = [row for row in table.rows if row.entries and {*row.entries} <= {"-", "--"}]
     if table.method is Method.ELIMINATION:
         why = "by the strict rule it eliminates every alternative"
         remedy = "check the requirement, which eliminates all; if it is a wish, remove it from this table"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from torquerig.decide.lints.finding import Finding, about
 from torquerig.decide.lost_cells import ROUNDING, lost_cell_values
 from torquerig.decide.matrix_io.matrix_table import MatrixTable, Method, TableSet
-from torquerig.decide.matrix_io.recompute import points_of, recomputed_kesselring, recomputed_pugh
+from torquerig.decide.matrix_io.recompute import points_of, recomputed_kesselring, recomputed_pugh, weighted_nets
 
 LINT = "sums that do not follow from the cells"
 
@@ -39,13 +39,15 @@ def products_do_not_follow(table: MatrixTable, table_set: TableSet) -> list[Find
 
 
 def _net(table: MatrixTable) -> list[Finding]:
-    result = recomputed_pugh(table)
+    result, heavy = recomputed_pugh(table), weighted_nets(table)
     found = []
-    for place, (name, printed) in enumerate(zip(table.alternatives, table.sums, strict=False), start=1):
-        low, high = int(result.net_low[place]), int(result.net_high[place])
-        if printed is not None and not low <= printed <= high:
-            given = f"{low}" if low == high else f"{low}..{high}"
-            found.append(_finding(table, f"{name}: the printed sum is {printed:g}, the signs give {given}"))
+    for place, (name, printed) in enumerate(zip(table.alternatives, table.sums, strict=False)):
+        ends = [(float(result.net_low[place + 1]), float(result.net_high[place + 1]))]
+        ends += [(float(heavy[0, place]), float(heavy[2, place]))] if table.has_weights else []
+        if printed is not None and not any(low - ROUNDING <= printed <= high + ROUNDING for low, high in ends):
+            given = [f"{low:.4g}" if low == high else f"{low:.4g}..{high:.4g}" for low, high in ends]
+            said = f"{given[0]}, weighted {given[1]}" if table.has_weights else given[0]
+            found.append(_finding(table, f"{name}: the printed sum is {printed:g}, the signs give {said}"))
     return found
 
 

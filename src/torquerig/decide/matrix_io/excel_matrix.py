@@ -14,6 +14,7 @@ from torquerig.decide.matrix_io import excel_layout as layout
 from torquerig.decide.matrix_io.workbook_tables import SheetTable, needed_table, refuse_unknown, sheet_tables
 from torquerig.document import Document, give_notice
 from torquerig.errors import InputError, did_you_mean
+from torquerig.safe_workbook import read_workbook
 
 Keys = tuple[str | int, ...]
 
@@ -30,6 +31,18 @@ class ExcelDocument(Document):
         while near and near not in self.cells:
             near = near[:-1]
         return f"{self.path}: {self.cells[near]}" if near in self.cells else str(self.path)
+
+
+def has_own_form(path: Path) -> bool:
+    """Return whether a workbook has the sheets that the program writes, perhaps without one of them.
+
+    Raises
+    ------
+    InputError
+        As :func:`~torquerig.safe_workbook.read_workbook`.
+    """
+    found = {*read_workbook(path, (layout.SETTINGS, layout.CRITERIA, layout.FACTS, layout.SOURCES))}
+    return len(found & {layout.SETTINGS, layout.CRITERIA, layout.FACTS}) > 1
 
 
 def read_excel_matrix(path: Path) -> ExcelDocument:

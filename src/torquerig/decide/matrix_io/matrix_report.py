@@ -18,7 +18,7 @@ from torquerig.decide.matrix_io.certainty_text import (
 )
 from torquerig.decide.matrix_io.matrix_file import matrix_from
 from torquerig.decide.matrix_io.matrix_table import TableSet
-from torquerig.decide.matrix_io.published_tables import tables_from
+from torquerig.decide.matrix_io.opened import OpenedMatrix, open_matrix
 from torquerig.decide.matrix_io.published_text import published_table_text
 from torquerig.decide.matrix_io.result_text import (
     chart_text,
@@ -29,7 +29,7 @@ from torquerig.decide.matrix_io.result_text import (
     pugh_text,
     sweep_text,
 )
-from torquerig.document import read_document
+from torquerig.plain_table import wrapped
 
 
 def matrix_report(path: Path) -> str:
@@ -40,10 +40,19 @@ def matrix_report(path: Path) -> str:
     InputError
         One sentence with file, line, key and remedy.
     """
-    document = read_document(path)
-    if isinstance(document.data, dict) and "tables" in document.data:
-        return published_tables_text(tables_from(document))
-    return matrix_analysis_text(analyse_matrix(matrix_from(document)))
+    opened = open_matrix(path)
+    if opened.document is None:
+        return tables_text(opened)
+    return matrix_analysis_text(analyse_matrix(matrix_from(opened.document)))
+
+
+def tables_text(opened: OpenedMatrix) -> str:
+    """Return the tables of a file with how a sheet was understood; empty where the file holds a matrix of facts."""
+    if opened.tables is None:
+        return ""
+    head = [heading("How the sheet was read"), *(wrapped(one) for one in opened.understood)]
+    said = "\n".join(head) + "\n\n" if opened.understood else ""
+    return said + published_tables_text(opened.tables)
 
 
 def published_tables_text(table_set: TableSet) -> str:

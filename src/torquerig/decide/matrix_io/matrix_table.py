@@ -11,7 +11,7 @@ from torquerig.decide.kesselring import TEACHING, Profile
 
 UNKNOWN = "?"
 SAME = ("0", "S", "s")
-_SIGN = {"+": 1.0, "-": -1.0, "0": 0.0, "S": 0.0, "s": 0.0}
+_SIGN = {"++": 2.0, "+": 1.0, "-": -1.0, "--": -2.0, "0": 0.0, "S": 0.0, "s": 0.0}
 
 Entry = str | float
 
@@ -33,11 +33,11 @@ class Row:
     criterion : str
         The name as printed.
     entries : tuple of str or float
-        One per alternative: a mark as printed (``+ - 0 S ? !``), points, or ``?``.
+        One per alternative: a mark as printed (``++ + - -- 0 S ? !``), points, or ``?``.
     place : str
         ``file:line: key`` of the row, for findings; empty if it was calculated.
     weight : float or None
-        As printed (Kesselring).
+        As printed (Kesselring, and a Pugh table that has weights).
     products : tuple of float or None
         Weight times points as printed, one per alternative; empty if none are.
     kind : Kind
@@ -65,7 +65,7 @@ class Row:
 
     @property
     def numbers(self) -> tuple[float | None, ...]:
-        """The entries as numbers: points, or +1, 0, -1 for marks; None where unknown or not tested."""
+        """The entries as numbers: points, or -2 to 2 for marks; None where unknown or not tested."""
         return tuple(_SIGN.get(entry) if isinstance(entry, str) else entry for entry in self.entries)
 
     @property
@@ -129,6 +129,11 @@ class MatrixTable:
     def weights(self) -> tuple[float, ...]:
         """The printed weights, 0 where a row has none."""
         return tuple(row.weight or 0.0 for row in self.rows)
+
+    @property
+    def has_weights(self) -> bool:
+        """Whether a row has a weight."""
+        return any(row.weight is not None for row in self.rows)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar
@@ -11,12 +11,13 @@ from torquerig.decide.criterion import Kind
 from torquerig.decide.kesselring import Profile
 from torquerig.decide.matrix_io.file_schema import STRICT, GoalText, ScaleText
 from torquerig.decide.matrix_io.matrix_table import SAME, UNKNOWN, Alias, Entry, MatrixTable, Method, Row, TableSet
+from torquerig.decide.matrix_io.written_values import may_be_thousands, number_of, pugh_mark, weight_of
 from torquerig.document import Document, read_document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 
 OLD_KEYS = {("tables", "*", "datum"): "baseline", ("tables", "*", "rows", "*", "datum_has"): "baseline_has"}
 """Paths of keys that files of earlier versions have, and the names that they have now."""
-_MARKS = {Method.ELIMINATION: ("+", "-", "?", "!"), Method.PUGH: ("+", "-", "0", "S", "?")}
+_MARKS = {Method.ELIMINATION: ("+", "-", "?", "!"), Method.PUGH: ("++", "+", "-", "--", "0", "S", "?")}
 _PROCEED = {"yes": True, "no": False}
 
 Keys = tuple[str | int, ...]
@@ -27,7 +28,7 @@ class _Row:
     __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
     cells: tuple[str | float | None, ...]
     proceed: str | None = None
-    weight: float | None = None
+    weight: float | str | None = None
     products: tuple[float | None, ...] = ()
     kind: Kind = Kind.TECHNICAL
     baseline_has: bool = False
@@ -132,7 +133,8 @@ def _elimination(document: Document, keys: Keys, table: _Table) -> MatrixTable:
         Row(
             criterion=criterion,
             entries=tuple(
-                str(UNKNOWN if row.cells[column] is None else row.cells[column]) for row in table.rows.values()
+                str(_mark(document, (*keys, "rows", name, "cells"), row.cells[column], table.method))
+                for name, row in table.rows.items()
             ),
             place=document.place((*keys, "columns", column)),
             follows_rating=criterion in table.follows_rating,
@@ -166,13 +168,12 @@ def _by_columns(document: Document, keys: Keys, table: _Table) -> MatrixTable:
     kept = [column for column, name in enumerate(table.columns) if name != apart]
     ideal = table.columns.index(apart) if apart in table.columns else None
     profile = _profile(document, keys, table)
-    if table.method is Method.KESSELRING:
-        _check_weights(document, keys, table)
+    weights = _checked_weights(document, keys, table)
     return MatrixTable(
         name=table.name,
         method=table.method,
         alternatives=tuple(table.columns[column] for column in kept),
-        rows=tuple(_row(document, (*keys, "rows", name), table, kept) for name in table.rows),
+        rows=tuple(_row(document, (*keys, "rows", name), table, kept, weights[name]) for name in table.rows),
         baseline=table.baseline,
         sums=tuple(table.sums[column] for column in kept) if table.sums else (),
         ranks=tuple(table.ranks[column] for column in kept) if table.ranks else (),
@@ -188,12 +189,12 @@ def _by_columns(document: Document, keys: Keys, table: _Table) -> MatrixTable:
     )
 
 
-def _row(document: Document, keys: Keys, table: _Table, kept: Sequence[int]) -> Row:
+def _row(document: Document, keys: Keys, table: _Table, kept: Sequence[int], weight: float | None) -> Row:
     name = str(keys[-1])
     row = table.rows[name]
     if table.method is Method.PUGH:
         baseline = row.cells[table.columns.index(table.baseline)]
-        if baseline not in (*SAME, "REF", table.baseline):
+        if baseline not in (*SAME, "REF", table.baseline) and pugh_mark(baseline) != "S":
             _fail(document, (*keys, "cells"), f"the cell of the baseline is {baseline!r}; it must be S")
         entries = tuple(_mark(document, (*keys, "cells"), row.cells[column], table.method) for column in kept)
     else:
@@ -202,7 +203,7 @@ def _row(document: Document, keys: Keys, table: _Table, kept: Sequence[int]) -> 
         criterion=name,
         entries=entries,
         place=document.place(keys),
-        weight=row.weight,
+        weight=weight,
         products=tuple(row.products[column] for column in kept) if row.products else (),
         kind=row.kind,
         baseline_has=row.baseline_has,
@@ -212,22 +213,25 @@ def _row(document: Document, keys: Keys, table: _Table, kept: Sequence[int]) -> 
 
 
 def _mark(document: Document, keys: Keys, entry: Entry | None, method: Method) -> Entry:
-    shown = UNKNOWN if entry is None else "0" if entry == 0 else entry
-    if shown not in _MARKS[method]:
+    shown: Entry | None = UNKNOWN if entry is None else "0" if entry == 0 else entry
+    if method is Method.PUGH or (isinstance(shown, str) and len(shown) == 1):
+        shown = shown if shown in _MARKS[method] else pugh_mark(shown)
+    if shown is None or shown not in _MARKS[method]:
         _fail(document, keys, f"{entry!r} is no mark of this table; write one of {' '.join(_MARKS[method])}")
-    return shown
+    return shown or UNKNOWN
 
 
 def _points(document: Document, keys: Keys, entry: Entry | None, scale: ScaleText) -> Entry:
     if entry is None or entry == UNKNOWN:
         return UNKNOWN
-    if isinstance(entry, str):
-        _fail(document, keys, f"{entry!r} is no number; write points, or ? where they are unknown")
-    elif not scale.min <= entry <= scale.max:
+    points = number_of(entry)
+    if points is None:
+        raise InputError(f"{document.place(keys)}: {entry!r} is no number; write points, or ? where they are unknown")
+    if not scale.min <= points <= scale.max:
         _fail(
-            document, keys, f"{entry:g} points are outside the scale {scale.min:g}..{scale.max:g}; correct one of them"
+            document, keys, f"{points:g} points are outside the scale {scale.min:g}..{scale.max:g}; correct one of them"
         )
-    return entry
+    return points
 
 
 def _profile(document: Document, keys: Keys, table: _Table) -> Profile:
@@ -240,19 +244,32 @@ def _profile(document: Document, keys: Keys, table: _Table) -> Profile:
         raise
 
 
-def _check_weights(document: Document, keys: Keys, table: _Table) -> None:
-    weights: Mapping[str, float | None] = {name: row.weight for name, row in table.rows.items()}
+def _checked_weights(document: Document, keys: Keys, table: _Table) -> dict[str, float | None]:
+    """Return the weight of each row, with ``20 %`` as 0.2; a Pugh table may have none, but not some."""
+    weights = {name: _weight(document, (*keys, "rows", name, "weight"), row) for name, row in table.rows.items()}
+    known = [weight for weight in weights.values() if weight is not None]
     for name, weight in weights.items():
-        if weight is None:
+        if weight is None and (known or table.method is Method.KESSELRING):
             _fail(document, (*keys, "rows", name), "the weight is missing; add weight:")
-        elif weight < 0:
-            _fail(
-                document,
-                (*keys, "rows", name, "weight"),
-                f"the weight {weight:g} must be at least 0; turn the criterion round",
-            )
-    if not any(weights.values()):
+    if not any(known) and (known or table.method is Method.KESSELRING):
         _fail(document, (*keys, "rows"), "all weights are 0; give at least one criterion a positive weight")
+    percent = [name for name, row in table.rows.items() if isinstance(row.weight, str) and "%" in row.weight]
+    plain = [name for name, weight in weights.items() if weight is not None and weight > 1 and name not in percent]
+    if percent and plain:
+        _fail(document, (*keys, "rows", plain[0], "weight"), f"{table.rows[plain[0]].weight!r} may be per cent, as "
+              f"{table.rows[percent[0]].weight!r} of {percent[0]!r} is; write all weights in one way")  # fmt: skip
+    return weights
+
+
+def _weight(document: Document, keys: Keys, row: _Row) -> float | None:
+    if row.weight is None:
+        return None
+    found = weight_of(row.weight)
+    if found is None or may_be_thousands(row.weight):
+        _fail(document, keys, f"{row.weight!r} is no clear number; write 20 %, 0.2 or 20")
+    elif found[0] < 0:
+        _fail(document, keys, f"the weight {found[0]:g} must be at least 0; turn the criterion round")
+    return found[0] if found else None
 
 
 def _refuse_twice(document: Document, keys: Keys, names: Sequence[str], *, what: str) -> None:

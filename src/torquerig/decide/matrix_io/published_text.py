@@ -15,6 +15,7 @@ from torquerig.decide.matrix_io.recompute import (
     recomputed_pugh,
     technical_shares,
     undeciding_rows,
+    weighted_nets,
 )
 from torquerig.decide.matrix_io.result_text import heading, kesselring_text, span
 from torquerig.decide.ranks import competition_ranks, dense_ranks, shown_rank
@@ -64,14 +65,30 @@ def _text_of_pugh(table: MatrixTable) -> str:
         ["Rank with the baseline", *(str(result.ranks[place]) for place in (0, *others))],
         ["Rank with ? either way", *(shown_rank(int(best[place]), int(worst[place])) for place in (0, *others))],
     ]
+    body = [row for row in body if not row[0].endswith("as printed") or any(row[1:])]
+    if table.has_weights:
+        low, known, high = weighted_nets(table)
+        ranks = competition_ranks(known)
+        body += [
+            ["weighted SUM (? left out)", "0", *(f"{one:.4g}" for one in known)],
+            ["weighted SUM, ? either way", "0", *(span(*ends) for ends in zip(low, high, strict=True))],
+            ["Rank by weighted SUM (1 2 2 4)", "", *(str(rank) for rank in ranks.tolist())],
+        ]
     if any(row.baseline_has for row in table.rows):
         body.append(["SUM, S where the baseline has it", "0", *(str(corrected.net_certain[one]) for one in others)])
-    return grid([["", table.baseline, *table.alternatives], *body])
+    if not table.has_weights:
+        return grid([["", table.baseline, *table.alternatives], *body])
+    weights = [f"{row.weight or 0:.4g}" for row in table.rows] + [""] * (len(body) - len(table.rows))
+    body = [[name, weight, *cells] for (name, *cells), weight in zip(body, weights, strict=True)]
+    said = "weighted SUM: weight times sign, ++ as 2; SUM: the signs alone"
+    return "\n".join([grid([["", "weight", table.baseline, *table.alternatives], *body]), said])
 
 
 def _text_of_kesselring(table: MatrixTable) -> str:
     result = recomputed_kesselring(table)
     ideal = "" if table.ideal_sum is None else f"{table.ideal_sum:g}"
+    if not (table.sums or table.spare_sums or table.ideal_sum is not None):
+        return kesselring_text(result)
     sums = [
         ["", "ideal", *table.alternatives, *("(no column)" for _ in table.spare_sums)],
         ["Sum as printed", ideal, *_printed(table.sums, len(table.alternatives)), *_printed(table.spare_sums, 0)],

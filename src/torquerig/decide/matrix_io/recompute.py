@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.decide.criterion import Kind
 from torquerig.decide.eliminate import Mark, SelectionChart, chart_from_marks
 from torquerig.decide.kesselring import KesselringResult, kesselring_from_points
-from torquerig.decide.matrix_io.matrix_table import Entry, MatrixTable, Row, canonical
-from torquerig.decide.pugh import PughResult, Sign, pugh_from_signs
+from torquerig.decide.matrix_io.matrix_table import UNKNOWN, Entry, MatrixTable, Row, canonical
+from torquerig.decide.matrix_io.written_values import LEVELS
+from torquerig.decide.pugh import PughResult, pugh_from_levels
 
 
 def recomputed_chart(table: MatrixTable, *, without: tuple[str, ...] = ()) -> SelectionChart:
@@ -35,11 +37,22 @@ def undeciding_rows(table: MatrixTable) -> tuple[Row, ...]:
 def recomputed_pugh(table: MatrixTable, *, correct_baseline: bool = False) -> PughResult:
     """Add up printed signs; with ``correct_baseline``, ``+`` becomes ``S`` where the baseline has the property too."""
     rows = [_at_best_same(row) if correct_baseline and row.baseline_has else row.entries for row in table.rows]
-    signs = {
-        name: [Sign(str(canonical(entries[place]))) for entries in rows]
-        for place, name in enumerate(table.alternatives)
+    open_ends = (-2, 2) if any(entry in ("++", "--") for entries in rows for entry in entries) else (-1, 1)
+    levels = {
+        name: [_levels(entries[place], open_ends) for entries in rows] for place, name in enumerate(table.alternatives)
     }
-    return pugh_from_signs(signs, baseline=table.baseline, criteria=[row.criterion for row in table.rows])
+    return pugh_from_levels(levels, baseline=table.baseline, criteria=[row.criterion for row in table.rows])
+
+
+def weighted_nets(table: MatrixTable) -> NDArray[np.float64]:
+    """Return the weighted sums of printed signs, shape (3, alternatives): every ? worst, left out, and best.
+
+    The sum of weight times sign, ``++`` as 2, with the weights as printed. Source: Ulrich and Eppinger, Product Design
+    and Development, concept scoring.
+    """
+    result, weights = recomputed_pugh(table), np.array(table.weights)
+    known = np.where(result.low == result.high, result.low, 0)
+    return np.stack([ends[1:] @ weights for ends in (result.low, known, result.high)])
 
 
 def recomputed_kesselring(table: MatrixTable) -> KesselringResult:
@@ -63,5 +76,12 @@ def points_of(table: MatrixTable, alternative: str) -> tuple[float | None, ...]:
     return tuple(entry if isinstance(entry, float) else None for entry in table.column(alternative))
 
 
+def _levels(entry: Entry, open_ends: tuple[int, int]) -> tuple[int, int]:
+    if entry == UNKNOWN:
+        return open_ends
+    level = LEVELS[str(canonical(entry))]
+    return level, level
+
+
 def _at_best_same(row: Row) -> tuple[Entry, ...]:
-    return tuple("S" if entry == "+" else entry for entry in row.entries)
+    return tuple("S" if entry in ("+", "++") else entry for entry in row.entries)

@@ -101,6 +101,8 @@ def kesselring_text(result: KesselringResult) -> str:
         ["T/T_max", "", "", "1", *(f"{span(round(low / ideal, 3), round(high / ideal, 3))}" for low, high in totals)]
     )
     body.append(["rank", "", "", "", *(shown_rank(*ends) for ends in zip(best.tolist(), worst.tolist(), strict=True))])
+    if not result.profile.stated:
+        return _without_ideal(result, head, body)
     lines = [f"warning: {result.warning}"] if result.warning else []
     lines += [f"* set by hand: {name}, {criterion!r}: {why}" for (name, criterion), why in result.by_hand.items()]
     lines += [
@@ -109,6 +111,13 @@ def kesselring_text(result: KesselringResult) -> str:
         for spot in result.weak_spots
     ]
     return "\n".join([grid([head, *body]), *lines])
+
+
+def _without_ideal(result: KesselringResult, head: list[str], body: list[list[str]]) -> str:
+    """Return the table where the scale is not stated: sums and ranks, nothing that depends on the highest points."""
+    kept = [[*row[:3], *row[4:]] for row in (head, *body) if row[0] != "T/T_max" or row is head]
+    said = "the sheet states no points scale: T/T_max is not known; write for example 'scale 0 to 4' in a cell"
+    return "\n".join([grid(kept), *([f"warning: {result.warning}"] if result.warning else []), said])
 
 
 def findings_text(findings: Sequence[Finding]) -> str:
