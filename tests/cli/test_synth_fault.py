@@ -128,10 +128,13 @@ def test_missing_rows_keep_the_time_and_the_truth_of_the_others() -> None:
         (("wrapped_angle", "--set", "unit=degree"), "'degree' is unknown; did you mean 'deg'?"),
         (("late_stamps",), "which synth writes to .csv alone; write --out synthetic.csv"),
         (("spikes", "--from", "nope.csv"), "nope.csv: there is no such file"),
+        (("spikes", "--from", "."), "."),
         (("spikes", "--from", "m.csv", "--rate", "1 kHz"), "remove --duration and --rate"),
         (("nope.yaml",), "nope.yaml: there is no such file"),
         (("f.yaml", "--set", "height=1 N*m"), "f.yaml states the parameters of its faults"),
         (("f.yaml",), "f.yaml:1: faults.0: the fault has no known type ('spike'); did you mean 'spikes'"),
+        (("lists.yaml",), "the fault has no known type ('[1]')"),
+        (("number.yaml",), "number.yaml:1: faults.0: 3 is no fault; write for example {type: spikes"),
         (("empty.yaml",), "empty.yaml:1: lists no faults; write faults: with one entry each"),
         (("mixture.yaml",), "describes a mixture; use torquerig synth mixture mixture.yaml"),
         (("spikes", "--duration", "0 s"), "--duration: 0 is not possible; write more than 0"),
@@ -139,6 +142,8 @@ def test_missing_rows_keep_the_time_and_the_truth_of_the_others() -> None:
 )
 def test_bad_input_is_one_sentence(words: tuple[str, ...], told: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path("f.yaml").write_text("faults: [{type: spike}]\n")
+    Path("lists.yaml").write_text("faults: [{type: [1]}]\n")
+    Path("number.yaml").write_text("faults: [3]\n")
     Path("empty.yaml").write_text("faults: []\n")
     Path("mixture.yaml").write_text("components: {}\nfaults: [{type: spikes}]\n")
     before = set(Path().iterdir())

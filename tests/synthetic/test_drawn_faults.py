@@ -171,10 +171,12 @@ def test_sizes_are_in_newton_metres_whatever_the_unit_of_the_channel(base: Recor
         ("dropouts", {"rate": 200.0}, "do not fit into 60000 samples"),
         ("dropouts", {"length": 1e-6}, "is less than half a sample"),
         ("dropouts", {"cutoff": 3e3}, "not below half the sample rate"),
+        ("spikes", {"rate": 1e9}, "do not fit into 60000 samples"),
+        ("wrapped_angle", {"unit": "count", "bits": 5000}, "write a whole number from 0 to 64"),
         ("alias", {"order": 12.0}, "write an order above"),
         ("sweep", {"stop": 3e3}, "not below half the sample rate"),
         ("clipping", {"share": -0.1}, "must be at least 0"),
-        ("held_samples", {"every": 0}, "write a whole number of at least 1"),
+        ("held_samples", {"every": 0}, "write a whole number from 1 to 1000000"),
     ],
 )
 def test_what_cannot_be_drawn_is_one_sentence(base: Recording, name: str, parameters: dict, told: str) -> None:

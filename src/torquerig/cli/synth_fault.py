@@ -55,8 +55,8 @@ def fault(
     from torquerig.synthetic.faults.registry import with_faults
     from torquerig.synthetic.writing import write_synthetic
 
-    check_target(out, overwrite=force, inputs=() if source is None else (source,))
     base = _base(source, duration=duration, rate=rate, seed=seed)
+    check_target(out, overwrite=force, inputs=() if source is None else (source,))
     faults = _faults(fault, settings, in_a_line=base.channels[base.torque_name()].quantity == "force")
     made = with_faults(base, faults, seed=1 if seed is None else seed)
     written = write_synthetic(made, out, overwrite=force)

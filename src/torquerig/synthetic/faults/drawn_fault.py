@@ -23,15 +23,16 @@ Acts = Literal["values", "steps", "stamps", "rows", "whole"]
 
 @dataclass(frozen=True)
 class Whole:
-    """The declaration of a whole number: its meaning and the smallest one."""
+    """The declaration of a whole number: its meaning, the smallest and the largest sensible one."""
 
     meaning: str
     low: int = 0
+    high: int = 1_000_000
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
         from pydantic_core import core_schema
 
-        return core_schema.int_schema(strict=True, ge=self.low)
+        return core_schema.int_schema(strict=True, ge=self.low, le=self.high)
 
 
 @dataclass(frozen=True)
@@ -144,8 +145,8 @@ class DrawnFault(ABC):
 def _check(value: Any, declared: object) -> None:
     if isinstance(declared, Parameter):
         declared.checked(value)
-    elif isinstance(declared, Whole) and (int(value) != value or value < declared.low):
-        raise ValueError(f"{value!r} is not possible; write a whole number of at least {declared.low}")
+    elif isinstance(declared, Whole) and (int(value) != value or not declared.low <= value <= declared.high):
+        raise ValueError(f"{value!r} is not possible; write a whole number from {declared.low} to {declared.high}")
 
 
 def _same(truth: Channel, measured: Channel | None) -> bool:

@@ -20,7 +20,7 @@ class Hum(DrawnFault):
     type: Literal["hum"] = "hum"
     amplitude: Annotated[float, Parameter("N*m", "of the mains frequency, zero to peak", low=0)] = 0.02
     frequency: Annotated[float, Parameter("Hz", "of the mains", above=0)] = 50.0
-    harmonics: Annotated[int, Whole("number of lines, the mains frequency included", low=1)] = 3
+    harmonics: Annotated[int, Whole("number of lines, the mains frequency included", low=1, high=1000)] = 3
 
     zero: ClassVar[dict[str, Any]] = {"amplitude": 0.0}
     acts_on: ClassVar[Acts] = "whole"

@@ -38,14 +38,20 @@ def drawn_moments(
         )
     if number == 0:
         return np.empty(0, dtype=np.int_)
+    if number * (length + 1) > recording.samples - 2:
+        raise InputError(_do_not_fit(fault, number, length, recording))
     ends = 1 + np.arange(number + 1) * (recording.samples - 2) // number
     free = np.diff(ends) - length
     if free.min() < 1:
-        raise InputError(
-            f"{fault}: {number} moments of {length} samples do not fit into {recording.samples} samples; write a lower "
-            "rate, or shorter ones"
-        )
+        raise InputError(_do_not_fit(fault, number, length, recording))
     return np.asarray(ends[:-1] + rng.integers(0, free), dtype=np.int_)
+
+
+def _do_not_fit(fault: str, number: int, length: int, recording: Recording) -> str:
+    return (
+        f"{fault}: {number} moments of {length} samples do not fit into {recording.samples} samples; write a lower "
+        "rate, or shorter ones"
+    )
 
 
 def within(samples: int, starts: NDArray[np.int_], length: int) -> NDArray[np.bool_]:

@@ -52,7 +52,11 @@ BY_NAME: Mapping[str, type[DrawnFault]] = {str(each.__dataclass_fields__["type"]
 
 
 def _known_type(written: Any) -> Any:
-    if isinstance(written, dict) and written.get("type") not in BY_NAME:
+    if isinstance(written, DrawnFault):
+        return written
+    if not isinstance(written, dict):
+        raise ValueError(f"{written!r} is no fault; write for example {{type: spikes, height: 0.5 N*m}}")
+    if str(written.get("type")) not in BY_NAME:
         name = str(written.get("type", ""))
         raise ValueError(f"the fault has no known type ({name!r}); {did_you_mean(name, BY_NAME)}")
     return written

@@ -19,7 +19,7 @@ class WrappedAngle(DrawnFault):
 
     type: Literal["wrapped_angle"] = "wrapped_angle"
     unit: Annotated[Literal["deg", "rad", "rev", "count"], Choice("of the angle in the file")] = "deg"
-    bits: Annotated[int, Whole("of the counter, for counts; 0: it does not overflow")] = 16
+    bits: Annotated[int, Whole("of the counter, for counts; 0: it does not overflow", high=64)] = 16
 
     zero: ClassVar[dict[str, Any]] = {"unit": "count", "bits": 0}
     named_by: ClassVar[tuple[str, ...]] = ("info", "filter", "ordermap")
