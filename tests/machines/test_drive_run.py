@@ -85,7 +85,7 @@ def test_a_run_that_blows_up_says_when():
         run_drive(
             machine(HarmonicEmf()),
             FieldOriented(dc_link=48.0),
-            shaft=TwoMasses(rotor_inertia=1e-12, load_inertia=1e-12, stiffness=1e9),
+            shaft=TwoMasses(rotor_inertia=1e-11, load_inertia=1e-11, stiffness=1e9),
             demand=TorqueDemand(torque=0.2),
             duration=0.1,
         )

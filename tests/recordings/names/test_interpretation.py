@@ -87,12 +87,15 @@ def test_nothing_is_guessed(cell: str, stated: str | None, quantity: str, unit: 
         (["Abs. Zeit [min]"], "Abs. Zeit [min]", 60.0),
         (["Time/ms"], "Time/ms", 1e-3),
         (["time", "time_s"], "time_s", 1.0),
+        (["Time_s"], "Time_s", 1.0),
+        (["Zeit_h"], "Zeit_h", 3600.0),
     ],
 )
 def test_the_column_of_times_is_found(names: list[str], time: str, seconds: float) -> None:
     found = time_column(names)
     assert found is not None
     assert (found.name, found.seconds) == (time, seconds)
+    assert found.stated is (time not in ("Time",))
 
 
 @pytest.mark.parametrize("name", ["t [degC]", "torque time constant [s]", "cycle time [s]", "Torque [Nm]"])

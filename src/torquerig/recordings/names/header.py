@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from torquerig.recordings.names.channel_units import unit_meanings
-from torquerig.recordings.names.words import close_quantity, quantity_by_words
+from torquerig.recordings.names.words import TIME_WORDS, close_quantity, quantity_by_words, words_of
 
 _BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[<{](?P<unit>[^\]>}]*)[\]>}]\s*$")
 _ROUND = re.compile(r"^(?P<name>.*?)\s*\((?P<unit>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*$")
@@ -46,9 +46,15 @@ def _underscored(text: str) -> tuple[str, str | None]:
         unit = "/".join(parts[first:])
         name = "_".join(parts[:first])
         # one letter is a unit behind a quantity (force_N), and a label elsewhere (phase_A)
-        if name and _is_unit(unit) and (len(unit) > 1 or quantity_by_words(name) or close_quantity(name)):
+        if name and _is_unit(unit) and (len(unit) > 1 or _is_quantity(name)):
             return name, unit
     return text, None
+
+
+def _is_quantity(name: str) -> bool:
+    words = words_of(name)
+    is_time = name.strip().lower() == "t" or any(word in TIME_WORDS for word in words)
+    return is_time or quantity_by_words(name) is not None or close_quantity(name) is not None
 
 
 def _is_label(match: re.Match[str]) -> bool:

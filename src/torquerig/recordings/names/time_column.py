@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 from torquerig.recordings.names.channel_units import unit_meanings
 from torquerig.recordings.names.header import split_header
-from torquerig.recordings.names.words import words_of
+from torquerig.recordings.names.words import TIME_WORDS, words_of
 
 # the first of these that a table has is its time
 _EXACT = ("time_s", "time", "t", "x_value", "zeit", "timestamp", "time stamp", "zeitstempel", "elapsed time")
-_WORDS = ("time", "zeit", "timestamp", "zeitstempel", "uhrzeit", "messzeit", "elapsed", "clock")
 # words that make a column of time something else than the time of the sample
 _NOT = ("constant", "konstante", "cycle", "zyklus", "delay", "const", "loop", "exposure", "response")
 
@@ -45,7 +44,7 @@ def time_column(names: Iterable[str], units: Mapping[str, str] | None = None) ->
         for key in (cell.strip().lower(), name.strip().lower()):
             candidates.setdefault(key, one)
         words = words_of(name)
-        if any(word in _WORDS for word in words) and not any(word in _NOT for word in words):
+        if any(word in TIME_WORDS for word in words) and not any(word in _NOT for word in words):
             worded.append(one)
     exact = next((candidates[key] for key in _EXACT if key in candidates), None)
     return exact or next(iter(worded), None)

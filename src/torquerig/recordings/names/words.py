@@ -23,6 +23,8 @@ _QUANTITY_OF = {
     **dict.fromkeys(("power", "leistung"), "power"),
     **dict.fromkeys(("tacho", "tach", "tachometer", "hall pulse", "trigger", "keyphasor", "index pulse"), "tacho"),
 }
+TIME_WORDS = ("time", "zeit", "timestamp", "zeitstempel", "uhrzeit", "messzeit", "elapsed", "clock")
+"""Words of the name of a column of times."""
 NOT_MEASURED = (
     "set", "setpoint", "soll", "sollwert", "target", "command", "commanded", "cmd", "demand", "reference", "ref",
     "limit", "error", "max", "maximum", "mean", "average", "avg", "mittelwert", "std", "rms",
