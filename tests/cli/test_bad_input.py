@@ -150,6 +150,7 @@ def test_ctrl_c_while_the_report_is_written_leaves_none(tmp_path: Path) -> None:
     assert list((tmp_path / "reports").iterdir()) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("command", ["simulate", "filter"])
 def test_ctrl_c_leaves_no_half_recording(command: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     def interrupted(*_: object, **__: object) -> None:

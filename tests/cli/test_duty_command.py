@@ -58,6 +58,7 @@ def test_a_motor_too_small_is_told(capsys):
     assert "Too hot: the winding exceeds its limit" in text
 
 
+@pytest.mark.long
 def test_a_simulated_recording_is_as_warm_as_its_profile(capsys):
     """Ripple and wander add little to the mean square of the torque."""
     said(capsys, "simulate", WEAR_RIG, "--duration", "3 s", "--truth", "--out", "run.parquet")

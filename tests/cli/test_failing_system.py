@@ -26,6 +26,7 @@ def _limited(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
     )  # fmt: skip
 
 
+@pytest.mark.long
 def test_a_full_disk_keeps_the_old_file(tmp_path: Path) -> None:
     for name in ("m.xlsx", "m.html", "m.md"):
         (tmp_path / name).write_text("old")

@@ -41,6 +41,7 @@ COUNTS = TORQUE + "  enc: {quantity: motor_angle, unit: count, counts_per_rev: 1
 RUN = "run: {motor: bldc-12n14p, gear_ratio: 5, speed_rpm: 1000}\n"
 
 
+@pytest.mark.long
 def test_an_encoder_in_degrees_that_wraps_is_unwrapped_and_named(tmp_path, run):
     path = written(tmp_path, ANGLE + RUN, ang=lambda turns: 360 * turns % 360)
     for command in ("info", "ordermap", "filter"):

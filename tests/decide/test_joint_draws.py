@@ -69,6 +69,7 @@ def test_every_total_is_the_weighted_points_of_the_drawn_values(table):
             assert totals[row, draw] == pytest.approx(total, abs=1e-9)  # rounding over some ten operations
 
 
+@pytest.mark.long
 @settings(max_examples=30, deadline=None)
 @given(tables, st.tuples(cell, cell, cell))
 def test_another_candidate_changes_no_draw_of_the_others_and_reorders_nobody(table, added):

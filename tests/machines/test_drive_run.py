@@ -23,6 +23,7 @@ def machine(back_emf):
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("control", CONTROLS)
 def test_momentum_is_the_integral_of_torque_less_load(control):
     run = run_drive(machine(TrapezoidalEmf()), control, shaft=SHAFT, demand=HOLD, duration=1.0, substeps=2)

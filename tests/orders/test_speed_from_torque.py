@@ -28,6 +28,7 @@ def stated(seeds, **limits):
     return np.mean(inside), np.array(widths), np.array(strong)
 
 
+@pytest.mark.long
 def test_drawn_speeds_are_in_their_interval():
     share, widths, strong = stated(range(30), longest=8.0, fastest=8000.0)
     # of 30, four are outside with a probability of 6 % where 95 % are inside

@@ -61,6 +61,7 @@ def test_answers_say_what_is_due():
         json.dumps(answer)
 
 
+@pytest.mark.long
 def test_the_command_writes_recordings_and_prints_the_seal(tmp_path):
     folder = tmp_path / "trials"
     told = CliRunner().invoke(make, ["--seed", "2", "--cases", "2", "--out", str(folder), "--duration", "1"])

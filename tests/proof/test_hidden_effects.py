@@ -162,6 +162,7 @@ def test_a_gap_is_hidden_only_where_flanks_may_part():
     assert any(run.occupancy == 0 or run.profile is Profile.REVERSAL for run in dealt(106, 35).plan)
 
 
+@pytest.mark.long
 def test_a_gap_is_hidden_only_where_a_recording_shows_it():
     """Drag may hold the flanks together without a load, too: case 83 of seed 137 was drawn so."""
     gap, hum = Backlash(gap=10.0), drawn("mains_interference", 0.5)

@@ -57,6 +57,7 @@ def plan_of(folder: Path, **changed) -> Plan:
     return Plan(**{"seeds": (5,), "cases": 2, "out": folder, "duration": 2.0} | changed)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("_canned")
 def test_the_seal_is_told_before_anything_is_recorded_or_diagnosed(tmp_path):
     told = []
@@ -231,6 +232,7 @@ def sealed_digest_of(answers):
     return seal_of(answers)
 
 
+@pytest.mark.long
 def test_the_page_holds_every_figure_in_both_forms(proved):
     written = write_pages(proved)
     html, text = written.html.read_text(), written.markdown.read_text()
@@ -251,6 +253,7 @@ def test_the_page_holds_every_figure_in_both_forms(proved):
     assert "http" not in html.replace("http://www.w3.org", "")
 
 
+@pytest.mark.long
 def test_every_failure_is_on_the_page(proved):
     written = write_pages(proved)
     text = written.markdown.read_text().split("## Failures")[1]
@@ -262,6 +265,7 @@ def test_every_failure_is_on_the_page(proved):
     assert "no diagnosis" in text
 
 
+@pytest.mark.long
 def test_the_table_of_gains_is_keyed_and_says_its_command(proved):
     write_pages(proved)
     entry = yaml.safe_load((proved.plan.out / "null_table.yaml").read_text())["tables"][0]

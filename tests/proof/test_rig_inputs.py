@@ -34,6 +34,7 @@ def test_both_pulses_carry_the_same_impulse():
     assert areas[1] == pytest.approx(areas[0], rel=0.01)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("slow_filter", list(SlowFilter))
 def test_the_slow_variation_has_unit_rms_and_halves_its_power_at_its_corner(slow_filter):
     laws = replace(SAME_LAWS, slow_filter=slow_filter)

@@ -42,6 +42,7 @@ def test_the_same_recording_gives_the_same_bytes() -> None:
     assert first == second
 
 
+@pytest.mark.long
 def test_short_constant_and_lost_signals_are_drawn() -> None:
     for values in (np.full(50, 0.7), np.array([1.0, 2.0]), np.full(50, np.nan), np.zeros(3)):
         assert svg(info_figure(recording_info(recording(values)), main="torque_V")).startswith(b"<?xml")

@@ -69,6 +69,7 @@ def test_a_file_in_the_place_of_the_folder_is_not_overwritten(runs, decided, ans
     assert place.read_text() == "a file"
 
 
+@pytest.mark.long
 def test_the_page_holds_everything_itself(written):
     page = written[0].read_text(encoding="utf-8")
     assert "<script" not in page

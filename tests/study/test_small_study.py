@@ -280,6 +280,7 @@ def test_an_open_demand_on_the_winner_is_undecidable_until_it_is_answered() -> N
     assert after.best_shares == pytest.approx(before.best_shares)
 
 
+@pytest.mark.long
 def test_what_if_shows_each_drive_before_and_after() -> None:
     found = changes(tiny(), tiny("load.occupancy=21"))
     assert [change.before for change in found] == ["bldc-12n14p 5:1", "bldc-12n14p 20:1"]

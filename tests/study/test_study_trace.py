@@ -57,6 +57,7 @@ def test_every_cell_has_its_way_and_every_rating_comes_from_the_catalog_or_says_
     assert of("bldc-12n14p 5:1", "servo motor").texts("catalog") == ("whether bldc-12n14p is a servo motor: ?",)
 
 
+@pytest.mark.long
 def test_a_simulated_figure_rests_on_every_catalog_value_of_the_rig_with_interval_evidence_and_source() -> None:
     cell = of(f"{NEW} | low_pass_20Hz", "reading error")
     told = cell.texts("catalog")

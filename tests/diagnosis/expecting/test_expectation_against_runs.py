@@ -86,6 +86,7 @@ def test_the_twin_without_the_effect_does_not(name: str, wear_rig: Scenario, rec
     assert np.sum(without.all() ** 2) > LEAST_GAIN + np.sum(own.all() ** 2)
 
 
+@pytest.mark.long
 def test_strong_lines_agree_within_chance_and_a_hundredth(wear_rig: Scenario, record: Record) -> None:
     rig = wear_rig.rig
     run = seen(rig, record(rig, 4, duration=10.0))
@@ -148,6 +149,7 @@ def test_dry_friction_turns_with_the_motion(wear_rig: Scenario) -> None:
     assert added == pytest.approx([-0.2, -(0.2 + 0.3 * near), 0.3 + 0.4 * near, 0.3], rel=1e-6)
 
 
+@pytest.mark.long
 def test_without_an_encoder_the_shaft_is_followed_in_the_torque(wear_rig: Scenario, record: Record) -> None:
     rig = wear_rig.rig
     bare = [record(rig, 7, encoder=False), record(rig, 8, rpm=700.0, encoder=False)]

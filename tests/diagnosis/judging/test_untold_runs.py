@@ -55,6 +55,7 @@ def highest(held: tuple[Features, ...]) -> float:
     return max(float(np.abs(each.observed.recording.torque_values()).max()) for each in held)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("load", "limit", "flat"), [(3.0, 1.2, True), (1.0, 1.2, False), (3.0, 0.8, False)])
 def test_a_model_may_stand_at_a_limit_that_the_recording_never_reaches(
     load: float, limit: float, *, flat: bool, wear_rig: Scenario, held: tuple[Features, ...]

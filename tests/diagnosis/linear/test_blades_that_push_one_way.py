@@ -27,6 +27,7 @@ def rig_with(scenario: Scenario, *, one_way: bool, backward: bool = False) -> Ri
     return (rig + BladePass(name="blades", order_output=5.0, amplitude=AMPLITUDE, one_way=one_way)).at(run)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("one_way", "expected"), [(False, 0.0), (True, 2 * AMPLITUDE / 4)])
 def test_both_directions_together_read_twice_the_mean(one_way: bool, expected: float, wear_rig: Scenario) -> None:
     """Friction, drag and load change their sign with the motion: A/4 stays, for the simulators and the twin."""

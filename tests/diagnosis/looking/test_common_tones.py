@@ -49,6 +49,7 @@ def led(plain: list[Recording], wear_rig: Scenario) -> tuple[Observed, ...]:
     return followed(recordings, recordings, wear_rig.rig)
 
 
+@pytest.mark.long
 def test_the_shaft_is_followed_by_its_own_lines(led: tuple[Observed, ...]) -> None:
     assert factors(led) == pytest.approx([OFF, OFF], abs=3e-4)
     assert common_tones(led) == pytest.approx([NEAR * k for k in HARMONICS], abs=0.02)

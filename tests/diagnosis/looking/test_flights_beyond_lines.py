@@ -6,6 +6,7 @@ from collections.abc import Callable
 from math import pi
 
 import numpy as np
+import pytest
 
 from torquerig.diagnosis.looking.features import features
 from torquerig.diagnosis.looking.flights import CLEARLY, flights_counted
@@ -34,6 +35,7 @@ def resting_once_a_turn(highest: int, *, astray: float = 0.0) -> tuple[np.ndarra
     ]
 
 
+@pytest.mark.long
 def test_waves_that_rest_near_zero_are_no_flights(by_hand: ByHand) -> None:
     torque, orders = resting_once_a_turn(60)
     seen = features(by_hand(torque + NOISE, 2 * pi * TURNS, rate=RATE), [order(each) for each in orders])

@@ -21,6 +21,7 @@ def fails(form: str, count: int, seed: int) -> str:
     return "" if done.returncode == 0 else f"exit {done.returncode}\n{done.stdout}\n{done.stderr[-2000:]}"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("form", ["mat5", "mat7", "tdms"])
 def test_damaged_copies(form: str) -> None:
     assert fails(form, 200, 1) == ""

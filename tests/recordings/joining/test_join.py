@@ -23,6 +23,7 @@ def two_rates(path: Path, *, fast: float, slow: float, seconds: float = 4.0) -> 
             file.write_segment([ChannelObject("log", name, values, properties)])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("fast", "slow"), [(1000, 100), (2500, 99.7), (51200, 50)])
 def test_two_rates_of_one_file_become_the_higher(tmp_path: Path, fast: float, slow: float) -> None:
     path = tmp_path / "run.tdms"

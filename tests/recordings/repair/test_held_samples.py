@@ -66,6 +66,7 @@ def test_what_is_not_held_keeps_none(smooth: np.ndarray) -> None:
         assert on_straight_lines(recording, None) is recording
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("every", [10.7, 22.88])
 def test_a_rhythm_that_one_run_tells_is_found_where_steps_hardly_pass_the_noise(every: float) -> None:
     time = np.arange(40_000) / RATE

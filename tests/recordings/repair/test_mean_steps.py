@@ -103,6 +103,7 @@ def test_a_signal_that_rests_on_one_code_and_moves_to_the_next_does_not_step(cle
     assert mean_steps([resting]) != ((),)
 
 
+@pytest.mark.long
 def test_it_is_told_and_mended_before_any_fit(clean: Recording, wear_rig: Scenario) -> None:
     found = sample_findings([stepped(clean, 1.5)], wear_rig.rig)
     assert found.candidates == ()
@@ -131,6 +132,7 @@ def test_a_drift_and_a_friction_pay_for_what_a_step_that_was_not_seen_would_gain
         assert prices == ({300.0} if stepping else {0.0})
 
 
+@pytest.mark.long
 def test_many_steps_are_told_and_left_in(clean: Recording, wear_rig: Scenario) -> None:
     """Within 4 ms: a signal that jumps so within a sample is telegraph noise."""
     to_and_fro = 1.5 * np.convolve(np.arange(clean.samples) // 9_000 % 2, np.full(40, 1 / 40), "same")

@@ -125,6 +125,7 @@ def recording(volts: Floats, *, code: float = CODE, unit: str = "V", quantity: s
     return Recording(name="run", sample_rate=RATE, channels={"reading": channel}, run=Run(speed=70.0))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("spoil", SPOILT, ids=lambda each: each.__name__)
 def test_each_fault_is_found_alike_in_any_unit(spoil: Callable[[Floats], Floats]) -> None:
     volts = spoil(torque())

@@ -59,6 +59,7 @@ def test_unit_and_sign_change_nothing() -> None:
         assert other.level == pytest.approx(factor * found.level, rel=1e-6, abs=1e-9 * abs(factor))
 
 
+@pytest.mark.long
 def test_info_says_it_in_a_sentence() -> None:
     drawn = lossy(3, duration=SHORT)
     channel = Channel(values=drawn.values, quantity="torque", unit=drawn.unit, si_per_unit=drawn.nm_per_unit)

@@ -52,6 +52,7 @@ def test_steps_of_a_code_do_not() -> None:
     assert sample_jumps(codes, resolution=0.05).size == 0
 
 
+@pytest.mark.long
 def test_they_are_told_where_no_gain_can_be(record: Callable[..., Recording], wear_rig: Scenario) -> None:
     """A gain that is higher for half of the time, so that nobody knows which one is usual."""
     clean = record(wear_rig.rig, 3, duration=8.0, rate=10_000.0)

@@ -95,6 +95,7 @@ def test_the_largest_path_of_a_grid_is_found_by_trying_all() -> None:
     assert largest_path_sum(values, 3) == (pytest.approx(every[start, stop]), start, stop)
 
 
+@pytest.mark.long
 def test_it_is_told_and_placed_in_every_run(clean: Recording, wear_rig: Scenario) -> None:
     spoilt = clean.with_values("torque_V", volts_of(clean) + sweeping(300.0, 520.0, 0.05))
     ramp = replace(spoilt, name="ramp.parquet", run=replace(spoilt.run, profile="ramp"))

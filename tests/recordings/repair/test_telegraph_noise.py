@@ -49,6 +49,7 @@ def found_in(recordings: Sequence[Recording]) -> tuple[Telegraph | None, ...]:
     return telegraph_noise(recordings, [()] * len(recordings), resolution=CODE)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("height", [0.15, 1.5, -0.6])
 def test_it_is_found_to_the_sample_and_taken_out(height: float, clean: list[Recording]) -> None:
     spoilt = jumping(clean, height)

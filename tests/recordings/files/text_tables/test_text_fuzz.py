@@ -78,6 +78,7 @@ def fuzz(folder: Path, count: int) -> None:
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < MOST_MEMORY
 
 
+@pytest.mark.long
 def test_some_hundred_damaged_files(tmp_path: Path) -> None:
     fuzz(tmp_path, 240)
 
