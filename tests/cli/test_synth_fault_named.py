@@ -62,6 +62,15 @@ def test_the_commands_name_it(fault: DrawnFault, capsys: pytest.CaptureFixture[s
             assert "suspicious" not in said, f"{command}: {said[-1500:]}"
 
 
+def test_clipping_is_named_under_noise_where_the_signal_is_smooth(capsys: pytest.CaptureFixture[str]) -> None:
+    mixture = base_signal()
+    smooth = {name: one for name, one in mixture.components.items() if name != "sensor"}
+    fault = BY_NAME["clipping"](noise=1e-3, share=0.05)
+    made = with_faults(mixed(mixture.model_copy(update={"components": smooth})), [fault], seed=1)
+    write_synthetic(made.without_truth(), Path("x.csv"))
+    assert re.search(fault.named_as, said_by("info", capsys))
+
+
 def test_the_base_signal_has_no_fault(capsys: pytest.CaptureFixture[str]) -> None:
     write_synthetic(mixed(base_signal()).without_truth(), Path("x.csv"))
     for command in COMMANDS:
