@@ -131,3 +131,21 @@ def _edit(path: Path, edit: Edit) -> None:
         for name, content in parts.items():
             if content is not None:
                 archive.writestr(name, content)
+
+
+@pytest.mark.parametrize("at", ["B2", "D2"])
+def test_a_formula_with_an_empty_text_as_result_is_an_empty_cell(at: str, workbook: Path) -> None:
+    book = openpyxl.load_workbook(workbook)
+    book["Facts"][at] = '=IF(A2="A","",1)'
+    book.save(workbook)
+    with pytest.raises(InputError, match=f"cell {at}: the formula .* has no stored value"):
+        read_workbook(workbook)
+    with zipfile.ZipFile(workbook) as archive:
+        parts = {name: archive.read(name) for name in archive.namelist()}
+    cell = f'<c r="{at}"'.encode()
+    assert parts[SHEET].count(cell) == 1
+    parts[SHEET] = parts[SHEET].replace(cell, cell + b' t="str"')  # as spreadsheet programs store the result ""
+    with zipfile.ZipFile(workbook, "w") as archive:
+        for name, content in parts.items():
+            archive.writestr(name, content)
+    assert read_workbook(workbook)["Facts"][1] == (2, ("A",) if at == "B2" else ("A", 100.5))

@@ -90,17 +90,23 @@ def _safe_content(path: Path) -> bytes:
 def _rows(path: Path, values: Any, formulas: Any) -> Iterator[tuple[int, Row]]:
     values.reset_dimensions()  # the stated ones may be those of an empty sheet of a million rows
     formulas.reset_dimensions()
-    pairs = zip_longest(values.iter_rows(values_only=True), formulas.iter_rows(values_only=True), fillvalue=())
-    for number, (stored, written) in enumerate(pairs, start=1):
+    pairs = zip_longest(values.iter_rows(), formulas.iter_rows(values_only=True), fillvalue=())
+    for number, (cells, written) in enumerate(pairs, start=1):
+        stored = tuple(_stored(cell) for cell in cells)
         row = _without_end(stored)
         if not row and not _without_end(written):
             continue
         _refuse_far(path, values.title, number, len(row))
-        for column, (value, live) in enumerate(zip_longest(row, written)):
+        for column, (value, live) in enumerate(zip_longest(stored, written)):
             problem = _problem(value, live)
             if problem:
                 raise InputError(f"{path}: sheet {values.title!r}, cell {column_letters(column)}{number}: {problem}")
         yield number, row
+
+
+def _stored(cell: Any) -> Any:
+    """Return the value of a cell; a formula whose stored result is an empty text has this type and no value."""
+    return "" if cell.value is None and cell.data_type == "str" else cell.value
 
 
 def _problem(value: Any, live: Any) -> str | None:

@@ -208,7 +208,7 @@ REFUSED = {
     "outside the scale": (changed(POINTS, D2=7), "cell D2: 7 points are outside the scale 0..4"),
     "no name of a row": (changed(PUGH, A5=None), "cell A5: the values of C?D?5?.* have no name|have no name"),
     "no name of a column": (changed(POINTS, D1=None), "D2:D4: these values have no name"),
-    "names twice": (changed(POINTS, D1="A"), "the name 'A' occurs twice, over D2 and C2"),
+    "names twice": (changed(POINTS, D1="A"), "the name 'A' occurs twice, over D2:D4 and C2:C4"),
     "criterion twice": (changed(POINTS, A3="Preis [EUR]"), "cell A3: the criterion 'Preis .EUR.' occurs twice"),
     "half a row": (changed(PUGH, D5=None, E5=None), "cell A5: 'Noise' has 0 of 2 values"),
     "unknown without scale": (changed(POINTS[:5], D2="?"), "cell D2: the points are unknown, and the sheet"),

@@ -14,11 +14,15 @@ SMALLEST = 2  # values; one criterion with two alternatives is the smallest matr
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """A block of values: the row of the column names, the column of the row names, and the count of named values."""
+    """A block of values: the row of the column names, the column of the row names, and the count of named values.
+
+    ``is_table`` is False where the values are in one row or in one column only, as in a legend.
+    """
 
     header: int
     labels: int
     values: int
+    is_table: bool = True
 
 
 def largest_block(grid: Grid) -> Block | None:
@@ -41,7 +45,10 @@ def largest_block(grid: Grid) -> Block | None:
         return None
     pairs = [(rows[row], columns[column]) for row, column in np.argwhere(named == most).tolist()]
     header, labels = min(pairs, key=lambda pair: _flaws(grid, *pair))
-    return Block(header=header, labels=labels, values=most)
+    up, left = rows.index(header), columns.index(labels)
+    held = (text[:, [left]] * value) * text[[up], :]
+    is_table = min((held.sum(axis=axis) > 0).sum() for axis in (0, 1)) > 1
+    return Block(header=header, labels=labels, values=most, is_table=bool(is_table))
 
 
 def _flaws(grid: Grid, header: int, labels: int) -> tuple[int | bool, ...]:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from torquerig.decide.matrix_io.written_sheet.block import Block
 from torquerig.decide.matrix_io.written_sheet.grid import Grid, is_value
+from torquerig.decide.matrix_io.written_sheet.weights import are_shares, is_product
 from torquerig.decide.matrix_io.written_sheet.words import Total, Word, is_datum, names_product, total_of, word_of
 from torquerig.errors import InputError
 
@@ -48,16 +49,21 @@ class Lines:
 def column_names(grid: Grid, block: Block) -> dict[int, str]:
     """Return the name of each column; repeated ones (points, weighted) get the name merged over them."""
     own = {column: grid.text(block.header, column) for column in grid.columns if column != block.labels}
-    given = [name for name in own.values() if name]
-    repeated = {name for name in given if given.count(name) > 1}
+    repeated = repeated_names(grid, block)
     above = [row for row in grid.rows if row < block.header]
     if not repeated or not above:
         return own
     over, names = "", {}
     for column, name in own.items():
         over = grid.text(above[-1], column) or over
-        names[column] = over if over and name in repeated else name
+        names[column] = over if over and name in repeated else name or grid.text(above[-1], column)
     return names
+
+
+def repeated_names(grid: Grid, block: Block) -> set[str]:
+    """Return the column names that occur more than once, as the second line of a head with two lines has."""
+    given = [grid.text(block.header, column) for column in grid.columns if (block.header, column) in grid.cells]
+    return {name for name in given if given.count(name) > 1}
 
 
 def lines_of(grid: Grid, block: Block) -> Lines:
@@ -72,23 +78,34 @@ def lines_of(grid: Grid, block: Block) -> Lines:
     below = [row for row in grid.rows if row > block.header]
     filled = {column: [row for row in below if is_value(grid.cells.get((row, column)))] for column in names}
     texts = {column: sum((row, column) in grid.cells for row in below) - len(filled[column]) for column in names}
+    weights = _weights(grid, block, names, filled)
+    second = _products(grid, names, [c for c in names if filled[c] and c != weights], tuple(below), weights)
     single = {word: [c for c in names if filled[c] and word_of(names[c]) is word] for word in Word}
-    weights = _one(grid, block, single[Word.WEIGHT] or single[Word.MASS_OR_WEIGHT][:1], "weights")
+    single = {word: [c for c in columns if c not in second.values()] for word, columns in single.items()}
     datum = _one(grid, block, [c for c in names if is_datum(names[c])] or _spelled(grid, names, below), "datum")
     ideal = _one(grid, block, single[Word.IDEAL], "ideal")
-    kept = [c for c in names if filled[c] and len(filled[c]) >= texts[c] and c not in (weights, datum, ideal)]
+    apart = (weights, datum, ideal, None if ideal is None else second.get(ideal))
+    kept = [c for c in names if filled[c] and len(filled[c]) >= texts[c] and c not in apart]
     beside = {row for c in kept if names[c] for row in filled[c]}
     kept = [c for c in kept if c not in single[Word.NUMBER] and (names[c] or beside & {*filled[c]})]
     criteria, totals, headings = _rows(grid, block, kept, weights)
     products = _products(grid, names, kept, tuple(criteria), weights)
     rated = tuple(c for c in kept if c not in products.values())
+    products |= {ideal: second[ideal]} if ideal in second else {}
     _refuse_unnamed(grid, names, rated, tuple(criteria))
-    known = {weights, datum, ideal, *kept}
+    known = {*apart, *kept}
     return Lines(
         grid=grid, block=block, names={c: names[c] for c in names if c in known}, criteria=criteria, totals=totals,
         rated=rated, weights=weights, datum=datum, ideal=ideal, products=products, headings=tuple(headings),
         unused=tuple(c for c in names if c not in known and any((row, c) in grid.cells for row in below)),
     )  # fmt: skip
+
+
+def _weights(grid: Grid, block: Block, names: dict[int, str], filled: dict[int, list[int]]) -> int | None:
+    """Return the column of the weights: named so, or named ambiguously, or by a letter with values of weights."""
+    named = {word: [c for c in names if filled[c] and word_of(names[c]) is word] for word in Word}
+    letters = [c for c in named[Word.LETTER] if are_shares(grid, filled[c], c)]
+    return _one(grid, block, named[Word.WEIGHT] or named[Word.MASS_OR_WEIGHT][:1] or letters, "weights")
 
 
 def _one(grid: Grid, block: Block, columns: list[int], what: str) -> int | None:
@@ -164,6 +181,7 @@ def _check_criterion(
 
 def _refuse_unnamed(grid: Grid, names: dict[int, str], rated: tuple[int, ...], criteria: tuple[int, ...]) -> None:
     seen: dict[str, int] = {}
+    rows = criteria or grid.rows
     for column in rated:
         spots = [(row, column) for row in criteria if (row, column) in grid.cells]
         if not names[column] and spots:
@@ -172,9 +190,10 @@ def _refuse_unnamed(grid: Grid, names: dict[int, str], rated: tuple[int, ...], c
                 f"{'row' if not grid.is_turned else 'column'} of the names, or clear them"
             )
         if names[column] in seen:
+            one, other = (grid.span([(row, place) for row in rows]) for place in (column, seen[names[column]]))
             raise InputError(
-                f"{grid.origin}: the name {names[column]!r} occurs twice, over {grid.name(criteria[0], column)} and "
-                f"{grid.name(criteria[0], seen[names[column]])}; give each alternative a different name"
+                f"{grid.origin}: the name {names[column]!r} occurs twice, over {one} and {other}; "
+                "give each alternative a different name"
             )
         seen[names[column]] = column
 
@@ -185,8 +204,6 @@ def _products(
     """Return the columns that hold weight times the points of the column before, found by the numbers in them."""
     if weights is None:
         return {}
-    from torquerig.decide.matrix_io.written_sheet.weights import is_product
-
     found: dict[int, int] = {}
     for first, second in pairwise(kept):
         if first in found.values():

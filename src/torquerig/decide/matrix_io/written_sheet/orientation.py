@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from torquerig.decide.matrix_io.written_sheet.block import Block, largest_block
 from torquerig.decide.matrix_io.written_sheet.grid import Grid, is_value
-from torquerig.decide.matrix_io.written_sheet.lines import Lines, column_names, lines_of
-from torquerig.decide.matrix_io.written_sheet.weights import are_surely_weights
+from torquerig.decide.matrix_io.written_sheet.lines import Lines, column_names, lines_of, repeated_names
+from torquerig.decide.matrix_io.written_sheet.weights import are_shares, are_surely_weights
 from torquerig.decide.matrix_io.written_sheet.words import (
     Word,
     is_datum,
@@ -59,8 +59,10 @@ def evidence(grid: Grid, block: Block) -> list[str]:
     names = column_names(grid, block)
     below = [row for row in grid.rows if row > block.header and (row, block.labels) in grid.cells]
     labels = {row: grid.text(row, block.labels) for row in below}
+    repeated = repeated_names(grid.turned(), Block(header=block.labels, labels=block.header, values=block.values))
     named = [row for row in grid.rows if row != block.header and (row, block.labels) in grid.cells]
     labels |= {row: grid.text(row, block.labels) for row in named}
+    named = [row for row in named if labels[row] not in repeated]
     totals = [row for row in named if total_of(labels[row]) and _values(grid, row, names) > 1]
     criteria = [row for row in below if row not in totals and _values(grid, row, names) > 0]
     column = grid.line_word(is_row=False)
@@ -106,6 +108,8 @@ def _marks_rows(grid: Grid, names: dict[int, str], column: int, criteria: list[i
     if word is Word.MASS_OR_WEIGHT:
         others = [one for one in names if one != column]
         return bool(criteria) and are_surely_weights(grid, criteria, column, others)
+    if word is Word.LETTER:
+        return bool(criteria) and are_shares(grid, criteria, column)
     spelled = word_of("".join(grid.text(row, column) for row in criteria)) is Word.DATUM
     return (word in (Word.WEIGHT, Word.IDEAL) and filled) or word is Word.UNIT or is_datum(names[column]) or spelled
 

@@ -9,11 +9,11 @@ from torquerig.decide.kesselring import Profile
 from torquerig.decide.matrix_io.matrix_table import UNKNOWN, Method
 from torquerig.decide.matrix_io.written_sheet.grid import Grid
 from torquerig.decide.matrix_io.written_sheet.lines import Lines
+from torquerig.decide.matrix_io.written_sheet.weights import MOST_POINTS
 from torquerig.decide.matrix_io.written_sheet.words import Word, word_of
 from torquerig.decide.matrix_io.written_values import LEVELS, LONG_DASHES, number_of, pugh_mark
 from torquerig.errors import InputError
 
-MOST_POINTS = 10  # the widest common points scale; a wider one must be stated
 _SCALE = re.compile(
     r"\b(?:scale|skala|points?|punkte?|punkteskala|rating scale|bewertungsskala)\b[^0-9]{0,20}(\d+(?:[.,]\d+)?)\s*"
     r"(?:-|\u2013|\u2212|to|bis|\.\.+|\u2026)\s*(\d+(?:[.,]\d+)?)",
@@ -131,6 +131,10 @@ def profile_of(lines: Lines) -> Profile:
     ideal = set() if lines.ideal is None else {number_of(grid.cells.get(s)) for s in _spots(lines, (lines.ideal,))}
     if stated:
         low, high = next(iter(stated))
+        if not low < high:
+            raise InputError(
+                f"{grid.origin}: the points scale {low:g} to {high:g} must run upwards; write {high:g} to {low:g}"
+            )
         return Profile(name=f"{low:g}-{high:g}", p_min=low, p_max=high)
     points = [p for spot in _spots(lines, lines.rated) if (p := number_of(grid.cells.get(spot))) is not None]
     low = min([1.0, *points])
@@ -141,7 +145,7 @@ def profile_of(lines: Lines) -> Profile:
             "the scale for every criterion; correct it, or rename the column"
         )
     if top is not None:
-        return Profile(name=f"up to {top:g}", p_min=low, p_max=top)
+        return Profile(name=f"up to {top:g}", p_min=min(0.0, low), p_max=top)
     return Profile(name="not stated", p_min=0, p_max=MOST_POINTS, stated=False)
 
 

@@ -13,6 +13,7 @@ from torquerig.decide.matrix_io.written_sheet.grid import Grid, Spot, text_grid,
 from torquerig.decide.matrix_io.written_sheet.lines import Lines
 from torquerig.decide.matrix_io.written_sheet.orientation import oriented_lines
 from torquerig.decide.matrix_io.written_sheet.ratings import marks_of, method_of, points_of_cells, profile_of
+from torquerig.decide.matrix_io.written_sheet.totals import refuse_unnamed_result
 from torquerig.decide.matrix_io.written_sheet.understood import understood, used_cells
 from torquerig.decide.matrix_io.written_sheet.weights import weights_of
 from torquerig.decide.matrix_io.written_values import number_of, weight_of
@@ -77,6 +78,7 @@ def _table(lines: Lines, *, name: str) -> tuple[MatrixTable, list[str]]:
     profile = profile_of(lines) if method is Method.KESSELRING else None
     table = _matrix_table(lines, method, weights, profile, name)
     _refuse_second_table(lines)
+    refuse_unnamed_result(lines, table)
     return table, understood(lines, table, way)
 
 
@@ -128,7 +130,7 @@ def _refuse_second_table(lines: Lines) -> None:
     rest = {spot: value for spot, value in grid.cells.items() if spot not in used}
     other = Grid(path=grid.path, sheet=grid.sheet, cells=rest, is_turned=grid.is_turned)
     block = largest_block(other)
-    if block is not None and block.values >= 4:
+    if block is not None and block.is_table:
         place = grid.name(block.header, block.labels)
         raise InputError(
             f"{grid.origin}: there is a second table at {place}; use one sheet for each matrix, or clear "

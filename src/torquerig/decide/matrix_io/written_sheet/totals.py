@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from torquerig.decide.matrix_io.written_sheet.lines import Lines
 from torquerig.decide.matrix_io.written_sheet.words import Total
 from torquerig.decide.matrix_io.written_values import LEVELS, may_be_thousands, number_of, weight_of
 from torquerig.decide.ranks import TIE, competition_ranks, dense_ranks
+from torquerig.errors import InputError
 
 EXACT = 1e-6  # [1] relative rounding of a spreadsheet program's sums
 
@@ -42,6 +43,31 @@ def totals_compared(lines: Lines, table: MatrixTable) -> list[str]:
         said.append(_rank_sentence(where, printed, table, ways) if kind is Total.RANK else
                     _sentence(where, printed, table, ways.get(kind, ())))  # fmt: skip
     return said
+
+
+def refuse_unnamed_result(lines: Lines, table: MatrixTable) -> None:
+    """Raise InputError where the last criterion holds a result of those above it, under a name that is not known.
+
+    With weights, its weight must be their sum too: a result has no weight of its own.
+    """
+    *above, last = table.rows
+    printed = dict(zip(table.alternatives, last.numbers, strict=True))
+    cells = [lines.grid.cells.get((next(reversed(lines.criteria)), column)) for column in lines.rated]
+    is_numeric = all(number_of(cell) is not None and "+" not in str(cell) for cell in cells)
+    if len(above) < 2 or not is_numeric or None in printed.values() or not any(printed.values()):
+        return
+    weighed = [row.weight or 0.0 for row in above]
+    if lines.weights is not None and abs((last.weight or 0.0) - sum(weighed)) > EXACT:
+        return
+    ways = _candidates(replace(table, rows=tuple(above)))
+    candidates = [way for kind in (Total.SUM, Total.MEAN) for way in ways[kind]]
+    same = [way for way in candidates if not _differences(printed, table, way)]
+    if same:
+        where = lines.grid.place(next(reversed(lines.criteria)), lines.block.labels)
+        raise InputError(
+            f"{where}: {last.criterion!r} may be a criterion, or {same[0].name} of those above, which it equals; "
+            f"rename it to 'sum', 'mean' or 'rank' if it is a result; move it up if it is a criterion"
+        )
 
 
 def weight_total(lines: Lines, weights: Sequence[float], row: int) -> str:
@@ -82,7 +108,7 @@ def _candidates(table: MatrixTable) -> dict[Total, tuple[Candidate, ...]]:
         ends = np.stack([rated.total_low, rated.total_high])
     weighted = () if ends is None else _weighted(ends, sum(table.weights))
     ways: dict[Total, tuple[Candidate, ...]] = {
-        Total.PLAIN: (plain,), Total.WEIGHTED: weighted,
+        Total.PLAIN: (plain,), Total.MEAN: (_mean(plain, len(table.rows)), *weighted[1:2]), Total.WEIGHTED: weighted,
         Total.SUM: (plain, *weighted) if table.method is Method.PUGH else (*weighted, plain),
     }  # fmt: skip
     if table.method is Method.PUGH:
@@ -94,6 +120,10 @@ def _candidates(table: MatrixTable) -> dict[Total, tuple[Candidate, ...]]:
             for name, scale in (("T/T_max", 1.0), ("T/T_max in per cent", 100.0))
         )
     return ways
+
+
+def _mean(total: Candidate, count: int) -> Candidate:
+    return Candidate(name="the mean without weights", low=total.low / count, high=total.high / count)
 
 
 def _weighted(ends: Values, whole: float) -> tuple[Candidate, ...]:

@@ -26,8 +26,8 @@ def understood(lines: Lines, table: MatrixTable, weights: str) -> list[str]:
     elif table.method is Method.KESSELRING:
         said.append("weights: none, so that every criterion counts 1")
     said += _datum(lines, table)
-    if lines.products:
-        names = ", ".join(lines.names[column] for column in lines.products)
+    names = ", ".join(lines.names[column] for column in lines.products if column in lines.rated)
+    if names:
         said.append(f"weight times points: next to the points of {names}; checked and not read again")
     said += totals_compared(lines, table)
     said += [text for row in lines.totals if (text := weight_total(lines, table.weights, row))]
@@ -52,7 +52,7 @@ def _datum(lines: Lines, table: MatrixTable) -> list[str]:
         if not scale.stated:
             return ["points scale: not stated"]
         ideal = "" if lines.ideal is None else f", by the ideal in {grid.name(lines.block.header, lines.ideal)}"
-        return [f"points scale: {scale.p_min:g} to {scale.p_max:g}{ideal}"]
+        return [f"points scale: {f'{scale.p_min:g} to' if lines.ideal is None else 'up to'} {scale.p_max:g}{ideal}"]
     graded = any(entry in ("++", "--") for row in table.rows for entry in row.entries)
     said = ["++ and -- count 2 and -2"] if graded else []
     if lines.datum is None:

@@ -10,6 +10,7 @@ from torquerig.decide.matrix_io.written_values import LEVELS, may_be_thousands, 
 from torquerig.errors import InputError
 
 SUMS_TO_ONE = 0.02  # [1] rounding of weights that were written with two digits
+MOST_POINTS = 10  # the widest common points scale; a wider one must be stated
 HIGHEST_FRACTIONS, LOWEST_PERCENTS = 1.5, 50.0  # [1] sums of weights between which the unit % decides nothing
 
 
@@ -71,23 +72,32 @@ def _weight(grid: Grid, row: int, column: int) -> tuple[float, bool]:
 
 
 def are_surely_weights(grid: Grid, rows: Sequence[int], column: int, others: Sequence[int]) -> bool:
-    """Return whether numbers are weights and not ratings: per cent, a sum of 1 or 100, or another scale."""
-    read = [weight_of(grid.cells.get((row, column))) for row in rows]
-    values = [one[0] for one in read if one is not None]
-    if len(values) < len(rows) or any(value < 0 for value in values):
+    """Return whether numbers can only be weights, not the ratings of a criterion such as the mass.
+
+    They are per cent, fractions with the sum 1, larger than points, or numbers above 2 among marks.
+    """
+    read = [found for row in rows if (found := weight_of(grid.cells.get((row, column)))) is not None]
+    values = [value for value, _ in read]
+    if not values or len(values) < len(rows) or min(values) < 0:
         return False
-    total = sum(values)
-    if any(one is not None and one[1] for one in read) or any(
-        abs(total / whole - 1) < SUMS_TO_ONE for whole in (1, 100)
-    ):
+    if are_shares(grid, rows, column):
         return True
-    rated = [number_of(grid.cells.get((row, other))) for row in rows for other in others]
-    numbers = [one for one in rated if one is not None]
+    rated = [cell for row in rows for other in others if (cell := grid.cells.get((row, other))) is not None]
+    numbers = [number for cell in rated if (number := number_of(cell)) is not None]
     if 2 * len(numbers) < len(rated):
-        return True
-    return max(values) > max(numbers) or (
-        any(value % 1 for value in values) and not any(number % 1 for number in numbers)
-    )
+        return max(values) > max(LEVELS.values())
+    return max(values) > MOST_POINTS >= max(numbers, default=0.0)
+
+
+def are_shares(grid: Grid, rows: Sequence[int], column: int) -> bool:
+    """Return whether fractions or per cent sum to 1, with or without their sum as the last value."""
+    read = [found for row in rows if (found := weight_of(grid.cells.get((row, column)))) is not None]
+    values = [value for value, _ in read]
+    if not read:
+        return False
+    is_fraction = any(percent or value % 1 for value, percent in read)
+    sums = (sum(values), sum(values[:-1]))
+    return is_fraction and min(values) >= 0 and any(abs(one - 1) < SUMS_TO_ONE for one in sums)
 
 
 def is_product(grid: Grid, rows: Sequence[int], columns: tuple[int, int, int], *, share: float) -> bool:

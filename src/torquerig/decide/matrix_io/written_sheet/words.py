@@ -15,6 +15,7 @@ class Total(StrEnum):
     BETTER = "count of +"
     WORSE = "count of -"
     SAME = "count of S"
+    MEAN = "mean"
     SHARE = "share of the ideal"
     RANK = "rank"
 
@@ -26,6 +27,7 @@ class Word(StrEnum):
     ALTERNATIVE = "alternative"
     WEIGHT = "weight"
     MASS_OR_WEIGHT = "weight or mass"
+    LETTER = "letter of weights"
     DATUM = "datum"
     IDEAL = "ideal"
     UNIT = "unit"
@@ -40,6 +42,9 @@ _TOTALS: dict[Total, tuple[str, ...]] = {
     Total.BETTER: (rf"({_COUNT} ?)?(\+|plus|pluses|positives?|better)('?s| signs?)?",),
     Total.WORSE: (rf"({_COUNT} ?)?(-|minus|minuses|negatives?|worse)('?s| signs?)?",),
     Total.SAME: (rf"{_COUNT} ?(s|0|=|sames?|zeros?|null|nullen|equal|gleich)('?s)?", "sames?"),
+    Total.MEAN: (
+        r"(weighted |gewichteter? )?(average|mean|avg|mittelwert|mittel|durchschnitt|ø)( score| rating| value)?",
+    ),
     Total.SHARE: (
         r"t ?/ ?t[_ ]?max", r"share( of (the )?ideal)?", "(technische )?wertigkeit", "% of ideal",
         r"relativer? (wert|value|score)", r"normali[sz]ed (score|total|sum)",
@@ -48,7 +53,10 @@ _TOTALS: dict[Total, tuple[str, ...]] = {
     Total.WEIGHTED: (
         rf"(weighted|gewichtete?r?|gew\.?)[ -]?({_SUM}{_OF}|punkte|points)", rf"{_SUM}( score)? (weighted|gewichtet)",
     ),
-    Total.SUM: (rf"{_SUM}{_OF}", "gesamtpunkt(e|zahl)", "punktsumme", "gesamtwert", "nutzwert", "[σ∑]"),
+    Total.SUM: (
+        rf"{_SUM}{_OF}", r"gesamt(punkte|punktzahl|wert|nutzen|nutzwert|note|bewertung|urteil|score)", "punktsumme",
+        "nutzwert", "bilanz", "balance", "[σ∑]",
+    ),
 }  # fmt: skip
 _WORDS: dict[Word, tuple[str, ...]] = {
     Word.CRITERION: (
@@ -65,6 +73,7 @@ _WORDS: dict[Word, tuple[str, ...]] = {
         r"(weight|gewicht|gewichtung|weighting)( in)? ?(%|per ?cent|prozent)",
     ),
     Word.MASS_OR_WEIGHT: ("weight", "gewicht", r"wt\.?"),
+    Word.LETTER: (r"[gw]_?i?",),
     Word.DATUM: ("datum", "base ?line", "reference", "referenz", r"ref\.?", "bezug", "referenz(lösung|konzept)"),
     Word.IDEAL: ("ideal", "ideale? (solution|lösung|alternative)", "ideallösung", "optimum"),
     Word.UNIT: ("units?", "einheit(en)?"),
@@ -78,7 +87,7 @@ _NUMBERED = re.compile(
 
 def plain_name(text: str) -> str:
     """Return a name in small letters, without unit in brackets and colon."""
-    text = text.casefold().strip().translate(str.maketrans("\u2212\u2013\u2014", "---"))
+    text = text.casefold().strip().translate(str.maketrans("\u2212\u2013\u2014\u2019\u2018", "---''"))
     return " ".join(text.rstrip(" :").split())
 
 
@@ -106,7 +115,7 @@ def word_of(text: str) -> Word | None:
 
 def is_datum(text: str) -> bool:
     """Return whether a name states the datum, also as an addition such as ``belt drive (datum)``."""
-    parts = [text, unit_in_name(text), *re.split(r"[:,/]| - ", text)]
+    parts = [text, *re.findall(r"[\[(]([^\])]*)[\])]", text), *re.split(r"[:,/]| - ", text)]
     return any(part and word_of(part) is Word.DATUM for part in parts)
 
 
