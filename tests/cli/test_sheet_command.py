@@ -113,3 +113,16 @@ def test_info_names_a_possible_alias(tmp_path: Path, capsys: pytest.CaptureFixtu
     main(("info", str(tmp_path / "run.csv")))
     shown = " ".join(capsys.readouterr().out.split())
     assert "may be the alias of cogging x1 at 840 Hz, above half the sample rate" in shown
+
+
+def test_two_torques_are_named_until_one_has_the_role(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = "".join(f"{n / 1000:.3f},{n % 7},{n % 5},1000\n" for n in range(3000))
+    (tmp_path / "run.csv").write_text("Time [s],Torque A1 [Nm],Torque B2 [Nm],Speed [rpm]\n" + rows)
+    for command in (("info",), ("filter", "--chain", "order_lines"), ("ordermap",)):
+        main((command[0], str(tmp_path / "run.csv"), *command[1:]))
+        assert "several channels are a torque: Torque A1, Torque B2; Torque A1 is used" in capsys.readouterr().out
+    entries = "  Torque B2: {quantity: torque, unit: N*m, role: compared}\n  Torque A1: {quantity: torque, unit: N*m}\n"
+    (tmp_path / "run.yaml").write_text("channels:\n" + entries + "  Speed: {quantity: speed, unit: rpm}\n")
+    main(("info", str(tmp_path / "run.csv")))
+    assert "several channels" not in capsys.readouterr().out
+    assert read_recording(tmp_path / "run.csv").torque_name() == "Torque B2"

@@ -36,7 +36,7 @@ def command(*, recordings: tuple[Path, ...], out: Path, rate: str | None, align:
         raise UnitError(f"--rate: {error}") from None
     if common is not None and common <= 0:
         raise InputError(f"--rate: {rate!r} is no rate; write one above 0, such as '1 kHz'")
-    check_target(out, overwrite=force)
+    check_target(out, overwrite=force, inputs=recordings)
     joined = join_recordings(recordings, rate=common, align=align)
     for note in joined.notes:
         click.echo(wrapped(note))

@@ -36,7 +36,7 @@ def suspicions_in(info: RecordingInfo, head: Recording) -> tuple[list[str], str 
     """Return what is suspicious in a recording, and where it was sought if that is not all; arguments as above."""
     stretch = stretch_faults(head, samples=info.samples)
     contradictions = speed_contradictions(sound_stretch(head)[1])
-    return [*contradictions, *info.suspicions(stretch)], None if stretch is None else stretch.where()
+    return [*_choice(head), *contradictions, *info.suspicions(stretch)], None if stretch is None else stretch.where()
 
 
 def print_suspicions_of_start(stream: RecordingStream, *, note: str) -> None:
@@ -44,7 +44,7 @@ def print_suspicions_of_start(stream: RecordingStream, *, note: str) -> None:
     start = first_stretch(head_of(stream))
     info = recording_info(start)
     contradictions = speed_contradictions(sound_stretch(start)[1])
-    _print([*contradictions, *info.suspicions(stretch_faults(start, samples=info.samples))], note)
+    _print([*_choice(start), *contradictions, *info.suspicions(stretch_faults(start, samples=info.samples))], note)
     if start.samples != stream.samples:
         click.echo(f"faults of samples were sought in the first {start.duration:.3g} s")
 
@@ -64,6 +64,22 @@ def angle_sentences(recording: Recording, *, ratio: float | None = None) -> list
             f"{furthest:.2g} turns from one sample to the next: counts or samples were lost or written twice"
         )
     return found
+
+
+def _choice(recording: Recording) -> list[str]:
+    """Return a sentence where several channels may be the measured torque, and the sidecar does not say which."""
+    for quantity in ("torque", "force"):
+        named = {
+            name: one.role for name, one in recording.channels.items()
+            if one.quantity == quantity and one.role in (None, "compared") and not one.truth
+        }  # fmt: skip
+        if len(named) > 1 and "compared" not in named.values():
+            names, used = ", ".join(named), next(iter(named))
+            remedy = "write role: compared into the sidecar for the one that counts"
+            return [f"several channels are a {quantity}: {names}; {used} is used; {remedy}"]
+        if named:
+            return []
+    return []
 
 
 def _print(sentences: list[str], note: str | None) -> None:

@@ -108,22 +108,29 @@ class Recording:
 
         The one whose role is ``compared``, else the first that is neither an input nor context.
         """
-        name = next(
-            (
-                name
-                for role in ("compared", None)
-                for quantity in ("torque", "force")
-                for name, one in self.channels.items()
-                if one.quantity == quantity and one.role == role and not one.truth
-            ),
-            None,
-        )
-        if name is None:
-            raise RecordingError(
-                f"{self.name}: there is no torque channel among {', '.join(self.channels)}; "
-                "name its quantity in the sidecar: channels: {NAME: {quantity: torque, unit: V, Nm_per_V: 1.0}}"
+        for role in ("compared", None):
+            for quantity in ("torque", "force"):
+                named = [
+                    name for name, one in self.channels.items()
+                    if one.quantity == quantity and one.role == role and not one.truth
+                ]  # fmt: skip
+                if named:
+                    return named[0]
+        raise RecordingError(self._no_torque())
+
+    def _no_torque(self) -> str:
+        """Return the sentence that no channel is a measured torque, with the remedy for those that may be one."""
+        near = next((name for name, one in self.channels.items() if one.quantity == "motor_torque"), None)
+        if near is not None:
+            entry = f"{near}: {{quantity: torque, unit: {self.channels[near].unit}}}"
+            return (
+                f"{self.name}: there is no torque channel; {near} is taken for the torque of the motor. If it is the "
+                f"reading of the torque sensor, write into the sidecar: channels: {{{entry}}}"
             )
-        return name
+        return (
+            f"{self.name}: there is no torque channel among {', '.join(self.channels)}; name its quantity in the "
+            "sidecar: channels: {NAME: {quantity: torque, unit: UNIT}}, with its scale where UNIT is not one of torque"
+        )
 
     def torque_values(self) -> NDArray[np.float64]:
         """Return the measured torque as it was recorded, in the unit of its channel, shape (samples,)."""

@@ -19,7 +19,8 @@ _SYMBOLS: dict[str, tuple[str, ...]] = {
     **{
         one: (one,)
         for one in (
-            "N", "mN", "cN", "daN", "kN", "MN", "m", "mm", "cm", "um", "nm", "ft", "in", "rad", "mrad", "urad", "deg",
+            "N", "mN", "uN", "cN", "dN", "daN", "kN", "MN",
+            "m", "mm", "cm", "um", "nm", "ft", "in", "rad", "mrad", "urad", "deg",
             "rev", "s", "ms", "us", "ns", "min", "h", "V", "mV", "uV", "kV", "A", "mA", "uA", "W", "mW", "kW", "MW",
             "hp", "Pa", "hPa", "kPa", "MPa", "GPa", "bar", "mbar", "psi", "Hz", "kHz", "MHz", "K", "J", "kJ", "Wh",
             "ohm", "Ohm", "mohm", "kohm", "H", "mH", "uH", "Wb", "mWb", "rpm", "arcmin", "arcsec", "kip", "lbf",
@@ -36,7 +37,13 @@ _SYMBOLS: dict[str, tuple[str, ...]] = {
     "p": ("gf",),
     "Nm": ("N*m",),
     "mNm": ("mN*m",),
+    "uNm": ("uN*m",),
     "cNm": ("cN*m",),
+    "dNm": ("dN*m",),
+    "daNm": ("daN*m",),
+    "MNm": ("MN*m",),
+    "kpcm": ("kgf*cm",),
+    "krpm": ("krpm",),
     "kNm": ("kN*m",),
     "Ncm": ("N*cm",),
     "Nmm": ("N*mm",),
@@ -70,8 +77,9 @@ _WORDS: dict[str, str] = {
     **dict.fromkeys(("radian", "radians"), "rad"),
     **dict.fromkeys(("degree", "degrees", "degs", "deg"), "deg"),
     **dict.fromkeys(("rev", "revs", "revolution", "revolutions", "turn", "turns", "umdrehung", "umdrehungen", "umdr",
-                     "umdr.", "tr"), "rev"),
-    **dict.fromkeys(("rpm", "upm", "u/min", "umin"), "rpm"),
+                     "umdr.", "tr", "obr"), "rev"),
+    **dict.fromkeys(("mn",), "min"),
+    **dict.fromkeys(("rpm", "upm", "u/min", "umin", "r.p.m.", "r.p.m"), "rpm"),
     **dict.fromkeys(("rps",), "rev/s"),
     **dict.fromkeys(("sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden"), "s"),
     **dict.fromkeys(("msec", "msecs", "millisecond", "milliseconds", "millisekunden"), "ms"),
@@ -104,7 +112,7 @@ _WORDS: dict[str, str] = {
 
 _SAME = str.maketrans(
     {
-        **dict.fromkeys("·⋅×•∙", "*"),
+        **dict.fromkeys("·⋅×•∙・", "*"),
         **dict.fromkeys("µμ", "u"),
         **dict.fromkeys("−–⁻", "-"),
         **dict.fromkeys("\u03a9\u2126", "ohm"),
@@ -129,11 +137,17 @@ def signatures(text: str) -> frozenset[Signature]:
     sides = [(over, 1), *((side, -1) for side in under)]
     found: list[list[Signature]] = []
     for side, sign in sides:
-        options = list(_product(side.strip().removeprefix("(").removesuffix(")"), sign))
+        options = list(_product(_without_brackets(side), sign))
         if not options:
             return frozenset()
         found.append(options)
     return frozenset(_joined(combination) for combination in product(*found))
+
+
+def _without_brackets(side: str) -> str:
+    """Return ``(N*m)`` as ``N*m``; a bracket without its other half stays, and makes the text no unit."""
+    plain = side.strip()
+    return plain[1:-1] if plain.startswith("(") and plain.endswith(")") else plain
 
 
 def _product(side: str, sign: int) -> Iterator[Signature]:

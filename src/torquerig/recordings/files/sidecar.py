@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -136,10 +137,22 @@ def _pruned(document: Document) -> tuple[Document, dict[str, dict[str, Any]]]:
         for name, entry in data["channels"].items():
             entries[name] = entry
             if isinstance(entry, dict):
+                _refuse_decimal_comma(document, str(name), entry)
                 scales[name] = {str(key): value for key, value in entry.items() if "_per_" in str(key)}
                 entries[name] = {key: value for key, value in entry.items() if str(key) not in scales[name]}
         data["channels"] = entries
     return replace(document, data=data), scales
+
+
+def _refuse_decimal_comma(document: Document, name: str, entry: Mapping[Any, Any]) -> None:
+    """Raise InputError for ``Nm_per_V: 5,0``, which YAML reads as the number 5 and a key 0."""
+    keys = list(entry)
+    for before, key in pairwise(keys):
+        if isinstance(key, int) and entry[key] is None:
+            raise InputError(
+                f"{document.place(('channels', name, before))}: {entry[before]},{key} has a decimal comma; write "
+                f"{entry[before]}.{key}"
+            )
 
 
 def _refuse_unknown_conditions(document: Document) -> None:

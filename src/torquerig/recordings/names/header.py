@@ -8,6 +8,8 @@ from torquerig.recordings.names.channel_units import unit_meanings
 from torquerig.recordings.names.words import TIME_WORDS, close_quantity, quantity_by_words, words_of
 
 _BRACKETS = re.compile(r"^(?P<name>.*?)\s*[\[<{](?P<unit>[^\]>}]*)[\]>}]\s*$")
+_PREFIX = re.compile(r"^\s*[\[(](?P<unit>[^\])]*)[\])]\s*(?P<name>\S.*)$")  # "[Nm] Torque"
+_INNER = re.compile(r"^(?P<name>.*?\S)\s*\[(?P<unit>[^\]]*)\]\s*(?P<rest>\S.*)$")  # "Torque [Nm] (filtered 1 kHz)"
 _ROUND = re.compile(r"^(?P<name>.*?)\s*\((?P<unit>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*$")
 _BLANK = re.compile(r"^(?P<name>.+)\s+(?P<unit>[^\s_(][^\s_]*)$")
 # what separates a unit without brackets from the name: "Torque / Nm", "Torque, Nm", "Drehmoment in Nm", "torque_Nm"
@@ -31,8 +33,14 @@ def split_header(cell: str) -> tuple[str, str | None]:
     bracket = _BRACKETS.match(text)
     if bracket and bracket["name"]:
         return bracket["name"].rstrip("_/ ,:"), bracket["unit"].strip()
+    for pattern in (_PREFIX, _INNER):
+        match = pattern.match(text)
+        if match and _is_unit(match["unit"]):
+            return " ".join(part for part in (match["name"], match.groupdict().get("rest")) if part), match[
+                "unit"
+            ].strip()
     matches = [match for pattern in (_ROUND, *_SEPARATED) if (match := pattern.match(text))]
-    units = [match for match in matches if match["name"] and _is_unit(match["unit"]) and not _is_label(match)]
+    units = [match for match in matches if match["name"] and _fits(match) and not _is_label(match)]
     if units:
         longest = max(units, key=lambda match: len(match["unit"]))  # "Drehzahl U/min": U/min, not min
         return longest["name"].rstrip("_/ ,:"), longest["unit"].strip()
@@ -49,6 +57,14 @@ def _underscored(text: str) -> tuple[str, str | None]:
         if name and _is_unit(unit) and (len(unit) > 1 or _is_quantity(name)):
             return name, unit
     return text, None
+
+
+def _fits(match: re.Match[str]) -> bool:
+    """Return whether a unit stands behind the name; of a time in capitals too: ``TIME (MS)``."""
+    if _is_unit(match["unit"]):
+        return True
+    is_time = any(word in TIME_WORDS for word in words_of(match["name"]))
+    return is_time and any(one.kind == "time" for one in unit_meanings(match["unit"].lower()))
 
 
 def _is_quantity(name: str) -> bool:

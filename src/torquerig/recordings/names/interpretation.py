@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from torquerig.recordings.names.channel_units import unit_meanings
 from torquerig.recordings.names.header import split_header
-from torquerig.recordings.names.words import NOT_MEASURED, close_quantity, quantity_by_words, words_of
+from torquerig.recordings.names.words import close_quantity, not_measured, quantity_by_words, words_of
 from torquerig.recordings.quantities import KINDS, OTHER
 from torquerig.units import Meaning
 
@@ -19,6 +19,7 @@ _BY_KIND = {
 _OF_MOTOR = {"torque": "motor_torque", "speed": "motor_speed", "angle": "motor_angle"}
 _VOLTAGE_INPUT = re.compile(r"^(?:(?:Voltage|Spannung)(?:[_ ]\d+)?|(?:.*/)?ai\d+|AI ?\d+)$")
 _MEASURED = "what the voltage measures, with its scale"
+_FACTOR = re.compile(r"(?:[*×]|\bx)\s*\d+(?:[.,]\d+)?\s*$", re.IGNORECASE)  # "Torque*100", "Speed x10"
 _OUTPUTS = ("voltage", "current", "count", "bare")  # what a sensor gives that is not scaled yet
 
 
@@ -68,11 +69,17 @@ def interpret(cell: str, unit: str | None) -> Interpretation:
     by_words = quantity_by_words(name)
     if not written.strip():
         return _without_unit(kept, name, by_words)
-    derived = next((word for word in words_of(name) if word in NOT_MEASURED), None)
+    derived = not_measured(name)
+    factor = _FACTOR.search(name)
+    if factor is not None:
+        return Interpretation(
+            name=kept, quantity=OTHER, unit=written.strip(), si_per_unit=1.0,
+            reason=f"its name states the factor {factor[0].strip()!r}", missing="its quantity and scale",
+        )  # fmt: skip
     if derived is not None:
         return Interpretation(
             name=kept, quantity=OTHER, unit=written.strip(), si_per_unit=1.0,
-            reason=f"the word {derived!r} in its name says that it is not the measured signal",
+            reason=f"the word {derived!r} in its name says that it is not the measured signal of the shaft",
             missing="its quantity, if it is the measured signal",
         )  # fmt: skip
     return _with_unit(kept, written.strip(), by_words, words_of(name))

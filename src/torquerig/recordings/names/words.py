@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from difflib import get_close_matches
 
 from torquerig.recordings.quantities import OTHER, QUANTITIES
@@ -23,13 +24,47 @@ _QUANTITY_OF = {
     **dict.fromkeys(("power", "leistung"), "power"),
     **dict.fromkeys(("tacho", "tach", "tachometer", "hall pulse", "trigger", "keyphasor", "index pulse"), "tacho"),
 }
-TIME_WORDS = ("time", "zeit", "timestamp", "zeitstempel", "uhrzeit", "messzeit", "elapsed", "clock")
+TIME_WORDS = (
+    "time", "zeit", "timestamp", "zeitstempel", "uhrzeit", "messzeit", "elapsed", "clock", "temps", "tiempo", "tempo",
+    "時間", "时间", "время",
+)  # fmt: skip
 """Words of the name of a column of times."""
 NOT_MEASURED = (
-    "set", "setpoint", "soll", "sollwert", "target", "command", "commanded", "cmd", "demand", "reference", "ref",
-    "limit", "error", "max", "maximum", "mean", "average", "avg", "mittelwert", "std", "rms",
+    "set", "setpoint", "setp", "sp", "sv", "soll", "sollwert", "target", "ziel", "goal", "command", "commanded",
+    "cmd", "demand", "dem", "desired", "des", "request", "requested", "req", "vorgabe", "reference", "ref",
+    "wanted", "preset", "programmed", "feedforward", "ff", "nominal", "nenn", "rated", "limit", "grenzwert",
+    "threshold", "alarm", "tolerance", "capacity", "range", "scale", "available", "breakaway", "error", "deviation",
+    "regelabweichung", "residual", "noise", "offset", "zero", "bias", "tare", "correction", "estimated", "estimate",
+    "est", "model", "simulated", "sim", "expected", "theoretical", "derivative", "fft", "max", "maximum", "min",
+    "minimum", "peak", "hold", "mean", "average", "avg", "mittelwert", "std", "rms",
+    "quality", "status",
 )  # fmt: skip
-"""Words of a name by which a column is a set-point, a limit or a figure of a stretch, and not the measured signal."""
+"""Words of a name by which a column is a set-point, a limit, a model or a figure, and not the measured signal."""
+_COMPOUNDS = ("soll", "nenn", "grenz", "ziel", "vorgabe", "regelabweichung")  # German: Sollmoment, Nenndrehzahl
+ELSEWHERE: Mapping[str, tuple[str, ...]] = {
+    "torque": ("bending", "biege", "bend", "mx", "my", "work", "arbeit", "energy", "energie", "inertia"),
+    "speed": (
+        "fan", "lüfter", "luefter", "pump", "pumpe", "pumpen", "wind", "vehicle", "fahrzeug", "slip", "schlupf",
+        "critical", "kritische", "cooling", "electrical", "elektrische",
+    ),
+    "angle": ("twist", "torsion", "verdreh", "verdrehung", "electrical", "elektrischer", "phase", "advance"),
+}  # fmt: skip
+"""Words by which a torque, speed or angle is not that of the shaft: another load, another machine, a twist."""
+
+
+def not_measured(name: str) -> str | None:
+    """Return the word by which the column is not the measured signal of the shaft, or None."""
+    words = words_of(name)
+    quantity = (quantity_by_words(name) or "").removeprefix("motor_")
+    for word in words:
+        if word in NOT_MEASURED or word.startswith(_COMPOUNDS):
+            return word
+        for kind, others in ELSEWHERE.items():
+            if (quantity == kind or not quantity) and (word in others or word.startswith(("biege", "verdreh"))):
+                return word
+    return None
+
+
 _OF_MOTOR = ("motor", "mot", "antrieb", "drive", "actuator", "servo", "rotor")
 _MOTOR_FORM = {"torque": "motor_torque", "speed": "motor_speed", "angle": "motor_angle", "position": "motor_angle"}
 
@@ -37,7 +72,7 @@ _MOTOR_FORM = {"torque": "motor_torque", "speed": "motor_speed", "angle": "motor
 def words_of(name: str) -> list[str]:
     """Return the words of a name in lower case: ``"MotorSpeed_2"`` gives ``["motor", "speed", "2"]``."""
     spaced = re.sub(r"(?<=[a-zäöüß])(?=[A-ZÄÖÜ])", " ", name)
-    return re.findall(r"[a-zäöüß]+|\d+", spaced.lower())
+    return re.findall(r"[^\W\d_]+|\d+", spaced.lower())
 
 
 def quantity_by_words(name: str) -> str | None:
