@@ -82,3 +82,12 @@ def test_lost_counts_are_named():
     values = broken.values - 700.0 * (np.arange(AT.size) >= 4000)
     (sentence,) = angle_sentences(recording(enc=replace(broken, values=values)))
     assert "enc jumps 1 times, first at 1.9995 s" in sentence
+
+
+@pytest.mark.parametrize(("rate", "is_named"), [(20.0, True), (60.0, True), (1000.0, False)])
+def test_an_angle_with_few_samples_a_turn_is_named(rate, is_named):
+    turned = 1002 / 60 * np.arange(400) / rate
+    angle = Channel(values=360 * turned % 360, quantity="motor_angle", unit="deg", si_per_unit=np.pi / 180)
+    torque = Channel(values=np.ones(400), quantity="torque", unit="N*m")
+    found = speed_contradictions(Recording(sample_rate=rate, channels={"torque": torque, "enc": angle}))
+    assert any("samples a turn" in sentence for sentence in found) is is_named

@@ -59,7 +59,10 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
         check_picture(picture, overwrite=force)
     if as_json:
         found = [_without_nan(_as_dict(path)) for path in paths]
-        click.echo(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
+        click.echo(json.dumps(found, indent=2, ensure_ascii=True, allow_nan=False))
+        unread = [one for one in found if "columns" not in one]
+        if unread:
+            raise RecordingError(f"{len(unread)} of {len(paths)} files cannot be read; the JSON says why")
         return
     failed = 0
     for count, path in enumerate(paths):
@@ -82,6 +85,7 @@ def _as_dict(path: Path) -> dict[str, Any]:
         found = file_contents(path).as_dict()
     except TorquerigError as error:
         return {"path": str(path), "problem": str(error)}
+    found |= {"sample_rate_Hz": None, "suspicions": []}
     if found["problem"]:
         return found
     try:
@@ -90,7 +94,10 @@ def _as_dict(path: Path) -> dict[str, Any]:
     except RecordingError as error:
         return found | {"problem": str(error)}
     speed, text = _speed(stream, head)
+    columns = [one | {"rate": info.sample_rate, "duration": info.duration} for one in found["columns"]]
     return found | {
+        "columns": columns,
+        "notes": list(stream.table.notes),
         "sample_rate_Hz": info.sample_rate,
         "motor_speed_rpm": None if speed is None else speed * 30 / pi,
         "motor_speed": text,

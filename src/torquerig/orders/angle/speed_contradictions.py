@@ -9,6 +9,7 @@ import numpy as np
 
 from torquerig.orders.angle.measured_angle import SOURCES, angle_by
 from torquerig.orders.angle.speed_posterior import REACH
+from torquerig.recordings.channel_angle import wrap_of
 from torquerig.recordings.set_point import set_point_profile
 from torquerig.units import UNITS
 
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 _SAME = 0.02  # [1] two speeds further apart contradict each other; a ratio is recognised within it
 _RATE_ERROR = 0.2  # [1] a deviation below it may be that of the sample rate or the set-point
 _MISCOUNTED = (2.0, 4.0, 0.5, 0.25)  # edges counted per line of an encoder, wrongly taken or left out
+_EACH = 3  # channels with which each further one is compared
+_SAMPLES_PER_TURN = 10  # below it a run at a multiple of the speed is as plausible as the slow one
 _COMPARED = ("steady", "ramp")
 _RPM = 30 / np.pi
 
@@ -50,13 +53,29 @@ def speed_contradictions(recording: Recording, *, ratio: float | None = None) ->
     ratio = ratio or recording.run.gear_ratio or 1.0
     measured = _measured(recording, ratio)
     stated = _stated(recording)
-    found = []
+    folded = [sentence for one in measured for sentence in _folded(one, recording.sample_rate, ratio)]
+    found: list[str] = []
     if stated:
         found = [_against_set_point(one, stated, ratio) for one in measured if _apart(one.speed, stated) > REACH]
     if not found:
-        pairs = [(one, other) for at, one in enumerate(measured) for other in measured[:at]]
+        # of many channels each is compared with the first
+        pairs = [(one, other) for at, one in enumerate(measured) for other in measured[: min(at, _EACH)]]
         found = [_against_each_other(*pair, ratio) for pair in pairs if _apart(pair[0].speed, pair[1].speed) > _SAME]
-    return tuple(found)
+    return (*folded, *found)
+
+
+def _folded(one: _Measured, rate: float, ratio: float) -> list[str]:
+    """Return a sentence for an angle that wraps and has so few samples a turn that whole turns may be missing."""
+    if "angle" not in one.channel.quantity or wrap_of(one.channel) is None:
+        return []
+    turns = one.speed / (2 * np.pi * rate) / (ratio if one.is_output else 1.0)
+    if turns < 1 / _SAMPLES_PER_TURN:
+        return []
+    sentence = (
+        f"{one.name} wraps and has only {1 / turns:.3g} samples a turn; a shaft that turns further by whole turns from "
+        "sample to sample would look the same, so check its speed by another source"
+    )
+    return [sentence]
 
 
 def _measured(recording: Recording, ratio: float) -> list[_Measured]:

@@ -6,7 +6,7 @@ import re
 
 import yaml
 
-from torquerig.recordings.files.scale import missing_scale, scale_key
+from torquerig.recordings.files.scale import known_si_per_unit, scale_key
 from torquerig.recordings.inspection.file_contents import ColumnContents, FileContents
 from torquerig.recordings.names.words import close_quantity, quantity_by_words
 from torquerig.recordings.quantities import OTHER, QUANTITIES
@@ -18,6 +18,7 @@ _RUN = """\
 #   profile: steady      # steady, ramp or reversal
 #   motor: NAME          # of the catalog
 #   gear_ratio: NUMBER   # motor turns per output turn
+#   tacho_pulses_per_motor_turn: NUMBER   # for a channel of the quantity tacho
 """
 
 
@@ -53,9 +54,12 @@ def _rate(contents: FileContents) -> list[str]:
 def _channel(one: ColumnContents, contents: FileContents) -> list[str]:
     entry = {"quantity": one.quantity, "unit": one.unit}
     line = f"  {_scalar(one.name)}: {_flow(entry)}"
+    torque_is_open = all(each.quantity not in ("torque", "force") for each in contents.columns)
+    if not one.missing and torque_is_open and one.quantity == "voltage":
+        sensor = f"{{quantity: torque, unit: {_scalar(one.unit)}, {scale_key('torque', one.unit)}: NUMBER}}"
+        return [f"{line}   # {one.reason}", f"  # EDIT, if it is the torque: {_scalar(one.name)}: {sensor}"]
     if not one.missing:
         return [f"{line}   # {one.reason}"]
-    torque_is_open = all(each.quantity not in ("torque", "force") for each in contents.columns)
     return [f"{line}   # {one.reason}", f"  # {'EDIT' if torque_is_open else 'or'}: {_scalar(one.name)}: {_meant(one)}"]
 
 
@@ -68,7 +72,7 @@ def _meant(one: ColumnContents) -> str:
         return f"{{quantity: {'torque' if unit == 'V' else 'QUANTITY'}, unit: {unit}{scale}}}"
     if not one.unit:
         return f"{{quantity: {meant}, unit: UNIT}}"
-    if "needs its scale" in missing_scale(meant, one.unit):
+    if known_si_per_unit(meant, one.unit) is None:
         return f"{{quantity: {meant}, unit: {_scalar(one.unit)}, {scale_key(meant, one.unit)}: NUMBER}}"
     return f"{{quantity: {meant}, unit: {_scalar(one.unit)}}}"
 

@@ -18,6 +18,7 @@ from torquerig.recordings.inspection.channel_summary import LONGEST_DROPOUT, Cha
 from torquerig.recordings.inspection.outliers import MARGIN
 from torquerig.recordings.inspection.runs import Run as SampleRun
 from torquerig.recordings.inspection.stretch_faults import StretchFaults
+from torquerig.recordings.quantities import OTHER
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.clipping import CLIPPING
 from torquerig.recordings.repair.common_dropouts import DROPOUTS
@@ -83,7 +84,7 @@ class RecordingInfo:
             count = sum(run.length for run in one.not_numbers)
             what = "sample that is not a number" if count == 1 else "samples that are not numbers"
             found.append(f"{name} has {count} {what}: {_places(one.not_numbers)}")
-        if one.constant:
+        if one.constant and one.quantity != OTHER:
             found.append(
                 f"{name} is constant at {one.mean:.6g} {one.unit} in all its {self.samples} samples; is the sensor "
                 "connected?"

@@ -22,7 +22,7 @@ _QUANTITY_OF = {
     **dict.fromkeys(("acceleration", "accel", "acc", "beschleunigung", "vibration", "schwingung"), "acceleration"),
     **dict.fromkeys(("pressure", "druck"), "pressure"),
     **dict.fromkeys(("power", "leistung"), "power"),
-    **dict.fromkeys(("tacho", "tach", "tachometer", "hall pulse", "trigger", "keyphasor", "index pulse"), "tacho"),
+    **dict.fromkeys(("tacho", "tach", "tachometer", "hall pulse", "keyphasor", "index pulse"), "tacho"),
 }
 TIME_WORDS = (
     "time", "zeit", "timestamp", "zeitstempel", "uhrzeit", "messzeit", "elapsed", "clock", "temps", "tiempo", "tempo",
