@@ -122,6 +122,67 @@ def test_the_mass_of_an_alternative_is_no_weight_of_a_criterion(tmp_path):
         matrix(write_sheet(tmp_path / "x.xlsx", [row[:4] for row in rows]))
 
 
+SUSPECT = {
+    "weights that are no numbers": (
+        [["Criterion", "Weight", "A", "B"], ["Cost", "x3", 3, 4], ["Noise", "x2", 4, 1]],
+        "cell B2: the weight 'x3' is no number",
+    ),
+    "shares under another name": (
+        [["Criterion", "Rel", "A", "B"], ["Cost", 0.6, 3, 4], ["Noise", 0.4, 2, 1]],
+        "cell B1: 'Rel' may be an alternative or the weights",
+    ),
+    "factors that the sums follow": (
+        [["Criterion", "Faktor", "A", "B"], ["Cost", 3, 3, 4], ["Noise", 2, 4, 1], ["Sum", "", 17, 14]],
+        "cell B1: 'Faktor' may be an alternative or the weights",
+    ),
+    "points with words": (
+        [["Criterion", "Weight", "A", "B", "C"], ["Cost", 0.6, "3 Punkte", 4, 1], ["Noise", 0.4, "2 Punkte", 1, 3]],
+        "cell C2: '3 Punkte' is neither a mark nor points",
+    ),
+    "words between the alternatives": (
+        [["Criterion", "A", "B", "C"], ["Cost", 3, "good", 4], ["Noise", 2, "poor", 1]],
+        "cell C2: 'good' is neither a mark nor points",
+    ),
+    "values next to points": (
+        [["Criterion", "Weight", "A", "A points"], ["Cost [EUR]", 0.6, 300, 3], ["Noise [dB]", 0.4, 55, 2]],
+        "cell C2: 300 points are outside the scale 0..10",
+    ),
+    "a scale that runs down": (
+        [["scale 4 to 0"], ["Criterion", "A", "B"], ["Cost", 3, 4], ["Noise", 2, 1]],
+        "the points scale 4 to 0 must run upwards",
+    ),
+}
+
+
+@pytest.mark.parametrize(("rows", "said"), SUSPECT.values(), ids=SUSPECT)
+def test_a_column_that_may_be_something_else_is_refused(tmp_path, rows, said):
+    with pytest.raises(InputError, match=said):
+        matrix(write_sheet(tmp_path / "x.xlsx", rows))
+
+
+def test_the_remedies_for_hidden_weights_are_right_if_followed(tmp_path):
+    rows = SUSPECT["factors that the sums follow"][0]
+    named = matrix(write_sheet(tmp_path / "x.xlsx", [["Criterion", "Weight", "A", "B"], *rows[1:]]))
+    assert {row.alternative: row.total for row in named.ranking.itertuples()} == {"A": 17, "B": 14}
+    assert not named.differences
+    weights = ("Weight", 1, 1, None)
+    plain = matrix(write_sheet(tmp_path / "x.xlsx", [[*row, one] for row, one in zip(rows, weights, strict=True)]))
+    assert {row.alternative: row.total for row in plain.ranking.itertuples()} == {"A": 7, "B": 5, "Faktor": 5}
+
+
+def test_a_result_of_the_datum_other_than_zero_is_told(tmp_path):
+    rows = [["Criterion", "Datum", "A"], ["Cost", "S", "+"], ["Noise", "S", "-"], ["Sum", 3, 0]]
+    (said,) = matrix(write_sheet(tmp_path / "x.xlsx", rows)).differences
+    assert said == "difference: the datum in B4 has 3; compared with itself it has 0"
+
+
+def test_a_full_sheet_of_any_text_is_refused_soon(monkeypatch):
+    cells = {(row, column): "ab" if (row + column) % 2 else 1 for row in range(150) for column in range(80)}
+    grid = Grid(path=Path("x.xlsx"), sheet="T", cells=cells)
+    monkeypatch.setattr(reading, "workbook_grids", lambda _: [grid])
+    assert "nothing in the sheet decides it" in _said(grid)
+
+
 def test_the_command_says_first_how_it_read_the_sheet(tmp_path, capsys):
     path = write_sheet(tmp_path / "x.xlsx", GROUPS)
     assert _code("matrix", str(path)) == 0

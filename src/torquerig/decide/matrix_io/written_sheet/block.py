@@ -33,8 +33,9 @@ def largest_block(grid: Grid) -> Block | None:
     """
     rows, columns = grid.rows, grid.columns
     text, value = np.zeros((len(rows), len(columns))), np.zeros((len(rows), len(columns)))
+    row_places, column_places = ({line: at for at, line in enumerate(lines)} for lines in (rows, columns))
     for (row, column), cell in grid.cells.items():
-        place = rows.index(row), columns.index(column)
+        place = row_places[row], column_places[column]
         if is_value(cell):
             value[place] = 1
         elif isinstance(cell, str):
@@ -43,19 +44,25 @@ def largest_block(grid: Grid) -> Block | None:
     most = int(named.max(initial=0))
     if most < SMALLEST:
         return None
-    pairs = [(rows[row], columns[column]) for row, column in np.argwhere(named == most).tolist()]
-    header, labels = min(pairs, key=lambda pair: _flaws(grid, *pair))
-    up, left = rows.index(header), columns.index(labels)
+    turned = grid.turned()
+    across, down = [_flaws(grid, row) for row in rows], [_flaws(turned, column) for column in columns]
+    pairs = np.argwhere(named == most).tolist()
+    up, left = min(
+        pairs, key=lambda pair: _order(grid, (rows[pair[0]], columns[pair[1]]), across[pair[0]], down[pair[1]])
+    )
+    header, labels = rows[up], columns[left]
     held = (text[:, [left]] * value) * text[[up], :]
     is_table = min((held.sum(axis=axis) > 0).sum() for axis in (0, 1)) > 1
     return Block(header=header, labels=labels, values=most, is_table=bool(is_table))
 
 
-def _flaws(grid: Grid, header: int, labels: int) -> tuple[int | bool, ...]:
+def _flaws(grid: Grid, line: int) -> tuple[int, int]:
+    """Return how many names of a row are repeated, and how many are units in brackets."""
+    names = [grid.text(line, column) for column in grid.columns if (line, column) in grid.cells]
+    return len(names) - len({*names}), sum(name[0] in "[(" and bool(unit_in_name(name)) for name in names)
+
+
+def _order(grid: Grid, pair: tuple[int, int], across: tuple[int, int], down: tuple[int, int]) -> tuple[int | bool, ...]:
     """Return what speaks against a pair of lines of names, in the order of its weight."""
-    across = [grid.text(header, column) for column in grid.columns if (header, column) in grid.cells]
-    down = [grid.text(row, labels) for row in grid.rows if (row, labels) in grid.cells]
-    corner = word_of(grid.text(header, labels)) not in (Word.CRITERION, Word.ALTERNATIVE)
-    repeated = len(across) - len({*across}) + len(down) - len({*down})
-    units = sum(bool(unit_in_name(name)) and name[0] in "[(" for name in (*across, *down))
-    return corner, repeated, units, header, labels
+    corner = word_of(grid.text(*pair)) not in (Word.CRITERION, Word.ALTERNATIVE)
+    return corner, across[0] + down[0], across[1] + down[1], *pair

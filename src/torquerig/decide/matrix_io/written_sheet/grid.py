@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from io import StringIO
 from pathlib import Path
 from typing import Any
@@ -40,12 +41,12 @@ class Grid:
     cells: Mapping[Spot, Any]
     is_turned: bool = False
 
-    @property
+    @cached_property
     def rows(self) -> list[int]:
         """The rows that hold something, in order."""
         return sorted({row for row, _ in self.cells})
 
-    @property
+    @cached_property
     def columns(self) -> list[int]:
         """The columns that hold something, in order."""
         return sorted({column for _, column in self.cells})

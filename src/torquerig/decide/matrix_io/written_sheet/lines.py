@@ -105,6 +105,11 @@ def _weights(grid: Grid, block: Block, names: dict[int, str], filled: dict[int, 
     """Return the column of the weights: named so, or named ambiguously, or by a letter with values of weights."""
     named = {word: [c for c in names if filled[c] and word_of(names[c]) is word] for word in Word}
     letters = [c for c in named[Word.LETTER] if are_shares(grid, filled[c], c)]
+    for column, name in names.items():
+        text = next((row for row in grid.rows if row > block.header and (row, column) in grid.cells), None)
+        if word_of(name) in (Word.WEIGHT, Word.MASS_OR_WEIGHT) and text is not None and not filled[column]:
+            written = grid.text(text, column)[:40]
+            raise InputError(f"{grid.place(text, column)}: the weight {written!r} is no number; write 20 %, 0.2 or 20")
     return _one(grid, block, named[Word.WEIGHT] or named[Word.MASS_OR_WEIGHT][:1] or letters, "weights")
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from torquerig.decide.kesselring import TEACHING, Profile
 from torquerig.decide.matrix_io.matrix_table import UNKNOWN, Entry, MatrixTable, Method, Row, TableSet
 from torquerig.decide.matrix_io.written_sheet.block import largest_block
+from torquerig.decide.matrix_io.written_sheet.column_checks import refuse_hidden_weights, refuse_unread_ratings
 from torquerig.decide.matrix_io.written_sheet.grid import Grid, Spot, text_grid, workbook_grids
 from torquerig.decide.matrix_io.written_sheet.lines import Lines
 from torquerig.decide.matrix_io.written_sheet.orientation import oriented_lines
@@ -67,6 +68,7 @@ def _table(lines: Lines, *, name: str) -> tuple[MatrixTable, list[str]]:
     grid = lines.grid
     if not lines.rated or not lines.criteria:
         raise InputError(f"{grid.origin}: no alternative has a mark or points; fill in the matrix, with ? for unknown")
+    refuse_unread_ratings(lines)
     method, lines = method_of(lines)
     if not lines.rated:
         raise InputError(f"{grid.origin}: there is no alternative but the datum; add a column with marks")
@@ -79,6 +81,7 @@ def _table(lines: Lines, *, name: str) -> tuple[MatrixTable, list[str]]:
     table = _matrix_table(lines, method, weights, profile, name)
     _refuse_second_table(lines)
     refuse_unnamed_result(lines, table)
+    refuse_hidden_weights(lines, table)
     return table, understood(lines, table, way)
 
 

@@ -42,6 +42,18 @@ def totals_compared(lines: Lines, table: MatrixTable) -> list[str]:
             continue
         said.append(_rank_sentence(where, printed, table, ways) if kind is Total.RANK else
                     _sentence(where, printed, table, ways.get(kind, ())))  # fmt: skip
+    return [*said, *_datum_differences(lines, table)]
+
+
+def _datum_differences(lines: Lines, table: MatrixTable) -> list[str]:
+    """Return the written results of the datum that are not 0; its count of S is the number of criteria."""
+    said = []
+    for row, kind in lines.totals.items():
+        cell = None if lines.datum is None else lines.grid.cells.get((row, lines.datum))
+        found, wanted = _number(cell), len(table.rows) if kind is Total.SAME else 0
+        if found is not None and kind is not Total.RANK and lines.datum is not None and found != wanted:
+            where = lines.grid.name(row, lines.datum)
+            said.append(f"difference: the datum in {where} has {found:g}; compared with itself it has {wanted}")
     return said
 
 

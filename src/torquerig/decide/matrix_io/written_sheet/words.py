@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from enum import StrEnum
+from functools import lru_cache
 
 
 class Total(StrEnum):
@@ -68,9 +69,10 @@ _WORDS: dict[Word, tuple[str, ...]] = {
         "solutions?", "lösung(en|svarianten?)?", "designs?", "candidates?", "kandidaten?",
     ),
     Word.WEIGHT: (
-        "weights", "weighting", "weight(ing)? factors?", "(relative )?importance", "gewichtung(sfaktor(en)?)?",
-        "gewichte", "bedeutung", "wichtung", "wichtigkeit", "gewichtsfaktor", "relative weight",
-        r"(weight|gewicht|gewichtung|weighting)( in)? ?(%|per ?cent|prozent)",
+        "weights", "weighting", "weight(ing)? factors?", r"(rel\.|relative) (weight|gewicht)",
+        r"gew\.?(-?faktor)?", "wgt",
+        "(relative )?importance", "gewichtung(sfaktor(en)?)?", "gewichte", "bedeutung", "wichtung", "wichtigkeit",
+        "gewichtsfaktor", r"(weight|gewicht|gewichtung|weighting)( in)? ?(%|per ?cent|prozent)",
     ),
     Word.MASS_OR_WEIGHT: ("weight", "gewicht", r"wt\.?"),
     Word.LETTER: (r"[gw]_?i?",),
@@ -97,12 +99,14 @@ def unit_in_name(text: str) -> str:
     return found.group(1).strip() if found else ""
 
 
+@lru_cache(maxsize=4096)
 def total_of(text: str) -> Total | None:
     """Return which result a line of this name states, or None for the name of something else."""
     name = plain_name(_BRACKETS.sub("", text) or text)
     return next((kind for kind, patterns in _TOTALS.items() if any(re.fullmatch(one, name) for one in patterns)), None)
 
 
+@lru_cache(maxsize=4096)
 def word_of(text: str) -> Word | None:
     """Return what a line of this name is, or None; ``weight [kg]`` is a criterion, ``weight [%]`` is a weight."""
     unit = unit_in_name(text)
@@ -113,6 +117,7 @@ def word_of(text: str) -> Word | None:
     return found
 
 
+@lru_cache(maxsize=4096)
 def is_datum(text: str) -> bool:
     """Return whether a name states the datum, also as an addition such as ``belt drive (datum)``."""
     parts = [text, *re.findall(r"[\[(]([^\])]*)[\])]", text), *re.split(r"[:,/]| - ", text)]
