@@ -37,5 +37,5 @@ def command(*, recordings: tuple[Path, ...], as_text: bool, force: bool) -> None
             continue
         with whole_file(target) as partial:
             partial.write_text(text, encoding="utf-8")
-        edits = text.count("EDIT:")
+        edits = text.count("# EDIT")
         click.echo(f"wrote {target}" + (f"; complete its {edits} lines with EDIT" if edits else ""))
