@@ -147,6 +147,14 @@ SUSPECT = {
         [["Criterion", "Weight", "A", "A points"], ["Cost [EUR]", 0.6, 300, 3], ["Noise [dB]", 0.4, 55, 2]],
         "cell C2: 300 points are outside the scale 0..10",
     ),
+    "a result with a weight": (
+        [["Criterion", "Weight", "A", "B"], ["Cost", 0.5, 3, 4], ["Noise", 0.3, 2, 1], ["Score", 0.2, 4, 1]],
+        "cell A4: 'Score' is the name of a result, but has a weight and other values",
+    ),
+    "a result of another name": (
+        [["Criterion", "Weight", "A", "B"], ["Cost", 0.5, 3, 4], ["Noise", 0.5, 2, 1], ["Endwert", None, 2.5, 2.5]],
+        "cell B4: the weight is missing; .* or name the line sum, mean or rank if it is a result",
+    ),
     "a scale that runs down": (
         [["scale 4 to 0"], ["Criterion", "A", "B"], ["Cost", 3, 4], ["Noise", 2, 1]],
         "the points scale 4 to 0 must run upwards",
@@ -174,6 +182,19 @@ def test_a_result_of_the_datum_other_than_zero_is_told(tmp_path):
     rows = [["Criterion", "Datum", "A"], ["Cost", "S", "+"], ["Noise", "S", "-"], ["Sum", 3, 0]]
     (said,) = matrix(write_sheet(tmp_path / "x.xlsx", rows)).differences
     assert said == "difference: the datum in B4 has 3; compared with itself it has 0"
+
+
+def test_the_summary_says_that_the_datum_is_better_than_all(tmp_path):
+    rows = [["Criterion", "Now (datum)", "A"], ["Cost", "S", "-"], ["Noise", "S", "S"]]
+    said = matrix(write_sheet(tmp_path / "x.xlsx", rows)).summary()
+    assert said == "Tabelle1: A ranked first by pugh, but worse than the baseline Now (datum)"
+
+
+def test_a_share_in_per_cent_is_compared(tmp_path):
+    rows = [["Criterion", "Weight", "A", "Ideal"], ["Cost", 0.5, 3, 4], ["Noise", 0.5, 2, 4]]
+    for name, value in (("Wertigkeit in %", 62.5), ("Wertigkeit [%]", "62,5 %"), ("T/T_max", 0.625)):
+        said = matrix(write_sheet(tmp_path / "x.xlsx", [*rows, [name, None, value, None]])).understood
+        assert any("T/T_max" in one and "agrees with the cells" in one for one in said), name
 
 
 def test_a_full_sheet_of_any_text_is_refused_soon(monkeypatch):

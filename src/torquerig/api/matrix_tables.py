@@ -66,7 +66,9 @@ class TablesResult(Result):
             rows = _rows(table)
             first = [row["alternative"] for row in rows if row["rank"] == 1]
             if rows:
-                said.append(f"{table.name}: {' and '.join(first)} ranked first by {table.method.value}")
+                worse = table.method is Method.PUGH and rows[0]["total_high"] < 0
+                datum = f", but worse than the baseline {table.baseline}" if worse else ""
+                said.append(f"{table.name}: {' and '.join(first)} ranked first by {table.method.value}{datum}")
         differing = [f"{len(self.differences)} written results differ from the cells"] if self.differences else []
         return "; ".join([*said, *differing]) or "no table with a ranking"
 

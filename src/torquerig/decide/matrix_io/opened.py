@@ -9,6 +9,7 @@ from torquerig.decide.matrix_io.matrix_table import TableSet
 from torquerig.document import Document, read_document
 from torquerig.errors import InputError
 
+WORKBOOKS = (".xlsx", ".xlsm")
 TEXT_SHEETS = (".csv", ".tsv", ".txt")
 
 
@@ -41,12 +42,12 @@ def open_matrix(path: Path) -> OpenedMatrix:
         With file, line or cell, and remedy; also for the scenario of a rig.
     """
     ending = path.suffix.lower()
-    if ending == ".xlsx":
+    if ending in WORKBOOKS:
         from torquerig.decide.matrix_io.excel_matrix import has_own_form, read_excel_matrix
 
         if has_own_form(path):
             return OpenedMatrix(document=read_excel_matrix(path))
-    if ending == ".xlsx" or ending in TEXT_SHEETS:
+    if ending in (*WORKBOOKS, *TEXT_SHEETS):
         from torquerig.decide.matrix_io.written_sheet.reading import read_written_sheet
 
         sheet = read_written_sheet(path)

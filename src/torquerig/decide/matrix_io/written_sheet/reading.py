@@ -14,7 +14,7 @@ from torquerig.decide.matrix_io.written_sheet.grid import Grid, Spot, text_grid,
 from torquerig.decide.matrix_io.written_sheet.lines import Lines
 from torquerig.decide.matrix_io.written_sheet.orientation import oriented_lines
 from torquerig.decide.matrix_io.written_sheet.ratings import marks_of, method_of, points_of_cells, profile_of
-from torquerig.decide.matrix_io.written_sheet.totals import refuse_unnamed_result
+from torquerig.decide.matrix_io.written_sheet.totals import refuse_unnamed_result, refuse_weighted_total
 from torquerig.decide.matrix_io.written_sheet.understood import understood, used_cells
 from torquerig.decide.matrix_io.written_sheet.weights import weights_of
 from torquerig.decide.matrix_io.written_values import number_of, weight_of
@@ -37,8 +37,8 @@ def read_written_sheet(path: Path) -> SheetReading:
     Parameters
     ----------
     path : Path
-        ``.xlsx``, else text with separators. Sheets may have any name, titles, notes, totals, and criteria down or
-        across.
+        ``.xlsx`` or ``.xlsm``, else text with separators. Sheets may have any name, titles, notes,
+        totals, and criteria down or across.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def read_written_sheet(path: Path) -> SheetReading:
         With sheet, cell and remedy: no matrix, more than one reading, values that belong to no name, a wrong mark,
         weight or points. As :func:`~torquerig.safe_workbook.read_workbook` too.
     """
-    grids = workbook_grids(path) if path.suffix.lower() == ".xlsx" else [text_grid(path)]
+    grids = workbook_grids(path) if path.suffix.lower() in (".xlsx", ".xlsm") else [text_grid(path)]
     tables, said = [], []
     for grid in grids:
         lines = oriented_lines(grid)
@@ -82,6 +82,7 @@ def _table(lines: Lines, *, name: str) -> tuple[MatrixTable, list[str]]:
     _refuse_second_table(lines)
     refuse_unnamed_result(lines, table)
     refuse_hidden_weights(lines, table)
+    refuse_weighted_total(lines, table)
     return table, understood(lines, table, way)
 
 

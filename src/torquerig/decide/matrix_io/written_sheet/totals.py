@@ -82,6 +82,20 @@ def refuse_unnamed_result(lines: Lines, table: MatrixTable) -> None:
         )
 
 
+def refuse_weighted_total(lines: Lines, table: MatrixTable) -> None:
+    """Raise InputError where a line named as a result has a weight of its own and does not follow from the cells."""
+    for row, kind in lines.totals.items():
+        if lines.weights is None or weight_of(lines.grid.cells.get((row, lines.weights))) is None:
+            continue
+        said = totals_compared(replace(lines, totals={row: kind}, datum=None), table)
+        if (kind is Total.RANK or weight_total(lines, table.weights, row)) and any("difference" in one for one in said):
+            where, name = lines.grid.place(row, lines.block.labels), lines.grid.text(row, lines.block.labels)
+            raise InputError(
+                f"{where}: {name!r} is the name of a result, but has a weight and other values; rename it if it is a "
+                "criterion, or clear its weight"
+            )
+
+
 def weight_total(lines: Lines, weights: Sequence[float], row: int) -> str:
     """Return the difference between the sum of the weights that the sheet states and theirs; empty if none."""
     found = None if lines.weights is None else weight_of(lines.grid.cells.get((row, lines.weights)))

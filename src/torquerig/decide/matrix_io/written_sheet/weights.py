@@ -62,7 +62,9 @@ def _weight(grid: Grid, row: int, column: int) -> tuple[float, bool]:
     where = grid.place(row, column)
     if found is None:
         what = "is missing" if cell is None else f"{str(cell)[:40]!r} is no number"
-        raise InputError(f"{where}: the weight {what}; write 20 %, 0.2 or 20")
+        raise InputError(
+            f"{where}: the weight {what}; write 20 %, 0.2 or 20, or name the line sum, mean or rank if it is a result"
+        )
     if may_be_thousands(cell):
         digits = "".join(one for one in str(cell) if one.isdigit())
         raise InputError(f"{where}: {cell!r} may be {found[0]:g} or {digits}; write the weight without a separator")

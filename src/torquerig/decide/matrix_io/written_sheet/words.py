@@ -102,7 +102,7 @@ def unit_in_name(text: str) -> str:
 @lru_cache(maxsize=4096)
 def total_of(text: str) -> Total | None:
     """Return which result a line of this name states, or None for the name of something else."""
-    name = plain_name(_BRACKETS.sub("", text) or text)
+    name = re.sub(r"( in)? ?%$", "", plain_name(_BRACKETS.sub("", text) or text))
     return next((kind for kind, patterns in _TOTALS.items() if any(re.fullmatch(one, name) for one in patterns)), None)
 
 
