@@ -1,5 +1,6 @@
 """Decision sheets as people write them: read by their shape, told back, refused where two readings are possible."""
 
+import csv
 import re
 
 import numpy as np
@@ -185,6 +186,27 @@ def test_a_sheet_saved_as_text_is_the_same(tmp_path, separator, codec):
     assert read_written_sheet(path).tables.tables[0].column("Direct") == ("--", "++", "+")
 
 
+@pytest.mark.parametrize("separator", [";", "\t", ","])
+@pytest.mark.parametrize("seed", range(8))
+def test_a_shuffled_layout_as_text_gives_the_same_numbers(tmp_path, separator, seed):
+    drawn = drawn_sheet(seed)
+    path = tmp_path / "sheet.csv"
+    with path.open("w", newline="", encoding="utf-8") as file:
+        csv.writer(file, delimiter=separator).writerows(drawn.rows)
+    result = matrix(path)
+    assert {row.alternative: row.total for row in result.ranking.itertuples()} == pytest.approx(drawn.totals)
+    assert bool(result.differences) == drawn.differs
+
+
+@pytest.mark.parametrize("line", ["Cost,0,5,S,+,cheap", "Cost,0.5,S,+,\nSum,1,0,2,5,x"])
+def test_a_decimal_comma_among_separating_commas_is_refused(tmp_path, line):
+    path = tmp_path / "sheet.csv"
+    rows = ["Criterion,Weight,Datum,A,Remarks", "Noise,0.5,S,-,quiet", "Mass,0.5,S,S,same", "Wear,0.5,S,+,less"]
+    path.write_text("\n".join([*rows, line]), encoding="utf-8")
+    with pytest.raises(InputError, match=r"sheet.csv:\d: has 6 cells where most lines have 5; a decimal comma"):
+        read_written_sheet(path)
+
+
 GRID = [["", "Belt", "Gear", "Direct"], ["Cost", 1, 2, 1], ["Noise", 2, 0, 1]]
 REFUSED = {
     "nothing decides": (GRID, r"alternatives may be 'Belt', 'Gear', 'Direct' \(row 1\) or 'Cost', 'Noise'"),
@@ -207,7 +229,7 @@ REFUSED = {
     "zero weights": (changed(POINTS, B2=0, B3=0, B4=0), "cell B2: all weights are 0"),
     "outside the scale": (changed(POINTS, D2=7), "cell D2: 7 points are outside the scale 0..4"),
     "no name of a row": (changed(PUGH, A5=None), "cell A5: the values of C?D?5?.* have no name|have no name"),
-    "no name of a column": (changed(POINTS, D1=None), "D2:D4: these values have no name"),
+    "no name of a column": (changed(POINTS, D1=None), "D2:D5: these values have no name"),
     "names twice": (changed(POINTS, D1="A"), "the name 'A' occurs twice, over D2:D4 and C2:C4"),
     "criterion twice": (changed(POINTS, A3="Preis [EUR]"), "cell A3: the criterion 'Preis .EUR.' occurs twice"),
     "half a row": (changed(PUGH, D5=None, E5=None), "cell A5: 'Noise' has 0 of 2 values"),
@@ -240,7 +262,7 @@ def outcome(path):
         return None
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(40))
 def test_a_shuffled_layout_gives_the_same_numbers_or_a_refusal(tmp_path, seed):
     drawn = drawn_sheet(seed)
     result = outcome(write_sheet(tmp_path / "x.xlsx", drawn.rows))

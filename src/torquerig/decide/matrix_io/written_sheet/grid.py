@@ -139,11 +139,13 @@ def text_grid(path: Path) -> Grid:
     first, _, after = text.partition("\n")
     delimiter = first[4:5] if first.lower().startswith("sep=") else ""
     text = after if delimiter else text
+    delimiter, skipped = delimiter or _delimiter(text), 1 if delimiter else 0
     try:
-        rows = list(csv.reader(StringIO(text), delimiter=delimiter or _delimiter(text)))
+        rows = list(csv.reader(StringIO(text), delimiter=delimiter))
     except csv.Error as error:
         raise InputError(f"{path}: is no CSV table ({error}); save it again as CSV or .xlsx") from None
-    skipped = 1 if delimiter else 0
+    if delimiter == ",":
+        _refuse_shifted(path, rows, skipped)
     cells = {
         (number + skipped, column): value.strip()
         for number, row in enumerate(rows)
@@ -172,6 +174,18 @@ def _delimiter(text: str) -> str:
         if sum(one in line for line in lines) * 2 > len(lines):
             return one
     return ","
+
+
+def _refuse_shifted(path: Path, rows: list[list[str]], skipped: int) -> None:
+    """Raise InputError for a row with more cells than most: a decimal comma without quotes shifts what follows."""
+    lengths = [len(row) for row in rows if len(row) > 1]
+    usual = max({*lengths}, key=lambda length: (lengths.count(length), length), default=0)
+    for number, row in enumerate(rows, start=1 + skipped):
+        if len(row) > usual:
+            raise InputError(
+                f"{path}:{number}: has {len(row)} cells where most lines have {usual}; a decimal comma between "
+                "separating commas makes one cell two; save the sheet with semicolons, or as .xlsx"
+            )
 
 
 def _within_bounds(grid: Grid) -> Grid:

@@ -188,11 +188,12 @@ def _refuse_unnamed(grid: Grid, names: dict[int, str], rated: tuple[int, ...], c
     seen: dict[str, int] = {}
     rows = criteria or grid.rows
     for column in rated:
-        spots = [(row, column) for row in criteria if (row, column) in grid.cells]
-        if not names[column] and spots:
+        if not names[column]:
+            spots = [(row, column) for row in grid.rows if is_value(grid.cells.get((row, column)))]
             raise InputError(
                 f"{grid.origin}, {grid.span(spots)}: these values have no name of an alternative; write it in the "
-                f"{'row' if not grid.is_turned else 'column'} of the names, or clear them"
+                f"{'row' if not grid.is_turned else 'column'} of the names, or clear them (a "
+                "decimal comma in a file with commas between the cells makes one cell two)"
             )
         if names[column] in seen:
             one, other = (grid.span([(row, place) for row in rows]) for place in (column, seen[names[column]]))
