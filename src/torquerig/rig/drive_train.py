@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import copysign
 from typing import NamedTuple
 
+from torquerig.errors import InputError
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.torque_controller import TorqueController
 from torquerig.rig.terms import Inertia, Load, ShaftMotion, Spring, Term
+
+NO_LOAD: Mapping[str, float] = {}
 
 
 class Place(NamedTuple):
@@ -56,17 +59,47 @@ class DriveTrain:
         """Return the motor torque [N m] at a motor speed [rad/s] and its acceleration [rad/s^2].
 
         ``way`` (1, 0 or -1) is the direction of motion for dry friction and loads, which hold nothing at rest.
-        ``load`` [N m] is the mean of all loads, where it is not the rig's own. Stribeck's peak is left out (Coulomb
+        ``load`` [N m] is the mean of all loads, where it is not the rig's own; without a load of more than 0 in the rig
+        it acts where a load is, else at the far end of the train. Stribeck's peak is left out (Coulomb
         friction counts): a motion that passes through rest has it for a moment only.
         """
-        share = 1.0 if load is None or self.mean_load == 0 else load / self.mean_load
-        return self._needed(ShaftMotion(speed, acceleration, way, 0.0, share))
+        if load is None:
+            return self._needed(ShaftMotion(speed, acceleration, way, 0.0, 1.0))
+        if self.mean_load == 0:
+            further = {self._loaded_node(): load} if load else {}
+            return self._needed(ShaftMotion(speed, acceleration, way, 0.0, 1.0), further)
+        return self._needed(ShaftMotion(speed, acceleration, way, 0.0, load / self.mean_load))
+
+    def _loaded_node(self) -> str:
+        """Return the node at which a stated load acts where no load of the rig has a mean.
+
+        Raises
+        ------
+        InputError
+            For a train with several ends and no load at one of them.
+        """
+        loaded = [one.on for one in self.terms if isinstance(one, Load) and one.on in self.places]
+        if loaded:
+            return loaded[0]
+        springs = [one for one in springs_of(self.terms) if one.a in self.places and one.b in self.places]
+        first = next(iter(self.places))
+        ends = [
+            node for node in self.places
+            if node != first and sum(node in (spring.a, spring.b) for spring in springs) == 1
+        ]  # fmt: skip
+        if len(ends) > 1:
+            raise InputError(
+                f"the profile states a load torque, and no part says at which of {', '.join(ends)} it acts; add a "
+                "particle_load there"
+            )
+        return ends[0] if ends else first
 
     def steady_torque(self, speed: float) -> float:
         """Return the motor torque [N m] at a constant speed [rad/s], including the Stribeck friction at that speed."""
         return self._needed(ShaftMotion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0, 1.0))
 
-    def _needed(self, motion: ShaftMotion) -> float:
+    def _needed(self, motion: ShaftMotion, further: Mapping[str, float] = NO_LOAD) -> float:
+        """Return the motor torque [N m]; ``further`` are loads [N m] by node beyond those of the terms."""
         by_efficiency: dict[float, float] = {}
         for node, (ratio, efficiency) in self.places.items():
             here = motion._replace(
@@ -74,7 +107,7 @@ class DriveTrain:
                 acceleration=motion.acceleration * ratio,
                 way=copysign(1.0, ratio) * motion.way,
             )
-            needed = sum(one.needed_torque(node, here) for one in self.terms)
+            needed = sum(one.needed_torque(node, here) for one in self.terms) + here.way * further.get(node, 0.0)
             by_efficiency[efficiency] = by_efficiency.get(efficiency, 0.0) + needed * ratio
         heading = motion.way or copysign(1.0, motion.acceleration)
         return sum(
