@@ -3,6 +3,7 @@
 import random
 from pathlib import Path
 
+import openpyxl
 import pytest
 
 from tests.decide.drawn_sheets import write_sheet
@@ -182,6 +183,23 @@ def test_a_result_of_the_datum_other_than_zero_is_told(tmp_path):
     rows = [["Criterion", "Datum", "A"], ["Cost", "S", "+"], ["Noise", "S", "-"], ["Sum", 3, 0]]
     (said,) = matrix(write_sheet(tmp_path / "x.xlsx", rows)).differences
     assert said == "difference: the datum in B4 has 3; compared with itself it has 0"
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_a_sheet_of_other_numbers_next_to_a_matrix_is_named_and_left_out(tmp_path, first):
+    path = write_sheet(tmp_path / "x.xlsx", GROUPS, name="Pugh")
+    book = openpyxl.load_workbook(path)
+    data = book.create_sheet("Daten", 0 if first else 1)
+    for row in (["Motor", "Power [W]", "Price"], ["A", 120, 300], ["B", 90, 250]):
+        data.append(row)
+    book.save(path)
+    result = matrix(path)
+    assert [table.name for table in result.tables.tables] == ["Pugh"]
+    assert any(one.startswith("sheet 'Daten': is no matrix and was not read") for one in result.understood)
+    data["A1"] = "Criterion"
+    book.save(path)
+    with pytest.raises(InputError, match="sheet 'Daten', cell B2: 120 points are outside the scale"):
+        matrix(path)
 
 
 def test_the_summary_says_that_the_datum_is_better_than_all(tmp_path):

@@ -86,6 +86,13 @@ def evidence(grid: Grid, block: Block) -> list[str]:
     return found
 
 
+def has_decision_word(grid: Grid) -> bool:
+    """Return whether a sheet names criteria, alternatives, weights, a datum or an ideal, as only a matrix does."""
+    words = (Word.CRITERION, Word.ALTERNATIVE, Word.WEIGHT, Word.IDEAL)
+    texts = [value for value in grid.cells.values() if isinstance(value, str)]
+    return any(word_of(text) in words or is_datum(text) for text in texts)
+
+
 def _with_corner(grid: Grid, block: Block, down: list[str], across: list[str]) -> tuple[list[str], list[str]]:
     """Return the evidence with the word in the corner, which names the lines below it and yields to weights and datum.
 

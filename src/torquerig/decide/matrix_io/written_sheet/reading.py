@@ -12,7 +12,7 @@ from torquerig.decide.matrix_io.written_sheet.block import largest_block
 from torquerig.decide.matrix_io.written_sheet.column_checks import refuse_hidden_weights, refuse_unread_ratings
 from torquerig.decide.matrix_io.written_sheet.grid import Grid, Spot, text_grid, workbook_grids
 from torquerig.decide.matrix_io.written_sheet.lines import Lines
-from torquerig.decide.matrix_io.written_sheet.orientation import oriented_lines
+from torquerig.decide.matrix_io.written_sheet.orientation import has_decision_word, oriented_lines
 from torquerig.decide.matrix_io.written_sheet.ratings import marks_of, method_of, points_of_cells, profile_of
 from torquerig.decide.matrix_io.written_sheet.totals import refuse_unnamed_result, refuse_weighted_total
 from torquerig.decide.matrix_io.written_sheet.understood import understood, used_cells
@@ -40,6 +40,11 @@ def read_written_sheet(path: Path) -> SheetReading:
         ``.xlsx`` or ``.xlsm``, else text with separators. Sheets may have any name, titles, notes,
         totals, and criteria down or across.
 
+    Returns
+    -------
+    SheetReading
+        A sheet of other numbers next to a matrix, without a word of decisions, is left out and named.
+
     Raises
     ------
     InputError
@@ -47,15 +52,24 @@ def read_written_sheet(path: Path) -> SheetReading:
         weight or points. As :func:`~torquerig.safe_workbook.read_workbook` too.
     """
     grids = workbook_grids(path) if path.suffix.lower() in (".xlsx", ".xlsm") else [text_grid(path)]
-    tables, said = [], []
+    tables, said, failed = [], [], None
     for grid in grids:
-        lines = oriented_lines(grid)
-        if lines is None:
+        try:
+            lines = oriented_lines(grid)
+            found = None if lines is None else _table(lines, name=grid.sheet or path.stem)
+        except InputError as error:
+            if has_decision_word(grid):
+                raise
+            failed = failed or error
+            said.append(f"sheet {grid.sheet!r}: is no matrix and was not read ({error})")
+            continue
+        if found is None:
             said.append(f"sheet {grid.sheet!r}: has no matrix and was not read")
             continue
-        table, sentences = _table(lines, name=grid.sheet or path.stem)
-        tables.append(table)
-        said += sentences
+        tables.append(found[0])
+        said += found[1]
+    if failed is not None and not tables:
+        raise failed
     if not tables:
         raise InputError(
             f"{path}: has no decision matrix; write the alternatives in one row, the criteria in one column, and marks "
