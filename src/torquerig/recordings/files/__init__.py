@@ -9,6 +9,7 @@
 ``timebase``            the sample rate, from the sidecar, the file or a time column
 ``timing``              the sampling that times show: even, coarse, late or with gaps; with ``time_band``
 ``time_unit``           the unit of times that state none
+``rate_changes``        stretches of one file at different rates; ``long_format``: channels mixed in one column
 ``starts``              channels that start later than the first
 ``checks``              refuses missing samples, unequal lengths, not-a-number
 ``sidecar``             reads the meaning of the channels and the test conditions

@@ -12,7 +12,7 @@ from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.files.checks import check_counts, check_finite
 from torquerig.recordings.files.gaps import gaps_in, refuse_gaps
 from torquerig.recordings.files.stream import RecordingStream
-from torquerig.recordings.files.timebase import refuse_problem
+from torquerig.recordings.files.timebase import EVENLY
 from torquerig.recordings.files.timing import timing_of
 from torquerig.recordings.recording import Recording
 
@@ -121,16 +121,37 @@ def _refuse_uneven(stream: RecordingStream, block: Block, before: float | None) 
     if not stream.time_scatter or block.times.size < _JUDGED:
         gaps = gaps_in(block.times, stream.sample_rate, first=block.first, before=before, scatter=stream.time_scatter)
         refuse_gaps(gaps, name=name, rate=stream.sample_rate, where=where)
+    if block.times.size < _JUDGED:
         return
-    times = block.times if before is None else np.concatenate([[before], block.times])
-    timing = timing_of(times, name=name, stated=stream.sample_rate)
+    problem = uneven_times(block.times, stream, first=block.first, before=before)
+    if problem:
+        raise RecordingError(f"{where}: {problem}; {EVENLY}")
+
+
+def uneven_times(
+    times: NDArray[np.float64], stream: RecordingStream, *, first: int, before: float | None = None
+) -> str:
+    """Return why the times of a block are not those of even samples at the stream's rate; empty where they are.
+
+    Parameters
+    ----------
+    times : ndarray, shape (samples,)
+        [s].
+    stream : RecordingStream
+    first : int
+        The number of the block's first sample in the recording.
+    before : float, optional
+        The time of the sample before the block [s].
+    """
+    name = str(stream.table.time_name())
+    name = f"from sample {first} on, {name}" if first else name
+    whole = times if before is None else np.concatenate([[before], times])
+    timing = timing_of(whole, name=name, stated=stream.sample_rate)
     if timing.problem:
-        refuse_problem(timing, name=f"from sample {block.first} on, {name}", where=where)
+        return f"{name} {timing.problem}"
     if abs(timing.rate / stream.sample_rate - 1) > max(_SAME_RATE, 2 * timing.uncertainty):
-        raise RecordingError(
-            f"{where}: from sample {block.first} on, {name} shows {timing.rate:.6g} Hz instead of "
-            f"{stream.sample_rate:.6g} Hz; cut the recording there, or resample it with 'torquerig join'"
-        )
+        return f"{name} shows {timing.rate:.6g} Hz instead of {stream.sample_rate:.6g} Hz"
+    return ""
 
 
 class _Held:

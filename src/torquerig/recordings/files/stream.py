@@ -15,6 +15,7 @@ from torquerig.recordings.files.checks import check_counts
 from torquerig.recordings.files.csv import csv_pieces
 from torquerig.recordings.files.gz import TEXT_ENDINGS, gz_pieces
 from torquerig.recordings.files.hdf5 import hdf5_pieces
+from torquerig.recordings.files.long_format import refuse_long_format
 from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import mat_pieces
 from torquerig.recordings.files.parquet import parquet_pieces
@@ -113,7 +114,7 @@ def open_stream(path: Path) -> RecordingStream:
     samples = check_counts(lengths, str(path)) if lengths else None
     timing = None
     if time is not None:
-        table, timing = _timed(table, time, stated=stated_rate(table.rates, entries, sidecar=sidecar), path=path)
+        table, timing = timed(table, time, stated=stated_rate(table.rates, entries, sidecar=sidecar), path=path)
     rate = agreed_rate(table.rates, entries, timing=timing, time_name=time, sidecar=sidecar, where=str(path))
     return RecordingStream(
         path=path,
@@ -127,9 +128,14 @@ def open_stream(path: Path) -> RecordingStream:
     )
 
 
-def _timed(table: TablePieces, time: str, *, stated: float | None, path: Path) -> tuple[TablePieces, Timing]:
+def timed(table: TablePieces, time: str, *, stated: float | None, path: Path) -> tuple[TablePieces, Timing]:
     """Return the table with its times in seconds and a note about them, and the sampling that the first ones show."""
     times = _first_times(table, time, path)
+    if np.any(np.diff(times) <= 0):
+        others = [name for name in table.names if name != time]
+        first = next(iter(table.pieces([time, *others])))
+        signals = {name: first[name] for name in others}
+        refuse_long_format(first[time], signals, skipped=table.skipped, name=time, where=str(path))
     timing = timing_of(times, name=time, stated=stated)
     if not timing.rate > 0:
         refuse_problem(timing, name=time, where=str(path))
@@ -141,6 +147,8 @@ def _timed(table: TablePieces, time: str, *, stated: float | None, path: Path) -
     )
     if seconds == 1.0:
         return replace(table, notes=tuple(notes)), timing
+
+    notes = [one for one in notes if not one.endswith("states no unit and is read as seconds")]
 
     def pieces(names: Sequence[str]) -> Iterator[Mapping[str, NDArray[np.float64]]]:
         for piece in table.pieces(names):

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.recordings.files.long_format import refuse_long_format
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.sidecar import Sidecar
 from torquerig.recordings.files.time_unit import in_unit, unit_evidence
@@ -15,6 +16,8 @@ from torquerig.recordings.files.timing import Timing, timing_of
 
 # largest relative difference of two stated rates (a rounded time column) [1]
 _CONTRADICTION = 1e-3
+EVENLY = "cut the recording there, or resample it with 'torquerig join'"
+"""What to do with uneven times."""
 
 
 def sample_rate_of(table: Table, names: Iterable[str], *, sidecar: Sidecar | None, where: str) -> float:
@@ -29,6 +32,8 @@ def sample_rate_of(table: Table, names: Iterable[str], *, sidecar: Sidecar | Non
     timing = None
     if time is not None:
         times, stated = table.columns[time], stated_rate(table.rates, used, sidecar=sidecar)
+        signals = {name: values for name, values in table.columns.items() if name != time}
+        refuse_long_format(times, signals, skipped=table.skipped, name=time, where=where)
         timing = timing_of(times, name=time, stated=stated)
         refuse_problem(timing, name=time, where=where)
         if not table.time_has_unit:
@@ -118,11 +123,11 @@ def refuse_problem(timing: Timing, *, name: str, where: str) -> None:
     """Raise RecordingError where times show lost, doubled or uneven samples."""
     if not timing.problem:
         return
-    remedy = (
-        "put the rows in order and remove doubles, or join parts only where time continues"
-        if timing.problem.startswith("does not rise")
-        else "cut the recording there, or resample it with 'torquerig join'"
-    )
+    remedies = {
+        "does not rise": "put the rows in order and remove doubles, or join parts only where time continues",
+        "has ": "record it again",
+    }
+    remedy = next((one for start, one in remedies.items() if timing.problem.startswith(start)), EVENLY)
     raise RecordingError(f"{where}: {name} {timing.problem}; {remedy}")
 
 

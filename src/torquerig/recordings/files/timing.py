@@ -8,6 +8,7 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.recordings.files.rate_changes import stretches_of_rates
 from torquerig.recordings.files.time_band import narrowest_band
 
 Floats = NDArray[np.float64]
@@ -32,6 +33,8 @@ _CAUGHT_UP = 0.5
 _SIZES, _USUAL = 12, 0.1
 # gaps named in a message
 _NAMED = 3
+CHANGES = "changes its rate"
+"""How the problem of times with two rates or more begins."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,7 +63,7 @@ class Timing:
 
 
 def timing_of(times: Floats, *, name: str, stated: float | None = None) -> Timing:
-    """Return the sampling of ``times`` [s], shape (samples,), two or more.
+    """Return the sampling of ``times`` [s], shape (samples,); fewer than two are a problem.
 
     Even times deviate from an even grid by less than a quarter of a sample. Coarse stamps (whole milliseconds at
     2.5 kHz) all lie within one grain of an even grid. Late stamps (of a computer's clock) come back to it. A lost or
@@ -74,6 +77,8 @@ def timing_of(times: Floats, *, name: str, stated: float | None = None) -> Timin
     stated : float, optional
         A rate that is known otherwise [Hz].
     """
+    if times.size < 2:
+        return Timing(rate=float("nan"), problem=f"has {times.size} time{'s' * (times.size != 1)}, and 2 are needed")
     steps = np.diff(times)
     sound = np.isfinite(steps) & (steps >= 0)
     if not sound.all() or not steps.any():
@@ -231,7 +236,13 @@ def _few_late(times: Floats, steps: Floats, name: str) -> Timing | None:
 
 
 def _uneven(times: Floats, steps: Floats, worst: float) -> Timing:
-    """Return the sampling of uneven times, with what is lost and doubled."""
+    """Return the sampling of uneven times, with what is lost and doubled, or where the rate changes."""
+    stretches = stretches_of_rates(times)
+    if stretches:
+        named = ", ".join(f"{one.rate:.6g} Hz from sample {one.first} on" for one in stretches)
+        fastest = max(one.rate for one in stretches)
+        return Timing(rate=shortest_rate(fastest, tolerance=1e-6), uncertainty=1e-3,
+                      problem=f"{CHANGES}: {named}")  # fmt: skip
     usual = 1 / _usual_rate(steps)
     long, short = steps > (1 + _JUMP) * usual, steps < (1 - _JUMP) * usual
     lost = int(np.sum(np.round(steps[long] / usual) - 1))

@@ -12,9 +12,8 @@ from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import check_readable, entry_by_name
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar
 from torquerig.recordings.files.sidecar_choice import sidecar_of
-from torquerig.recordings.files.stream import open_stream, pieces_of_file
+from torquerig.recordings.files.stream import open_stream, pieces_of_file, timed
 from torquerig.recordings.files.table_pieces import TablePieces
-from torquerig.recordings.files.timebase import usual_rate
 from torquerig.recordings.inspection.levels import NOTHING, Levels, joined_levels, levels_of
 
 
@@ -159,8 +158,7 @@ def _rate_by_time(table: TablePieces, time: str | None, path: Path) -> float | N
     if time is None:
         return None
     try:
-        first = next(iter(table.pieces([time])))[time]
-        return usual_rate(first, name=time, where=str(path))
+        return timed(table, time, stated=None, path=path)[1].rate
     except (RecordingError, StopIteration):
         return None  # told as the file's problem
 

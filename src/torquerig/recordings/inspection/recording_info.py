@@ -10,9 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.files.blocks import Block, Blocking
+from torquerig.recordings.files.blocks import Block, Blocking, uneven_times
 from torquerig.recordings.files.gaps import Gap, gaps_in
 from torquerig.recordings.files.stream import RecordingStream
+from torquerig.recordings.files.timebase import EVENLY
+from torquerig.recordings.files.timing import CHANGES
 from torquerig.recordings.inspection.channel_info import POSITIONS, ChannelInfo, channel_info
 from torquerig.recordings.inspection.channel_summary import LONGEST_DROPOUT, ChannelSummary, joined_summaries, summarise
 from torquerig.recordings.inspection.outliers import MARGIN
@@ -34,7 +36,8 @@ _NAMED = 5  # most places that are named in a sentence
 class RecordingInfo:
     """Figures of a recording; ``info["torque_V"]`` are those of one channel. Rate in [Hz], duration in [s].
 
-    The picture is drawn from ``summaries``; ``gaps`` are the jumps of the column ``time_name``.
+    The picture is drawn from ``summaries``; ``gaps`` are the jumps of the column ``time_name``, and ``uneven`` says why
+    its times are not even where no jump does.
     """
 
     name: str
@@ -45,6 +48,7 @@ class RecordingInfo:
     channels: Mapping[str, ChannelInfo]
     gaps: tuple[Gap, ...] = ()
     time_name: str = "time"
+    uneven: str = ""
     summaries: Mapping[str, ChannelSummary] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> ChannelInfo:
@@ -59,6 +63,7 @@ class RecordingInfo:
 
         Dropouts and clipping of the whole recording are named before the same of a stretch of it.
         """
+        uneven = [f"{self.uneven}; {EVENLY}"] if self.uneven else []
         gaps = [
             f"{self.time_name} jumps by {gap.step:.6g} s instead of {1 / self.sample_rate:.6g} s after sample "
             f"{gap.sample} ({gap.time:.6g} s)"
@@ -66,8 +71,7 @@ class RecordingInfo:
         ]
         more = [f"{self.time_name} jumps {len(self.gaps) - _NAMED} more times"] if len(self.gaps) > _NAMED else []
         return [
-            *gaps,
-            *more,
+            *(uneven or [*gaps, *more]),
             *chain.from_iterable(self._of(name, one) for name, one in self.channels.items() if not one.truth),
             *(fault.of_channel for fault in (stretch.faults if stretch else ()) if self._is_new(fault)),
         ]
@@ -140,7 +144,7 @@ def stream_info(stream: RecordingStream) -> RecordingInfo:
     """Return the same for a recording on disk, block by block; it may have missing numbers and jumps of time."""
     summaries: dict[str, ChannelSummary] = {}
     gaps: list[Gap] = []
-    samples, last_time = 0, None
+    samples, last_time, uneven = 0, None, ""
     recording = None
     searches: dict[str, DropoutSearch] = {}
     margin = max(MARGIN, round(LONGEST_DROPOUT * stream.sample_rate) + 8)
@@ -152,15 +156,19 @@ def stream_info(stream: RecordingStream) -> RecordingInfo:
             search.add(recording.channels[name].values[block.kept])
         samples = block.first + block.kept.stop - block.kept.start
         if block.times is not None:
-            gaps += gaps_in(
+            found = gaps_in(
                 block.times, stream.sample_rate, first=block.first, before=last_time, scatter=stream.time_scatter
             )
+            gaps += found
+            problem = "" if uneven else uneven_times(block.times, stream, first=block.first)
+            # a jump names a gap better; a change of rate is many jumps or none
+            uneven = problem if CHANGES in problem or (problem and not found and not gaps) else uneven
             last_time = float(block.times[-1])
     if recording is None:  # a stream without blocks raises before
         recording = stream.of({name: np.empty(0) for name in stream.entries})
     return _info(
         recording, summaries, samples=samples, gaps=tuple(gaps), time_name=stream.table.time_name() or "time",
-        searches=searches,
+        uneven=uneven, searches=searches,
     )  # fmt: skip
 
 
@@ -197,6 +205,7 @@ def _info(
     samples: int,
     gaps: tuple[Gap, ...] = (),
     time_name: str = "time",
+    uneven: str = "",
     searches: Mapping[str, DropoutSearch] | None = None,
 ) -> RecordingInfo:
     rounded = {name: search.found() for name, search in (searches or {}).items()}
@@ -212,6 +221,7 @@ def _info(
         },
         gaps=gaps,
         time_name=time_name,
+        uneven=uneven,
         summaries=summaries,
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.joining.tracks import Track
+from torquerig.recordings.joining.track import Track
 
 _OVERSAMPLING = 8  # a cubic line through 8 times finer samples is within 1e-4 up to 0.4 of the rate
 _PASSED = 0.9  # of half the lower rate: what the low-pass before a slower grid keeps

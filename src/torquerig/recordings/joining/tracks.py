@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -11,25 +11,20 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.gaps import gaps_in
+from torquerig.recordings.files.long_format import refuse_long_format
 from torquerig.recordings.files.plain_names import pieces_with_plain_names
+from torquerig.recordings.files.rate_changes import Stretch, stretches_of_rates
 from torquerig.recordings.files.reading import channel_entries, check_readable
-from torquerig.recordings.files.sidecar import ChannelEntry, sidecar_path
+from torquerig.recordings.files.sidecar import sidecar_path
 from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.stream import pieces_of_file
+from torquerig.recordings.files.table_pieces import TablePieces
+from torquerig.recordings.files.time_unit import unit_evidence
 from torquerig.recordings.files.timebase import usual_rate
 from torquerig.recordings.files.timing import timing_of
+from torquerig.recordings.joining.resampling import resampled
+from torquerig.recordings.joining.track import Track
 from torquerig.recordings.run import Run
-
-
-@dataclass(frozen=True, kw_only=True)
-class Track:
-    """One column: its samples, its rate [Hz], the time of its first sample [s] on the clock of its file."""
-
-    name: str
-    values: NDArray[np.float64]
-    rate: float
-    start: float
-    entry: ChannelEntry
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,6 +64,9 @@ def tracks_of(path: Path) -> Tracks:
         columns |= {name: np.concatenate([piece[name] for piece in pieces]) for name in names}
     times = columns.pop(time) if time else None
     stated = sidecar.sample_rate if sidecar else None
+    if times is not None:
+        refuse_long_format(times, columns, skipped=table.skipped, name=str(time), where=str(path))
+        times = _in_seconds(times, table, name=str(time), stated=stated, path=path)
     tracks: dict[str, Track] = {}
     for name, entry in entries.items():
         rate = stated or table.rates.get(name)
@@ -82,7 +80,8 @@ def tracks_of(path: Path) -> Tracks:
                 # coarse and late stamps are those of even samples
                 bridged: tuple[str, ...] = (f"{path.name}: {timing.note}",) if timing.note else ()
                 if timing.problem:
-                    values, bridged = _evenly(values, times, rate, name=str(time), path=path)
+                    raw = Track(name=name, values=values, rate=rate, start=start, entry=entry)
+                    values, bridged = _evenly(raw, times, name=str(time), path=path)
                 notes = notes if bridged and bridged[0] in notes else (*notes, *bridged)
         if rate is None:
             raise RecordingError(
@@ -94,30 +93,77 @@ def tracks_of(path: Path) -> Tracks:
     return Tracks(path=path, tracks=tracks, run=run, has_clock=times is not None or bool(table.starts), notes=notes)
 
 
+def _in_seconds(
+    times: NDArray[np.float64], table: TablePieces, *, name: str, stated: float | None, path: Path
+) -> NDArray[np.float64]:
+    """Return times whose unit the file may not state in seconds."""
+    timing = timing_of(times, name=name, stated=stated)
+    if table.time_has_unit or not timing.rate > 0:
+        return times
+    seconds, _ = unit_evidence(
+        timing, first=float(times[0]), samples=times.size, stated=stated, name=name, where=str(path)
+    )
+    return times * seconds
+
+
 def _evenly(
-    values: NDArray[np.float64], times: NDArray[np.float64], rate: float, *, name: str, path: Path
+    track: Track, times: NDArray[np.float64], *, name: str, path: Path
 ) -> tuple[NDArray[np.float64], tuple[str, ...]]:
-    """Return the samples on an even grid where the stamps have gaps, and what was bridged."""
-    gaps = gaps_in(times, rate)
-    if not gaps:
-        return values, ()
-    worst = max(gaps, key=lambda gap: abs(gap.step))
-    if not np.all(np.diff(times) > 0):
-        back = next(gap for gap in gaps if gap.step <= 0)
-        raise RecordingError(
-            f"{path}: {name} goes back by {-back.step:.6g} s after sample {back.sample}; cut the file there and join "
-            "the parts"
-        )
-    if worst.step > _LONGEST_GAP:
+    """Return the samples of uneven ``times`` [s], shape (samples,), on an even grid, and what was done."""
+    _refuse_falling(times, name, path)
+    stretches = stretches_of_rates(times)
+    gaps = gaps_in(times, track.rate)
+    worst = max(gaps, key=lambda gap: abs(gap.step), default=None)
+    longest = max((1 / one.rate for one in stretches), default=0.0)
+    if worst is not None and worst.step > max(_LONGEST_GAP, 1.5 * longest):
         raise RecordingError(
             f"{path}: {name} jumps by {worst.step:.6g} s after sample {worst.sample} ({worst.time:.6g} s), too long "
             f"to bridge (at most {_LONGEST_GAP:g} s); cut the file there"
         )
-    grid = times[0] + np.arange(int((times[-1] - times[0]) * rate + 0.5) + 1) / rate
-    note = f"{path.name}: {len(gaps)} steps of {name} are not one sample long (the longest {worst.step:.6g} s after sample {worst.sample}); bridged by straight lines"  # noqa: E501
-    return np.interp(grid, times, values), (note,)
+    grid = times[0] + np.arange(int((times[-1] - times[0]) * track.rate + 0.5) + 1) / track.rate
+    if stretches:
+        named = ", ".join(f"{one.rate:.6g} Hz from sample {one.first} on" for one in stretches)
+        note = f"{path.name}: {name} has several rates ({named}), and all samples are brought to {track.rate:.6g} Hz"
+        return _of_stretches(track, times, stretches, grid), (note,)
+    if worst is None:
+        note = f"{path.name}: the steps of {name} are uneven; the samples between its times are on straight lines"
+    else:
+        note = (
+            f"{path.name}: {len(gaps)} steps of {name} are not one sample long (the longest {worst.step:.6g} s after "
+            f"sample {worst.sample}); bridged by straight lines"
+        )
+    return np.interp(grid, times, track.values), (note,)
 
 
+def _refuse_falling(times: NDArray[np.float64], name: str, path: Path) -> None:
+    steps = np.diff(times)
+    if np.all(steps > 0):
+        return
+    sample = int(np.argmin(steps > 0))
+    if not np.isfinite(steps[sample]):
+        raise RecordingError(
+            f"{path}: {name} has no time for sample {sample + bool(np.isfinite(times[sample]))}; delete the row, or "
+            "write the time"
+        )
+    raise RecordingError(
+        f"{path}: {name} goes back by {-steps[sample]:.6g} s after sample {sample}; cut the file there and join "
+        "the parts"
+    )
+
+
+def _of_stretches(
+    track: Track, times: NDArray[np.float64], stretches: tuple[Stretch, ...], grid: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the samples at the times ``grid`` [s], each stretch brought to the rate of the track by itself."""
+    values = np.interp(grid, times, track.values)
+    for one in stretches:
+        part = replace(track, values=track.values[one.first : one.last + 1], rate=one.rate, start=times[one.first])
+        first, last = np.searchsorted(grid, [times[one.first] - _ROUNDING, times[one.last] + _ROUNDING])
+        values[first:last] = resampled(part, rate=track.rate, start=float(grid[first]), samples=int(last - first))
+    return values
+
+
+_ROUNDING = 1e-9  # [s]; of a time on the grid
 _LONGEST_GAP = 1.0  # [s]; what lies in a longer gap no straight line can stand for
 
 
@@ -128,3 +174,6 @@ def _check_finite(name: str, values: NDArray[np.float64], path: Path) -> None:
             f"{path}: {name} has {bad.size} samples that are no finite number, the first at sample {bad[0]}; cut the "
             "file to a span without them"
         )
+
+
+__all__ = ["Track", "Tracks", "tracks_of"]
