@@ -154,7 +154,8 @@ def _longest_run(rows: dict[int, list[str]], families: Sequence[str]) -> tuple[i
 def _below_break(rows: dict[int, list[str]], width: int) -> dict[int, list[str]]:
     """Return the rows below the last break at which a column is empty for good that was filled above it.
 
-    A break is a line between the rows that is none of them. Above it are entries with a key, as of oscilloscopes.
+    A break is a line between the rows that is none of them. Above it are entries with a key, as of oscilloscopes, and
+    fewer rows than below it; below it there may also be the figures of a whole run.
     """
     whole = {place: [cell == EMPTY for cell in row] for place, row in rows.items() if len(row) == width}
     places = list(whole)
@@ -163,9 +164,10 @@ def _below_break(rows: dict[int, list[str]], width: int) -> dict[int, list[str]]
         return rows
     all_below = np.logical_and.accumulate(emptied[::-1])[::-1]
     all_above = np.logical_and.accumulate(~emptied)
+    emptied_at = [number for number in range(1, len(places)) if np.any(all_below[number] & all_above[number - 1])]
     breaks = [
-        place for number, place in enumerate(places)
-        if number and place > places[number - 1] + 1 and np.any(all_below[number] & all_above[number - 1])
+        places[number] for number in emptied_at
+        if places[number] > places[number - 1] + 1 and 2 * number <= len(places)
     ]  # fmt: skip
     return {place: row for place, row in rows.items() if place >= breaks[-1]} if breaks else rows
 

@@ -26,12 +26,18 @@ _GROUPED_BY_POINT = re.compile(r"[+-]?[1-9][0-9]{0,2}(?:(?:\.[0-9]{3})+,[0-9]+|(
 _GROUPED_BY_COMMA = re.compile(r"[+-]?[1-9][0-9]{0,2}(?:(?:,[0-9]{3})+\.[0-9]+|(?:,[0-9]{3}){2,})")
 _ONE_GROUP = {sign: re.compile(rf"[+-]?[1-9][0-9]{{0,2}}\{sign}[0-9]{{3}}") for sign in ",."}
 _FORMS = {
-    "integer": _INTEGER, "groups by point": _GROUPED_BY_POINT, "groups by comma": _GROUPED_BY_COMMA, "point": _POINT,
-    "one group": _ONE_GROUP[","], "comma": _COMMA,
+    "integer": _INTEGER, "groups by point": _GROUPED_BY_POINT, "groups by comma": _GROUPED_BY_COMMA,
+    "one group by point": _ONE_GROUP["."], "point": _POINT, "one group": _ONE_GROUP[","], "comma": _COMMA,
 }  # fmt: skip
 # the group signs of Switzerland and France are never decimal signs
 _OTHER_GROUPS = re.compile(r"(?<=[0-9])['\u2019\u00a0\u202f](?=[0-9]{3}(?![0-9]))")
 _INFINITE = ("inf", "+inf", "-inf", "infinity", "-infinity", "+infinity", "\u221e", "-\u221e")
+
+ONE_READING = (
+    "write numbers without a sign between thousands; if it is a decimal sign, write a point and separate the cells by "
+    "tabs"
+)
+"""What to do where a number has two readings."""
 
 
 @dataclass(frozen=True)
@@ -80,8 +86,8 @@ def split_cells(line: str, separator: str) -> list[str]:
 def form_of(cell: str) -> str:
     """Return the form of a number as it is written; empty where the cell is no number.
 
-    ``integer``, ``point`` (1.5), ``comma`` (1,5), ``one group`` (1,234: 1234 or 1.234), ``groups by point``
-    (1.234,5) or ``groups by comma`` (1,234.5).
+    ``integer``, ``point`` (1.5), ``comma`` (1,5), ``one group`` (1,234: 1234 or 1.234), ``one group by point``
+    (1.234: 1.234 or 1234), ``groups by point`` (1.234,5) or ``groups by comma`` (1,234.5).
     """
     text = _OTHER_GROUPS.sub("", cell.replace("\u2212", "-"))
     return next((form for form, pattern in _FORMS.items() if pattern.fullmatch(text)), "")
@@ -90,6 +96,15 @@ def form_of(cell: str) -> str:
 def is_missing(cell: str) -> bool:
     """Return whether the cell stands for a missing number; an infinite one counts."""
     return cell.lower() in MISSING or cell.lower() in _INFINITE
+
+
+def two_readings(cell: str) -> str:
+    """Return both readings of a number with one group, ``1234 or 1.234``; empty for every other cell."""
+    form = form_of(cell)
+    if form not in ("one group", "one group by point"):
+        return ""
+    plain = cell.replace(",", ".")
+    return f"{plain.replace('.', '')} or {plain}"
 
 
 def signs_of(forms: Iterable[str]) -> tuple[str, str] | None:
@@ -101,7 +116,7 @@ def signs_of(forms: Iterable[str]) -> tuple[str, str] | None:
     point = count["point"] + count["groups by comma"]
     comma = count["comma"] + count["groups by point"]
     if not point and not comma:
-        return None if count["one group"] else (".", "")
+        return None if count["one group"] or count["one group by point"] else (".", "")
     if point >= comma:
         return ".", "," if count["groups by comma"] or count["one group"] else ""
-    return ",", "." if count["groups by point"] else ""
+    return ",", "." if count["groups by point"] or count["one group by point"] else ""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig.recordings.files.text_tables.layout import EMPTY, NUMBER, STAMP, UNNAMED, WORDS, Layout
-from torquerig.recordings.files.text_tables.stamps import StampForm, stamp_form
+from torquerig.recordings.files.text_tables.stamps import StampForm, is_written_date, stamp_form, with_signs
 from torquerig.recordings.names.time_column import time_column
 
 # characters of an example in a message
@@ -46,12 +46,26 @@ def plan_columns(layout: Layout) -> ColumnPlan:
     skipped |= {name: "has no name" for name in layout.of_family(NUMBER) if name.startswith(UNNAMED)}
     time = time_column(numbers, layout.units)
     stamps = None
-    if time is None:
+    if time is not None and _are_written_dates(layout, time.name):
+        stamps = _of_one_number(layout, time.name)
+        numbers = tuple(name for name in numbers if name != time.name)
+        reasons = dict.fromkeys(layout.of_family(STAMP), f"time stamps; the column {time.name} holds the time")
+    elif time is None:
         stamps, reasons = _stamp_column(layout, numbers)
     else:
         reasons = dict.fromkeys(layout.of_family(STAMP), f"time stamps; the column {time.name} holds the time")
     notes = () if stamps is None else (_note(stamps),)
     return ColumnPlan(numbers=numbers, stamps=stamps, skipped=skipped | reasons, notes=notes)
+
+
+def _are_written_dates(layout: Layout, name: str) -> bool:
+    cells = [cell for cell in layout.column(name) if cell]
+    return len(cells) > 1 and all(is_written_date(cell) for cell in cells)
+
+
+def _of_one_number(layout: Layout, name: str) -> StampColumn:
+    form = stamp_form([with_signs(cell) for cell in layout.column(name) if cell])
+    return StampColumn(name=name, columns=(name,), forms=() if form is None else (form,))
 
 
 def _stamp_column(layout: Layout, numbers: Sequence[str]) -> tuple[StampColumn | None, dict[str, str]]:

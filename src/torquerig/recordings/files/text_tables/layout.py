@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -10,7 +11,15 @@ from pathlib import Path
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.number_table import distinct
 from torquerig.recordings.files.text_tables.block import EMPTY, NUMBER, STAMP, WORDS, Block, find_block
-from torquerig.recordings.files.text_tables.cells import Dialect, form_of, is_missing, signs_of, split_cells
+from torquerig.recordings.files.text_tables.cells import (
+    ONE_READING,
+    Dialect,
+    form_of,
+    is_missing,
+    signs_of,
+    split_cells,
+    two_readings,
+)
 from torquerig.recordings.files.text_tables.header import Header, read_header
 from torquerig.recordings.files.text_tables.lines import TextLine, first_lines
 from torquerig.recordings.files.text_tables.preamble import Preamble, read_preamble
@@ -20,6 +29,8 @@ UNNAMED = "(unnamed)"
 _ENOUGH, _FIRST_LINES, _MOST_LINES = 50, 400, 25_600
 # the first part of a file, in which its rows must begin [bytes]
 _LONGEST_PREAMBLE = 2**22
+# digits of a group of thousands
+_GROUP = 3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,6 +58,8 @@ class Layout:
     notes : tuple of str
     missing : tuple of str
         The words that stand for missing numbers in the first rows.
+    decimal : str
+        The decimal sign that the first rows show; empty where they hold whole numbers only.
     """
 
     path: Path
@@ -60,6 +73,7 @@ class Layout:
     units: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+    decimal: str = ""
 
     def column(self, name: str) -> list[str]:
         """Return the cells of one column in the first rows."""
@@ -109,7 +123,8 @@ def _layout(lines: Sequence[TextLine], block: Block, path: Path) -> Layout:
     rows = [(line, row) for line, row in cells if block.fits(row)]
     wide = [(line, split_cells(line.text, block.separator)) for line in lines[block.first :]]
     dialect = _dialect([(line, row) for line, row in wide if len(row) == block.width], block, path)
-    preamble = read_preamble(header.above)
+    decimal = _decimal_sign(rows, block, dialect)
+    preamble = read_preamble(header.above, decimal=decimal)
     names = tuple(distinct([name or UNNAMED for name in header.names] or _bare_names(block.families)))
     used = [row[place] for _, row in rows for place, one in enumerate(block.families) if one == NUMBER]
     missing = tuple(dict.fromkeys(cell for cell in used if cell and is_missing(cell) and cell.lower() != "nan"))
@@ -117,6 +132,7 @@ def _layout(lines: Sequence[TextLine], block: Block, path: Path) -> Layout:
         path=path, dialect=dialect, names=names, families=block.families, first_line=lines[block.first].number,
         start=lines[block.first].start, rows=tuple(tuple(row) for _, row in rows), rate=preamble.rate,
         units=_units(names, block, header, preamble), notes=_notes(header, dialect, preamble, names), missing=missing,
+        decimal=decimal,
     )  # fmt: skip
 
 
@@ -157,20 +173,46 @@ def _refuse_width(wrong: TextLine, row: TextLine, block: Block, path: Path) -> N
 def _dialect(rows: Sequence[tuple[TextLine, list[str]]], block: Block, path: Path) -> Dialect:
     """Return the dialect that all numbers of the rows determine; RecordingError where two readings remain."""
     columns = [place for place, family in enumerate(block.families) if family == NUMBER]
-    forms = {place: [form_of(row[place]) for _, row in rows] for place in columns}
-    signs = signs_of(form for column in forms.values() for form in column if form)
+    cells = {place: [row[place] for _, row in rows] for place in columns}
+    forms = {place: [form_of(cell) for cell in column] for place, column in cells.items()}
+    every = Counter(form for column in forms.values() for form in column if form)
+    if block.separator != ";" or _has_long_integers(cells, forms):
+        # only where semicolons separate cells may a point separate thousands: commas would be decimal signs
+        is_comma = every["comma"] or every["groups by point"]
+        every["point"] += 0 if is_comma else every.pop("one group by point", 0)
+    signs = signs_of(every.elements())
     for place, column in forms.items():
-        # 1,234 beside 987 or 1,234.5 in its column has thousands; alone it may be a decimal comma
-        if "one group" not in column or (signs and signs[0] == ","):
+        # 1,234 together with 987 or 1,234.5 in its column has thousands; alone it may be a decimal comma
+        group, others = _GROUPS["," if signs is None or signs[0] == "." else "."]
+        group = "one group by point" if signs is None and "one group" not in every else group
+        if group not in column or (signs is not None and others & set(column)):
             continue
-        if signs is None or not {"integer", "point", "groups by comma"} & set(column):
-            line, row = rows[column.index("one group")]
-            cell = row[place]
-            raise RecordingError(
-                f"{path}:{line.number}: {cell!r} may be {cell.replace(',', '')} or {cell.replace(',', '.')}; write the "
-                "numbers without a sign between thousands, or with a decimal point"
-            )
+        line, row = rows[column.index(group)]
+        raise RecordingError(f"{path}:{line.number}: {row[place]!r} may be {two_readings(row[place])}; {ONE_READING}")
     return Dialect(block.separator, *(signs or (".", "")))
+
+
+# by the sign between thousands: the form with two readings, those that show thousands in its column
+_GROUPS = {
+    ",": ("one group", {"integer", "point", "groups by comma"}),
+    ".": ("one group by point", {"integer", "comma", "groups by point"}),
+}
+
+
+def _decimal_sign(rows: Sequence[tuple[TextLine, Sequence[str]]], block: Block, dialect: Dialect) -> str:
+    """Return the decimal sign that the rows show, empty where they hold whole numbers only."""
+    places = [place for place, family in enumerate(block.families) if family == NUMBER]
+    is_whole = all(form_of(row[place]) in ("integer", "") for _, row in rows for place in places)
+    return "" if is_whole else dialect.decimal
+
+
+def _has_long_integers(cells: Mapping[int, list[str]], forms: Mapping[int, list[str]]) -> bool:
+    """Return whether a column with 1.234 has 1234 too, which shows that points do not separate thousands."""
+    return any(
+        "one group by point" in column and any(form == "integer" and len(cell.lstrip("+-0")) > _GROUP
+                                                for form, cell in zip(column, cells[place], strict=True))
+        for place, column in forms.items()
+    )  # fmt: skip
 
 
 def _bare_names(families: Sequence[str]) -> list[str]:

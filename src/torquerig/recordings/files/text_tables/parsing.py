@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.text_tables.block import WORDS, family_of
-from torquerig.recordings.files.text_tables.cells import MISSING, form_of
+from torquerig.recordings.files.text_tables.cells import MISSING, ONE_READING, form_of, two_readings
 from torquerig.recordings.files.text_tables.columns import StampColumn
 from torquerig.recordings.files.text_tables.layout import Layout
 from torquerig.recordings.files.text_tables.lines import is_comment
 from torquerig.recordings.files.text_tables.source import decoded
-from torquerig.recordings.files.text_tables.stamps import Stamps
+from torquerig.recordings.files.text_tables.stamps import Stamps, with_signs
 
 _COMMENT = re.compile(rb'(?m)^[ \t"]*(?:#|%|//)[^\n]*(?:\n|\Z)')
 _PLUS = re.compile(rb"(?<![0-9eE.,+\-])\+(?=[0-9.,])")
@@ -25,6 +25,8 @@ _GROUPED = {
     sign: re.compile(rb"(?<![0-9.,])[+-]?[1-9][0-9]{0,2}(?:" + re.escape(sign.encode()) + rb"[0-9]{3})+(?![0-9])")
     for sign in ",."
 }
+# a cell between semicolons that may be 1234 or 1.234
+_ONE_GROUP_CELL = re.compile(rb"(?m)(?:^|;)[ \t\"]*[+-]?[1-9][0-9]{0,2}\.[0-9]{3}[ \t\r\"]*(?:;|$)")
 _ARROW_MISSING = sorted({form for word in MISSING for form in (word, word.upper(), word.capitalize())} | {"NaN"})
 
 
@@ -70,6 +72,8 @@ class RowParser:
         """
         if not body.strip():
             return Parsed(columns={name: np.empty(0) for name in self._order})
+        if not self._layout.decimal and self._layout.dialect.separator == ";" and _ONE_GROUP_CELL.search(body):
+            self._refuse_late_groups(body, line)
         quick = self._at_once(body)
         if quick is not None:
             return quick
@@ -80,6 +84,22 @@ class RowParser:
             if again is not None:
                 return Parsed(columns=again.columns, missing=again.missing, comments=comments)
         return self._by_line(body, line)
+
+    def _refuse_late_groups(self, body: bytes, first: int) -> None:
+        """Refuse 1.234 below whole numbers only, unless another number has a point that separates no thousands."""
+        places = [self._layout.names.index(name) for name in self._numbers]
+        found = None
+        for number, text in enumerate(decoded(body).split("\n"), first):
+            cells = self._layout.dialect.cells(text) if "." in text else []
+            forms = {form_of(cells[place]): cells[place] for place in places if place < len(cells)}
+            if "point" in forms:
+                return
+            if found is None and "one group by point" in forms:
+                found = number, forms["one group by point"]
+        if found is not None:
+            raise RecordingError(
+                f"{self._layout.path}:{found[0]}: {found[1]!r} may be {two_readings(found[1])}; {ONE_READING}"
+            )
 
     def _at_once(self, body: bytes) -> Parsed | None:
         import pyarrow as pa
@@ -115,7 +135,8 @@ class RowParser:
     def _times(self, cells: Sequence[Sequence[str]]) -> NDArray[np.float64]:
         """Return the sum of what the columns of stamps hold: date and time of day, or both in one."""
         times = [
-            one.seconds([cell.strip() for cell in column]) for one, column in zip(self._converters, cells, strict=True)
+            one.seconds([with_signs(cell.strip()) for cell in column])
+            for one, column in zip(self._converters, cells, strict=True)
         ]
         return times[0] if len(times) == 1 else times[0] + times[1]
 
@@ -173,7 +194,8 @@ class RowParser:
     def _number(self, cell: str, name: str, line: int, missing: Counter[str]) -> float:
         found = self._layout.dialect.number(cell)
         if found is None and any(sign.isdigit() for sign in cell):
-            two = f" (it may be {cell.replace(',', '')} or {cell.replace(',', '.')})" * (form_of(cell) == "one group")
+            both = two_readings(cell)
+            two = f" (it may be {both})" if both else ""
             raise FaultyCellError(
                 f"{self._layout.path}:{line}: {name}: {cell!r} is no number{two}; correct the cell or delete the row, "
                 "or name the columns to be read in a sidecar"

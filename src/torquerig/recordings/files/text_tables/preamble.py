@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from torquerig.recordings.files.text_tables.cells import Dialect, form_of, signs_of
+from torquerig.recordings.files.text_tables.cells import Dialect, form_of, signs_of, two_readings
 from torquerig.recordings.files.text_tables.lines import TextLine
 from torquerig.recordings.files.timing import shortest_rate
 
@@ -45,8 +45,10 @@ class Preamble:
     named_units: Mapping[str, str] = field(default_factory=dict)
 
 
-def read_preamble(lines: Sequence[TextLine]) -> Preamble:
+def read_preamble(lines: Sequence[TextLine], *, decimal: str = "") -> Preamble:
     """Return what the lines above the names state.
+
+    ``decimal`` is the decimal sign of the table, empty where it is not known: 2.000 Hz may be 2000 Hz.
 
     A rate needs its unit in the value or in the key (``Samples per second: 960``, ``Sample rate [Hz] = 1000``); a
     sampling frequency without a unit is in Hz. An interval without a unit, and two rates that differ, are not used.
@@ -60,7 +62,7 @@ def read_preamble(lines: Sequence[TextLine]) -> Preamble:
         if match is None:
             continue
         key, value = " ".join(match["key"].split()), match["value"].strip()
-        rate = _rate(key, value)
+        rate = _rate(key, value, decimal)
         if isinstance(rate, str):
             notes.append(f"{rate} in line {line.number} is not used")
         elif rate is not None:
@@ -81,7 +83,7 @@ def read_preamble(lines: Sequence[TextLine]) -> Preamble:
     return Preamble(rate=rate, units=units, notes=tuple(notes), named_units=named)
 
 
-def _rate(key: str, value: str) -> float | str | None:
+def _rate(key: str, value: str, decimal: str) -> float | str | None:
     """Return the rate [Hz] of an entry, a text where it states one that cannot be used, None where it states none."""
     bracket = _BRACKET.match(key)
     name, unit = (bracket["name"].lower(), bracket["unit"].strip()) if bracket else (key.lower(), "")
@@ -90,9 +92,10 @@ def _rate(key: str, value: str) -> float | str | None:
         return None
     match = _NUMBER.match(value)
     written = "" if match is None else match["number"].strip()
-    number = _number(written)
+    number = _number(written, decimal)
     if match is None or number is None or not number > 0:
-        return f"the {name} {value} (thousands or a decimal comma?)" if form_of(written) == "one group" else None
+        both = two_readings(written)
+        return f"the {name} {value} ({both}?)" if both else None
     unit = (match["unit"] or unit).strip().rstrip(".").lower()
     if is_interval:
         step = _SECONDS.get(unit)
@@ -108,7 +111,11 @@ def _inverse(step: float) -> float | None:
     return shortest_rate(rate, tolerance=1e-9) if rate > 0 else None
 
 
-def _number(text: str) -> float | None:
-    signs = signs_of([form_of(text)])
+def _number(text: str, decimal: str) -> float | None:
+    form = form_of(text)
+    signs = signs_of([form])
+    # 1,000 Hz above decimal commas stays unclear: the lines above the table are often not in its language
+    if (form == "one group by point" and decimal) or (form == "one group" and decimal == "."):
+        signs = decimal, "," if decimal == "." else "."
     number = None if signs is None else Dialect("", *signs).number(text)
     return number if number is not None and abs(number) < float("inf") else None

@@ -47,6 +47,8 @@ class TextSource:
         Whether the file is compressed by gzip.
     content : bytes or None
         The text itself, where it is in memory (the sheet of a workbook).
+    is_assumed : bool
+        Whether nothing in the file says how letters beyond ASCII are written, and Windows-1252 is assumed.
     """
 
     path: Path
@@ -55,12 +57,16 @@ class TextSource:
     carriage_returns: bool = False
     packed: bool = False
     content: bytes | None = None
+    is_assumed: bool = False
 
     def note(self) -> str:
-        """Return what is unusual about the encoding; empty for UTF-8 and other 8-bit text."""
+        """Return what is unusual about the encoding; empty for UTF-8."""
         unusual = [self.encoding.upper()] if self.encoding != "utf-8" else []
         unusual += ["carriage returns as line ends"] if self.carriage_returns else []
-        return f"the text is in {' with '.join(unusual)}" if unusual else ""
+        found = [f"the text is in {' with '.join(unusual)}"] if unusual else []
+        if self.is_assumed:
+            found.append("the text is not in UTF-8 and is read as Windows-1252; if letters are wrong, save it as UTF-8")
+        return "; ".join(found)
 
     def blocks(self, step: int, *, start: int = 0) -> Iterator[bytes]:
         """Yield UTF-8 bytes from the byte ``start`` of the converted text on, about ``step`` at a time."""
@@ -123,7 +129,7 @@ def open_text(path: Path, *, packed: bool = False) -> TextSource:
             raise RecordingError(f"{path}: {problem}")
     content = head.rstrip(b"\0") or head
     if b"\0" not in content:
-        return _with_line_ends(head, TextSource(path=path, packed=packed))
+        return _with_line_ends(head, TextSource(path=path, packed=packed, is_assumed=not _is_utf8(head)))
     even, odd = content[::2].count(0), content[1::2].count(0)
     for zeros, others, encoding in ((odd, even, "utf-16-le"), (even, odd, "utf-16-be")):
         # in UTF-16, nearly every second byte of a table is zero, and no other
@@ -140,6 +146,14 @@ def decoded(data: bytes) -> str:
         except UnicodeDecodeError:
             continue
     return data.decode("latin-1")
+
+
+def _is_utf8(head: bytes) -> bool:
+    try:
+        codecs.getincrementaldecoder("utf-8")().decode(head)  # the last letter may be cut
+    except UnicodeDecodeError:
+        return False
+    return True
 
 
 def _with_line_ends(head: bytes, source: TextSource) -> TextSource:

@@ -22,6 +22,10 @@ _CLOCK = (
 )
 _COMPACT_CLOCK = r"(?P<digits>[0-9]{6})(?:[.,](?P<fine>[0-9]{1,9}))?(?P<place>Z)?"
 _STAMP = re.compile(rf"(?:{_DATE}(?:(?:[T_;,]|\s)\s*(?:{_CLOCK}|{_COMPACT_CLOCK}))?)\s*")
+_ONE_NUMBER = re.compile(
+    r"((?:19[7-9]|20[0-9])[0-9](?:0[1-9]|1[0-2])(?:0[1-9]|[12][0-9]|3[01]))((?:[01][0-9]|2[0-3])[0-5][0-9][0-5][0-9])"
+    r"[.,]?([0-9]{0,9})"
+)
 _BARE_CLOCK = re.compile(rf"{_CLOCK}\s*")
 _DAY, _SECOND = 86_400 * 10**9, 10**9  # [ns]
 
@@ -46,6 +50,17 @@ class StampForm:
     has_clock: bool
     month_first: bool
     origin: int = 0
+
+
+def is_written_date(cell: str) -> bool:
+    """Return whether a number is a date and a time of day of the years 1970 to 2099: 20240305101159.25."""
+    return _ONE_NUMBER.fullmatch(cell) is not None
+
+
+def with_signs(cell: str) -> str:
+    """Return a date that is written as one number with T and a point: 20240305T101159.25; others as they are."""
+    match = _ONE_NUMBER.fullmatch(cell)
+    return cell if match is None else f"{match[1]}T{match[2]}" + (f".{match[3]}" if match[3] else "")
 
 
 def is_stamp(cell: str) -> bool:
