@@ -11,6 +11,7 @@ from nptdms import ChannelObject, RootObject, TdmsFile, TdmsWriter
 from torquerig.errors import RecordingError
 from torquerig.recordings.files import open_stream, read_recording, tdms_pieces
 from torquerig.recordings.files.tdms import read_tdms
+from torquerig.recordings.joining.join import join_recordings
 
 META, NEW, RAW, DAQMX = 2, 4, 8, 128
 
@@ -133,6 +134,38 @@ def test_a_channel_that_starts_later_is_noted(tmp_path: Path) -> None:
         ("a", "speed_rpm", np.arange(9.0), {"wf_increment": 1e-3, "wf_start_offset": 0.5}),
     )
     assert "speed_rpm starts 0.5 s after torque_Nm" in read_tdms(path).notes[0]
+
+
+@pytest.mark.parametrize("more", [0, 3])
+@pytest.mark.parametrize(
+    "start", [{"wf_start_offset": 0.5}, {"wf_start_time": np.datetime64("2026-01-01T00:00:00.500000")}]
+)
+def test_a_later_start_names_join_as_the_remedy(tmp_path: Path, start: dict[str, object], more: int) -> None:
+    first = {"wf_increment": 1e-3, "wf_start_offset": 0.0}
+    if "wf_start_time" in start:
+        first["wf_start_time"] = np.datetime64("2026-01-01T00:00:00.000000")
+    path = written(
+        tmp_path / "run.tdms",
+        ("a", "torque_Nm", np.arange(900.0), first),
+        ("a", "speed_rpm", np.arange(900.0 + more), {"wf_increment": 1e-3, **start}),
+    )
+    for opened in (read_recording, open_stream):
+        with pytest.raises(RecordingError, match=r"speed_rpm starts 0.5 s after torque_Nm; .* torquerig join"):
+            opened(path)
+    joined = join_recordings([path]).recording
+    assert joined.samples == 400
+    assert joined.channels["torque_Nm"].values[0] == pytest.approx(500)
+
+
+def test_unequal_lengths_are_cut_by_join(tmp_path: Path) -> None:
+    path = written(
+        tmp_path / "run.tdms",
+        ("a", "torque_Nm", np.arange(900.0), {"wf_increment": 1e-3}),
+        ("a", "speed_rpm", np.arange(903.0), {"wf_increment": 1e-3}),
+    )
+    with pytest.raises(RecordingError, match=r"cut them to the time that all have with: torquerig join"):
+        read_recording(path)
+    assert join_recordings([path]).recording.samples == 900
 
 
 @pytest.mark.parametrize("names", [("Dev1/ai0", "Drehmoment", "Speed "), ("Voltage_0", "acc", "p"), ("a", "b", "c")])

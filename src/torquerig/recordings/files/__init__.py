@@ -11,6 +11,7 @@
 ``time_unit``           the unit of times that state none
 ``rate_changes``        stretches of one file at different rates; ``long_format``: channels mixed in one column
 ``starts``              channels that start later than the first
+``several_times``       several columns of times in one table: whose they are, and which are the same
 ``checks``              refuses missing samples, unequal lengths, not-a-number
 ``sidecar``             reads the meaning of the channels and the test conditions
 ``sidecar_schema``      the keys of a sidecar with their bounds; ``sidecar_text``: writes a sidecar

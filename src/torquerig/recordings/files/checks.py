@@ -12,18 +12,19 @@ from torquerig.recordings.inspection.runs import runs_of
 from torquerig.recordings.recording import Recording
 
 
-def check_lengths(columns: Mapping[str, NDArray[np.float64]], where: str) -> int:
+def check_lengths(columns: Mapping[str, NDArray[np.float64]], where: str, *, remedy: str = "") -> int:
     """Return the number of samples that all columns have; RecordingError where they differ, or are fewer than two."""
-    return check_counts({name: values.size for name, values in columns.items()}, where)
+    return check_counts({name: values.size for name, values in columns.items()}, where, remedy=remedy)
 
 
-def check_counts(lengths: Mapping[str, int], where: str) -> int:
+def check_counts(lengths: Mapping[str, int], where: str, *, remedy: str = "") -> int:
     """Return the common number of samples of all columns; RecordingError as :func:`check_lengths`."""
     if len(set(lengths.values())) > 1:
         listed = ", ".join(f"{name} {length}" for name, length in lengths.items())
         raise RecordingError(
-            f"{where}: the channels have unequal numbers of samples ({listed}); cut them to the same span of time, "
-            "or name only those that belong together in the sidecar's channels"
+            f"{where}: the channels have unequal numbers of samples ({listed}); "
+            f"{remedy or 'cut them to the same span of time'}, or name only those that belong together in the "
+            "sidecar's channels"
         )
     samples = next(iter(lengths.values()), 0)
     if samples < 2:

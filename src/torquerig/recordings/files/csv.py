@@ -16,7 +16,7 @@ from torquerig.recordings.files.text_tables.parsing import FaultyCellError
 from torquerig.recordings.files.text_tables.source import TextSource, open_text
 from torquerig.recordings.files.text_tables.table import TextTable, open_table
 from torquerig.recordings.names.header import split_header
-from torquerig.recordings.names.time_column import time_column
+from torquerig.recordings.names.time_column import time_columns
 from torquerig.recordings.recording import Recording
 
 # bytes that are parsed at a time
@@ -116,8 +116,9 @@ def _among(table: TextTable, only: Collection[str]) -> tuple[str, ...]:
     chosen = [name for name in names if name in only or split_header(name)[0] in only]
     if len(chosen) < len(only) or not only:
         return names
-    time = time_column(names, table.units())
-    return tuple(name for name in names if name in chosen or (time is not None and name == time.name))
+    times = [one.name for one in time_columns(names, table.units())]
+    # whose times they are is seen from the other columns
+    return names if len(times) > 1 else tuple(name for name in names if name in chosen or name in times)
 
 
 def write_csv(recording: Recording, path: Path) -> None:

@@ -43,7 +43,14 @@ def read_hdf5(path: Path) -> Table:
         columns = {name: channel.read(0, channel.numbers.samples) for name, channel in found.channels.items()}
     except _BROKEN as error:
         raise _not_whole(path, error) from None
-    return Table(columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes)
+    return Table(
+        columns=columns,
+        rates=found.rates,
+        units=found.units,
+        skipped=found.skipped,
+        notes=found.notes,
+        starts=found.starts,
+    )
 
 
 def hdf5_pieces(path: Path) -> TablePieces:
@@ -67,6 +74,7 @@ def hdf5_pieces(path: Path) -> TablePieces:
         units=found.units,
         skipped=found.skipped,
         notes=found.notes,
+        starts=found.starts,
     )
 
 

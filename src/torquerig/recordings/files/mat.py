@@ -48,7 +48,13 @@ def read_mat(path: Path) -> Table:
         except _BROKEN as error:
             raise _not_whole(path, error) from None
     return Table(
-        columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes, sidecar=sidecar
+        columns=columns,
+        rates=found.rates,
+        units=found.units,
+        skipped=found.skipped,
+        notes=found.notes,
+        sidecar=sidecar,
+        starts=found.starts,
     )
 
 
@@ -78,6 +84,7 @@ def mat_pieces(path: Path) -> TablePieces:
         units=found.units,
         skipped=found.skipped,
         notes=found.notes,
+        starts=found.starts,
         sidecar=sidecar,
     )
 

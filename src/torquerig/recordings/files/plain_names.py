@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.several_times.own_times import pieces_with_own_times, with_own_times
 from torquerig.recordings.files.table_pieces import Columns, TablePieces
 from torquerig.recordings.names.header import split_header
 from torquerig.recordings.names.time_column import TimeColumn, time_column
@@ -37,6 +38,7 @@ def with_plain_names(table: Table, *, kept: Collection[str] = ()) -> Table:
 
     A name in ``kept`` (those that a sidecar writes) stays, as does one that two columns would share.
     """
+    table = with_own_times(table, kept=kept)
     names = _names(table.columns, table.units, kept)
     columns = {names.new[name]: values for name, values in table.columns.items()}
     if names.time is not None and names.time.seconds != 1.0:
@@ -55,6 +57,7 @@ def with_plain_names(table: Table, *, kept: Collection[str] = ()) -> Table:
 
 def pieces_with_plain_names(table: TablePieces, *, kept: Collection[str] = ()) -> TablePieces:
     """Return the same for a table that is read piece by piece."""
+    table = pieces_with_own_times(table, kept=kept)
     names = _names(table.names, table.units, kept)
     written = {new: name for name, new in names.new.items()}
     time = None if names.time is None else names.new[names.time.name]

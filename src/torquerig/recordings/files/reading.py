@@ -20,6 +20,7 @@ from torquerig.recordings.files.parquet import read_parquet
 from torquerig.recordings.files.plain_names import with_plain_names
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar
 from torquerig.recordings.files.sidecar_choice import sidecar_of
+from torquerig.recordings.files.starts import refuse_late_starts, remedy_for_lengths
 from torquerig.recordings.files.tdms import read_tdms
 from torquerig.recordings.files.timebase import refuse_two_rates, sample_rate_of
 from torquerig.recordings.files.wav import read_wav
@@ -75,7 +76,9 @@ def read_recording(path: Path) -> Recording:
     entries = channel_entries(list(table.columns), table.units, sidecar, path)
     time = table.time_name()
     refuse_two_rates(table.rates, entries, where=str(path))
-    check_lengths({name: table.columns[name] for name in ([time] if time else []) + list(entries)}, str(path))
+    refuse_late_starts(table.starts, table.rates, entries, where=str(path))
+    used = {name: table.columns[name] for name in ([time] if time else []) + list(entries)}
+    check_lengths(used, str(path), remedy=remedy_for_lengths(table.rates, used, where=str(path)))
     rate = sample_rate_of(table, entries, sidecar=sidecar, where=str(path))
     channels = {name: entry.channel(table.columns[name]) for name, entry in entries.items()}
     return check_finite(

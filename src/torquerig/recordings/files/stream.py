@@ -23,6 +23,7 @@ from torquerig.recordings.files.plain_names import pieces_with_plain_names
 from torquerig.recordings.files.reading import channel_entries, check_readable, readers
 from torquerig.recordings.files.sidecar import ChannelEntry
 from torquerig.recordings.files.sidecar_choice import sidecar_of
+from torquerig.recordings.files.starts import refuse_late_starts, remedy_for_lengths
 from torquerig.recordings.files.table_pieces import TablePieces, pieces_of
 from torquerig.recordings.files.tdms_pieces import tdms_pieces
 from torquerig.recordings.files.time_unit import in_unit, unit_evidence
@@ -110,8 +111,10 @@ def open_stream(path: Path) -> RecordingStream:
     entries = channel_entries(table.names, table.units, sidecar, path)
     time = table.time_name()
     refuse_two_rates(table.rates, entries, where=str(path))
+    refuse_late_starts(table.starts, table.rates, entries, where=str(path))
     lengths = {name: table.lengths[name] for name in (*([time] if time else []), *entries) if name in table.lengths}
-    samples = check_counts(lengths, str(path)) if lengths else None
+    remedy = remedy_for_lengths(table.rates, lengths, where=str(path))
+    samples = check_counts(lengths, str(path), remedy=remedy) if lengths else None
     timing = None
     if time is not None:
         table, timing = timed(table, time, stated=stated_rate(table.rates, entries, sidecar=sidecar), path=path)

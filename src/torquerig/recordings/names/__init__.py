@@ -5,6 +5,6 @@
 ``words``            the words of a name and the quantity that they state, English and German
 ``channel_units``    the units of channels: those of data sheets, counts, degrees Celsius
 ``interpretation``   quantity, unit and scale of a column, with the reason, and what is missing
-``time_column``      the column that holds the times, with its unit
+``time_column``      the columns that hold the times, with their units; ``time_pairs``: whose times they are
 ==================== ==============================================================================
 """

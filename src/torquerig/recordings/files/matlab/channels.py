@@ -33,13 +33,14 @@ class Channel:
 
 @dataclass(frozen=True, kw_only=True)
 class Channels:
-    """What a table needs: the channels by name, rates [Hz], units, and what is not read."""
+    """What a table needs: the channels by name, rates [Hz], units, starts [s], and what is not read."""
 
     channels: Mapping[str, Channel]
     rates: Mapping[str, float]
     units: Mapping[str, str]
     skipped: Mapping[str, str]
     notes: tuple[str, ...] = ()
+    starts: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass
@@ -141,7 +142,7 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
         if node.width > 1:
             found.notes.append(f"{name}: a matrix of {node.width} columns is read as {columns[0]} to {columns[-1]}")
     notes = (*found.notes, *late_starts(starts, rates))
-    return Channels(channels=channels, rates=rates, units=units, skipped=found.skipped, notes=notes)
+    return Channels(channels=channels, rates=rates, units=units, skipped=found.skipped, notes=notes, starts=starts)
 
 
 def _column_names(name: str, width: int, given: tuple[str, ...], *, taken: Iterable[str]) -> list[str]:
