@@ -33,6 +33,20 @@ def test_whole_milliseconds_at_2500_hz_are_noted() -> None:
     assert "the times of time are in steps of 0.001 s, 2.5 samples; they fit an even 2500 Hz" in timing.note
 
 
+@pytest.mark.parametrize("samples", [275, 430, 2000])
+@pytest.mark.parametrize("rate", [50.0, 48.0, 20.0, 99.7])
+@pytest.mark.parametrize("begin", [0.0, 0.5, 0.93])
+def test_few_ticks_of_a_slow_clock(samples: int, rate: float, begin: float) -> None:
+    times = np.floor(begin + grid(samples, rate) + 1e-9)
+    if samples / rate < 5:
+        return  # fewer than three whole ticks
+    timing = timing_of(times, name="time")
+    assert timing.problem == ""
+    assert timing.rate == pytest.approx(rate, rel=min(timing.uncertainty, 0.01))
+    lost = timing_of(np.delete(times, np.arange(samples // 2, samples // 2 + 3)), name="time")
+    assert lost.problem
+
+
 @pytest.mark.parametrize("grain", [None, 1e-3])
 def test_lost_samples_are_never_hidden(grain: float | None) -> None:
     rng = np.random.default_rng(4)

@@ -7,7 +7,7 @@
 ``block_writing``       writes blocks to a file and its sidecar; ``mat_blocks``: to a .mat of v7.3
 ``gaps``                steps of time that are not one sample long
 ``timebase``            the sample rate, from the sidecar, the file or a time column
-``timing``              the sampling that times show: even, coarse, late or with gaps; with ``time_band``
+``timing``              the sampling that times show: even, coarse, late, with gaps; ``time_band``, ``time_ticks``
 ``time_unit``           the unit of times that state none
 ``rate_changes``        stretches of one file at different rates; ``long_format``: channels mixed in one column
 ``starts``              channels that start later than the first

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.recordings.files.rate_changes import stretches_of_rates
 from torquerig.recordings.files.time_band import narrowest_band
+from torquerig.recordings.files.time_ticks import rate_of_ticks
 
 Floats = NDArray[np.float64]
 
@@ -92,7 +93,8 @@ def timing_of(times: Floats, *, name: str, stated: float | None = None) -> Timin
         tolerance = max(1e-11, 2 * worst / (times.size - 1))
         return Timing(rate=shortest_rate(rate, tolerance=tolerance), uncertainty=tolerance)
     return (
-        _coarse(times, steps, name, stated)
+        _in_ticks(times, name, stated)
+        or _coarse(times, steps, name, stated)
         or _late(times, steps, name)
         or _late_with_pauses(times, steps, name)
         or _uneven(times, steps, worst)
@@ -106,6 +108,21 @@ def shortest_rate(rate: float, *, tolerance: float) -> float:
         if abs(candidate - rate) <= tolerance * rate:
             return candidate
     return rate
+
+
+def _in_ticks(times: Floats, name: str, stated: float | None) -> Timing | None:
+    """Return the sampling where each tick of the clock has as many samples, else None."""
+    found = rate_of_ticks(times)
+    if found is None:
+        return None
+    rate, uncertainty, tick = found
+    is_stated = stated is not None and abs(stated / rate - 1) <= uncertainty
+    rate = stated if stated is not None and is_stated else shortest_rate(rate, tolerance=uncertainty / 2)
+    note = (
+        f"the times of {name} are in steps of {tick:.3g} s, {rate * tick:.3g} samples; they fit an even "
+        f"{rate:.6g} Hz (+- {100 * uncertainty:.2g} %)"
+    )
+    return Timing(rate=rate, uncertainty=uncertainty, scatter=tick, note=note)
 
 
 def _coarse(times: Floats, steps: Floats, name: str, stated: float | None) -> Timing | None:

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from torquerig.recordings.files.text_tables import stamps
-from torquerig.recordings.files.text_tables.stamps import Stamps, is_stamp, stamp_form
+from torquerig.recordings.files.text_tables.stamp_parts import is_stamp
+from torquerig.recordings.files.text_tables.stamps import Stamps, stamp_form
 
 # over the end of a month, of February in a leap year, and of a year
 STARTS = [datetime(2021, 5, 31, 23, 59, 59), datetime(2024, 2, 29, 23, 59, 58), datetime(2021, 12, 31, 23, 59, 59)]
@@ -62,3 +63,41 @@ def test_a_stamp_of_another_form_is_named() -> None:
     assert found is not None
     with pytest.raises(ValueError, match="soon"):
         Stamps(found).seconds(["2021-05-12 10:00:02", "soon"])
+
+
+def stamps_of(form: str, start: datetime, step: float, count: int) -> list[str]:
+    return [(start + timedelta(seconds=step * number)).strftime(form) for number in range(count)]
+
+
+@pytest.mark.parametrize(
+    "form", ["%d/%m/%Y %H:%M:%S.%f", "%m/%d/%Y %H:%M:%S.%f", "%d-%m-%Y %H:%M:%S", "%m/%d/%y %H:%M:%S"]
+)
+@pytest.mark.parametrize("seen", [50, 1900])
+def test_the_change_of_the_date_decides_the_order(form: str, seen: int) -> None:
+    """Both orders are dates; the first cells show one date only, or two."""
+    step = 0.5 if form.endswith("%f") else 1.0
+    cells = stamps_of(form, datetime(2024, 3, 5, 23, 45), step, 3000)
+    found = stamp_form(cells[:seen])
+    assert found is not None
+    stamps = Stamps(found)
+    pieces = [stamps.seconds(cells[first : first + 700]) for first in range(0, 3000, 700)]
+    assert np.diff(np.concatenate(pieces)) == pytest.approx(step)
+
+
+@pytest.mark.parametrize("sign", [".", ":", ","])
+@pytest.mark.parametrize("step", [5, 10, 100, 7])
+def test_milliseconds_without_leading_zeros(sign: str, step: int) -> None:
+    moments = [datetime(2024, 3, 5, 10, 11, 12) + timedelta(milliseconds=step * number) for number in range(400)]
+    cells = [f"{one:%H:%M:%S}{sign}{one.microsecond // 1000}" for one in moments]
+    found = stamp_form(cells)
+    assert found is not None
+    assert Stamps(found).seconds(cells) == pytest.approx(np.arange(400) * step / 1000)
+
+
+@pytest.mark.parametrize("step", [5, 20, 250])
+def test_fractions_without_trailing_zeros(step: int) -> None:
+    moments = [datetime(2024, 3, 5, 10, 11, 12) + timedelta(milliseconds=step * number) for number in range(400)]
+    cells = [f"{one:%H:%M:%S.%f}".rstrip("0").rstrip(".") for one in moments]
+    found = stamp_form(cells)
+    assert found is not None
+    assert Stamps(found).seconds(cells) == pytest.approx(np.arange(400) * step / 1000)

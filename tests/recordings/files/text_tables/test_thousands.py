@@ -95,3 +95,27 @@ def test_a_missing_time_is_named_by_join(tmp_path: Path) -> None:
     lines[40] = ",2.0,1000"
     with pytest.raises(RecordingError, match="has no time for sample 39"):
         join_recordings([written(tmp_path / "run1.csv", "\n".join(lines) + "\n")])
+
+
+@pytest.mark.parametrize("missing", ["", "nan"])
+@pytest.mark.parametrize(("time", "other"), [(".", ","), (",", ".")])
+def test_a_column_with_the_other_decimal_sign(tmp_path: Path, time: str, other: str, missing: str) -> None:
+    def cell(value: float, sign: str, digits: int) -> str:
+        return f"{value:.{digits}f}".replace(".", sign)
+
+    rows = [
+        f"{cell(k / 2000, time, 4)};{missing if k == 40 else cell(2 + k % 7 / 10, other, 1)};{cell(15.25, other, 2)}\n"
+        for k in range(2600)
+    ]
+    path = written(tmp_path / "run1.csv", "Time [s];Torque [Nm];Speed [rpm]\n" + "".join(rows))
+    columns = next(iter(open_stream(path).columns()))
+    assert columns["Time"] == pytest.approx([k / 2000 for k in range(2600)])
+    assert columns["Torque"][1:7] == pytest.approx([2.1, 2.2, 2.3, 2.4, 2.5, 2.6])
+    assert any("is the decimal sign of Time" in note for note in open_stream(path).table.notes)
+
+
+def test_a_faulty_time_has_no_remedy_in_a_sidecar(tmp_path: Path) -> None:
+    lines = ROWS.splitlines()
+    lines[40] = "0.0.195,2.0,1000"
+    with pytest.raises(RecordingError, match=r"correct the cell or delete the row$"):
+        read_recording(written(tmp_path / "run1.csv", "\n".join(lines) + "\n"))

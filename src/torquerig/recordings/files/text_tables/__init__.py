@@ -4,7 +4,8 @@
 ``source``       the file as UTF-8 lines: encodings, line ends; ``bounded_gzip``: compressed text
 ``lines``        the lines at the top
 ``cells``        numbers, missing values and words; decimal signs and thousands separators
-``stamps``       dates and times of day, converted to seconds
+``stamps``       dates and times of day, converted to seconds; ``stamp_parts``: one of them
+``written_dates`` dates that are one number
 ``block``        the rows: separator and columns that stay the same over the most lines
 ``header``       the lines of names and units above the rows
 ``preamble``     the sample rate and the units that lines above the names state

@@ -11,7 +11,7 @@ import numpy as np
 
 from torquerig.recordings.files.text_tables.cells import form_of, is_missing, split_cells
 from torquerig.recordings.files.text_tables.lines import TextLine
-from torquerig.recordings.files.text_tables.stamps import is_stamp
+from torquerig.recordings.files.text_tables.stamp_parts import is_stamp
 
 # in this order where several fit equally: a blank may also be inside a cell, a comma may be the decimal sign
 SEPARATORS = "\t;|, "

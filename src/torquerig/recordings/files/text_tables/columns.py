@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from torquerig.recordings.files.text_tables.layout import EMPTY, NUMBER, STAMP, UNNAMED, WORDS, Layout
-from torquerig.recordings.files.text_tables.stamps import StampForm, is_written_date, stamp_form, with_signs
+from torquerig.recordings.files.text_tables.stamp_parts import StampForm
+from torquerig.recordings.files.text_tables.stamps import stamp_form
+from torquerig.recordings.files.text_tables.written_dates import is_written_date, with_signs
 from torquerig.recordings.names.time_column import time_column
 
 # characters of an example in a message

@@ -60,6 +60,8 @@ class Layout:
         The words that stand for missing numbers in the first rows.
     decimal : str
         The decimal sign that the first rows show; empty where they hold whole numbers only.
+    other_decimal : frozenset of str
+        The columns whose numbers have the other decimal sign, point or comma.
     """
 
     path: Path
@@ -74,6 +76,7 @@ class Layout:
     notes: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
     decimal: str = ""
+    other_decimal: frozenset[str] = frozenset()
 
     def column(self, name: str) -> list[str]:
         """Return the cells of one column in the first rows."""
@@ -126,13 +129,14 @@ def _layout(lines: Sequence[TextLine], block: Block, path: Path) -> Layout:
     decimal = _decimal_sign(rows, block, dialect)
     preamble = read_preamble(header.above, decimal=decimal)
     names = tuple(distinct([name or UNNAMED for name in header.names] or _bare_names(block.families)))
+    other = frozenset(names[place] for place in _other_decimal(rows, block, dialect))
     used = [row[place] for _, row in rows for place, one in enumerate(block.families) if one == NUMBER]
     missing = tuple(dict.fromkeys(cell for cell in used if cell and is_missing(cell) and cell.lower() != "nan"))
     return Layout(
         path=path, dialect=dialect, names=names, families=block.families, first_line=lines[block.first].number,
         start=lines[block.first].start, rows=tuple(tuple(row) for _, row in rows), rate=preamble.rate,
-        units=_units(names, block, header, preamble), notes=_notes(header, dialect, preamble, names), missing=missing,
-        decimal=decimal,
+        units=_units(names, block, header, preamble), notes=_notes(header, dialect, preamble, names, other),
+        missing=missing, decimal=decimal, other_decimal=other,
     )  # fmt: skip
 
 
@@ -185,7 +189,8 @@ def _dialect(rows: Sequence[tuple[TextLine, list[str]]], block: Block, path: Pat
         # 1,234 together with 987 or 1,234.5 in its column has thousands; alone it may be a decimal comma
         group, others = _GROUPS["," if signs is None or signs[0] == "." else "."]
         group = "one group by point" if signs is None and "one group" not in every else group
-        if group not in column or (signs is not None and others & set(column)):
+        proper = "point" if group == "one group by point" else "comma"
+        if group not in column or (signs is not None and (others | {proper}) & set(column)):
             continue
         line, row = rows[column.index(group)]
         raise RecordingError(f"{path}:{line.number}: {row[place]!r} may be {two_readings(row[place])}; {ONE_READING}")
@@ -204,6 +209,17 @@ def _decimal_sign(rows: Sequence[tuple[TextLine, Sequence[str]]], block: Block, 
     places = [place for place, family in enumerate(block.families) if family == NUMBER]
     is_whole = all(form_of(row[place]) in ("integer", "") for _, row in rows for place in places)
     return "" if is_whole else dialect.decimal
+
+
+def _other_decimal(rows: Sequence[tuple[TextLine, Sequence[str]]], block: Block, dialect: Dialect) -> list[int]:
+    """Return the places of the columns all of whose numbers have the other decimal sign, half of them or more."""
+    form, group = ("point", "one group by point") if dialect.decimal == "," else ("comma", "one group")
+    found = []
+    for place, family in enumerate(block.families):
+        forms = Counter(form_of(row[place]) for _, row in rows if row[place]) if family == NUMBER else Counter[str]()
+        if set(forms) <= {form, group, "integer", ""} and 2 * forms[form] >= max(forms.total(), 1):
+            found.append(place)
+    return found
 
 
 def _has_long_integers(cells: Mapping[int, list[str]], forms: Mapping[int, list[str]]) -> bool:
@@ -248,7 +264,9 @@ def _signals(names: Sequence[str], block: Block) -> list[str]:
     return [name for name in numbers if time is None or name != time.name]
 
 
-def _notes(header: Header, dialect: Dialect, preamble: Preamble, names: Sequence[str]) -> tuple[str, ...]:
+def _notes(
+    header: Header, dialect: Dialect, preamble: Preamble, names: Sequence[str], other: frozenset[str]
+) -> tuple[str, ...]:
     parts = []
     if header.names and (header.names_line > 1 or header.units_line):
         parts.append(f"names in line {header.names_line}")
@@ -258,6 +276,9 @@ def _notes(header: Header, dialect: Dialect, preamble: Preamble, names: Sequence
         parts.append(f"there is no line of names, and the columns are called {', '.join(names[:4])}")
     if dialect.decimal == ",":
         parts.append("the comma is the decimal sign")
+    if other:
+        sign = "point" if dialect.decimal == "," else "comma"
+        parts.append(f"the {sign} is the decimal sign of {', '.join(one for one in names if one in other)}")
     if dialect.thousands:
         parts.append(f"{'the comma' if dialect.thousands == ',' else 'the point'} separates thousands")
     return ((", ".join(parts),) if parts else ()) + preamble.notes

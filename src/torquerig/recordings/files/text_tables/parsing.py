@@ -11,13 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.text_tables.block import WORDS, family_of
-from torquerig.recordings.files.text_tables.cells import MISSING, ONE_READING, form_of, two_readings
+from torquerig.recordings.files.text_tables.block import NUMBER, WORDS, family_of
+from torquerig.recordings.files.text_tables.cells import MISSING, ONE_READING, Dialect, form_of, two_readings
 from torquerig.recordings.files.text_tables.columns import StampColumn
 from torquerig.recordings.files.text_tables.layout import Layout
 from torquerig.recordings.files.text_tables.lines import is_comment
 from torquerig.recordings.files.text_tables.source import decoded
-from torquerig.recordings.files.text_tables.stamps import Stamps, with_signs
+from torquerig.recordings.files.text_tables.stamps import Stamps
+from torquerig.recordings.files.text_tables.written_dates import with_signs
+from torquerig.recordings.names.time_column import time_column
 
 _COMMENT = re.compile(rb'(?m)^[ \t"]*(?:#|%|//)[^\n]*(?:\n|\Z)')
 _PLUS = re.compile(rb"(?<![0-9eE.,+\-])\+(?=[0-9.,])")
@@ -109,8 +111,11 @@ class RowParser:
         texts = list(self._stamps.columns) if self._stamps else []
         kept = [*self._numbers, *texts]
         sign = layout.dialect.thousands
-        if not kept or (sign and (texts or sign == layout.dialect.separator)):
+        others = [name for name in self._numbers if name in layout.other_decimal]
+        if not kept or (sign and (texts or others or sign == layout.dialect.separator)):
             return None
+        if others and layout.dialect.decimal == ".":
+            return None  # a decimal comma in one column alone is read line by line
         body = _GROUPED[sign].sub(lambda match: match[0].replace(sign.encode(), b""), body) if sign else body
         try:
             table = csv.read_csv(
@@ -118,13 +123,16 @@ class RowParser:
                 read_options=csv.ReadOptions(column_names=list(layout.names)),
                 parse_options=csv.ParseOptions(delimiter=layout.dialect.separator),
                 convert_options=csv.ConvertOptions(
-                    column_types=dict.fromkeys(self._numbers, pa.float64()) | dict.fromkeys(texts, pa.string()),
+                    column_types=dict.fromkeys(self._numbers, pa.float64())
+                    | dict.fromkeys([*texts, *others], pa.string()),
                     include_columns=kept,
                     decimal_point=layout.dialect.decimal,
                     null_values=_ARROW_MISSING,
                 ),
             )
-            columns = {name: np.asarray(table[name].to_numpy(), dtype=np.float64) for name in self._numbers}
+            columns = {
+                name: np.asarray(table[name].cast(pa.float64()).to_numpy(), dtype=np.float64) for name in self._numbers
+            }
             if self._stamps:
                 columns[self._stamps.name] = self._times([table[name].to_pylist() for name in texts])
         except (pa.ArrowInvalid, ValueError):
@@ -192,13 +200,19 @@ class RowParser:
             )
 
     def _number(self, cell: str, name: str, line: int, missing: Counter[str]) -> float:
-        found = self._layout.dialect.number(cell)
+        dialect = self._layout.dialect
+        if name in self._layout.other_decimal:
+            dialect = Dialect(dialect.separator, "." if dialect.decimal == "," else ",")
+        found = dialect.number(cell)
         if found is None and any(sign.isdigit() for sign in cell):
             both = two_readings(cell)
             two = f" (it may be {both})" if both else ""
+            time = time_column(self._layout.of_family(NUMBER), self._layout.units)
+            # the times are read whatever the sidecar names
+            others = "" if time is not None and time.name == name else ", or name the columns to be read in a sidecar"
             raise FaultyCellError(
-                f"{self._layout.path}:{line}: {name}: {cell!r} is no number{two}; correct the cell or delete the row, "
-                "or name the columns to be read in a sidecar"
+                f"{self._layout.path}:{line}: {name}: {cell!r} is no number{two}; correct the cell or delete the "
+                f"row{others}"
             )
         if found is None or found != found:  # noqa: PLR0124 (not a number)
             missing[name] += 1

@@ -4,68 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-_MONTHS = ("jan", "feb", "mar|mär", "apr", "may|mai", "jun", "jul", "aug", "sep", "oct|okt", "nov", "dec|dez")
-_DATE = (
-    r"(?:(?P<year>[0-9]{4})[-/.](?P<month>[0-9]{1,2})[-/.](?P<day>[0-9]{1,2})"
-    r"|(?P<compact>(?:19|20)[0-9]{6})(?=[T _][0-9])"
-    r"|(?P<one>[0-9]{1,2})(?P<sign>[./-])(?P<two>[0-9]{1,2})(?P=sign)(?P<late>[0-9]{4}|[0-9]{2})"
-    r"|(?P<before>[0-9]{1,2})[-. ]+(?P<word>[A-Za-zä]{3,9})\.?[-, ]+(?P<after>[0-9]{4}|[0-9]{2}))"
-)
-_CLOCK = (
-    r"(?P<hour>[0-9]{1,3}):(?P<minute>[0-9]{2})(?::(?P<second>[0-9]{2}))?(?:[.,:](?P<part>[0-9]{1,9}))?"
-    r"(?:\s*(?P<half>[AaPp])\.?[Mm]\.?)?(?:\s*(?P<zone>Z|UTC|GMT|[+-][0-9]{2}:?[0-9]{2}))?"
-)
-_COMPACT_CLOCK = r"(?P<digits>[0-9]{6})(?:[.,](?P<fine>[0-9]{1,9}))?(?P<place>Z)?"
-_STAMP = re.compile(rf"(?:{_DATE}(?:(?:[T_;,]|\s)\s*(?:{_CLOCK}|{_COMPACT_CLOCK}))?)\s*")
-_ONE_NUMBER = re.compile(
-    r"((?:19[7-9]|20[0-9])[0-9](?:0[1-9]|1[0-2])(?:0[1-9]|[12][0-9]|3[01]))((?:[01][0-9]|2[0-3])[0-5][0-9][0-5][0-9])"
-    r"[.,]?([0-9]{0,9})"
-)
-_BARE_CLOCK = re.compile(rf"{_CLOCK}\s*")
-_DAY, _SECOND = 86_400 * 10**9, 10**9  # [ns]
-
-
-@dataclass(frozen=True, kw_only=True)
-class StampForm:
-    """How the stamps of a column are written.
-
-    Parameters
-    ----------
-    words : str
-        For a note: ``"ISO 8601"``, ``"day first"``, ``"times of day"``.
-    has_date, has_clock : bool
-    month_first : bool
-        Of dates such as 05/12/2021.
-    origin : int
-        The first stamp [ns]; the seconds count from it.
-    """
-
-    words: str
-    has_date: bool
-    has_clock: bool
-    month_first: bool
-    origin: int = 0
-
-
-def is_written_date(cell: str) -> bool:
-    """Return whether a number is a date and a time of day of the years 1970 to 2099: 20240305101159.25."""
-    return _ONE_NUMBER.fullmatch(cell) is not None
-
-
-def with_signs(cell: str) -> str:
-    """Return a date that is written as one number with T and a point: 20240305T101159.25; others as they are."""
-    match = _ONE_NUMBER.fullmatch(cell)
-    return cell if match is None else f"{match[1]}T{match[2]}" + (f".{match[3]}" if match[3] else "")
-
-
-def is_stamp(cell: str) -> bool:
-    """Return whether a cell is a date, a time of day or both; a plain number is none."""
-    return (":" in cell and _BARE_CLOCK.fullmatch(cell) is not None) or _STAMP.fullmatch(cell) is not None
+from torquerig.recordings.files.text_tables.stamp_parts import BARE_CLOCK, SECOND, STAMP, StampForm, nanoseconds
 
 
 def stamp_form(cells: Sequence[str]) -> StampForm | None:
@@ -74,7 +18,7 @@ def stamp_form(cells: Sequence[str]) -> StampForm | None:
     Day first or month first is decided by a number above 12, else by the order in which the days lie closest
     together, else it is day first for dots and month first for slashes, which does not matter within one day.
     """
-    found = [_BARE_CLOCK.fullmatch(cell) or _STAMP.fullmatch(cell) for cell in cells]
+    found = [BARE_CLOCK.fullmatch(cell) or STAMP.fullmatch(cell) for cell in cells]
     matches = [match.groupdict() for match in found if match is not None]
     if not matches or len(matches) < len(found):
         return None
@@ -86,12 +30,13 @@ def stamp_form(cells: Sequence[str]) -> StampForm | None:
     minutes_only = has_clock and not has_date and all(one["second"] is None for one in matches)
     if minutes_only and all(one["part"] is None for one in matches):
         return None  # 10:11 may be hours and minutes, or minutes and seconds
-    month_first = has_date and _month_first(matches)
-    form = StampForm(words=_words(matches[0], month_first=month_first), has_date=has_date, has_clock=has_clock,
-                     month_first=month_first)  # fmt: skip
-    first = _nanoseconds(cells[0], form)
-    return None if first is None else StampForm(words=form.words, has_date=has_date, has_clock=has_clock,
-                                                month_first=month_first, origin=first)  # fmt: skip
+    month_first, is_undecided = _order_of_days(matches) if has_date else (False, False)
+    form = StampForm(words=_words(matches[0], month_first=month_first, is_undecided=is_undecided), has_date=has_date,
+                     has_clock=has_clock, month_first=month_first, first=cells[0],
+                     is_undecided=is_undecided)  # fmt: skip
+    form = replace(form, counted=_counted_digits(cells, [one.get("part") for one in matches], form))
+    first = nanoseconds(cells[0], form)
+    return None if first is None else replace(form, origin=first)
 
 
 class Stamps:
@@ -114,17 +59,32 @@ class Stamps:
         ValueError
             With the number of the first cell that is no stamp of this form, and the cell.
         """
-        quick = _converted_at_once(cells, self._form)
-        times = np.array([self._one(number, cell) for number, cell in enumerate(cells)]) if quick is None else quick
-        return times if self._is_dated else self._over_midnight(times)
+        times = self._by_the_order_that_rises(cells) if self._form.is_undecided else _converted(cells, self._form)
+        if self._is_dated:
+            self._last = float(times[-1]) if times.size else self._last
+            return times
+        return self._over_midnight(times)
 
-    def _one(self, number: int, cell: str) -> float:
-        if not cell:
-            return float("nan")
-        found = _nanoseconds(cell, self._form)
-        if found is None:
-            raise ValueError(number, cell)
-        return (found - self._form.origin) / _SECOND
+    def _by_the_order_that_rises(self, cells: Sequence[str]) -> NDArray[np.float64]:
+        """Return the seconds with day or month first, whichever makes the smaller steps; the choice stays."""
+        found: list[tuple[float, StampForm, NDArray[np.float64]]] = []
+        fault: ValueError | None = None
+        for month_first in (self._form.month_first, not self._form.month_first):
+            form = replace(self._form, month_first=month_first, is_undecided=False)
+            origin = nanoseconds(form.first, form)
+            form = replace(form, origin=origin or 0)
+            try:
+                times = _converted(cells, form)
+            except ValueError as error:
+                fault = fault or error
+                continue
+            steps = np.abs(np.diff(times, prepend=times[:1] if self._last is None else self._last))
+            found.append((float(np.nanmax(steps, initial=0.0)), form, times))
+        if not found and fault is not None:
+            raise fault
+        if len(found) < 2 or not np.array_equal(found[0][2], found[1][2], equal_nan=True):
+            self._form = min(found, key=lambda one: one[0])[1]
+        return min(found, key=lambda one: one[0])[2]
 
     def _over_midnight(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """Add a day wherever the time of day falls by more than half a day."""
@@ -136,81 +96,61 @@ class Stamps:
         return times + 86_400.0 * days
 
 
-def _month_first(matches: Sequence[dict[str, str | None]]) -> bool:
+def _converted(cells: Sequence[str], form: StampForm) -> NDArray[np.float64]:
+    """Return the seconds of stamps of this form; ValueError as :meth:`Stamps.seconds`."""
+    quick = None if form.counted else _converted_at_once(cells, form)
+    return np.array([_one(number, cell, form) for number, cell in enumerate(cells)]) if quick is None else quick
+
+
+def _one(number: int, cell: str, form: StampForm) -> float:
+    if not cell:
+        return float("nan")
+    found = nanoseconds(cell, form)
+    if found is None:
+        raise ValueError(number, cell)
+    return (found - form.origin) / SECOND
+
+
+def _counted_digits(cells: Sequence[str], parts: Sequence[str | None], form: StampForm) -> int:
+    """Return the digits of a count behind the seconds, 3 for milliseconds; 0 for a decimal fraction.
+
+    A fraction may begin with a zero, a count of several digits may not. A fraction with fewer digits than others ends
+    without a zero. Where neither is seen, the reading counts with which fewer times fall.
+    """
+    written = [part for part in parts if part]
+    longest = max(map(len, written), default=0)
+    if len({len(part) for part in written}) < 2 or any(part[0] == "0" and len(part) > 1 for part in written):
+        return 0
+    digits = next(one for one in (3, 6, 9) if longest <= one)
+    if any(part[-1] == "0" and 1 < len(part) < longest for part in written):
+        return digits
+    falls = [int(np.sum(np.diff(_converted(cells, replace(form, counted=one))) < 0)) for one in (0, digits)]
+    return digits if falls[1] < falls[0] else 0
+
+
+def _order_of_days(matches: Sequence[dict[str, str | None]]) -> tuple[bool, bool]:
+    """Return whether the month is first, and whether the stamps fit the other order equally."""
     pairs = [(int(one["one"] or 0), int(one["two"] or 0), int(one["late"] or 0)) for one in matches if one["one"]]
-    if not pairs:
-        return False
-    if any(first > 12 for first, _, _ in pairs):
-        return False
+    if not pairs or any(first > 12 for first, _, _ in pairs):
+        return False, False
     if any(second > 12 for _, second, _ in pairs):
-        return True
+        return True, False
     by_day = {year * 372 + second * 31 + first for first, second, year in pairs}
     by_month = {year * 372 + first * 31 + second for first, second, year in pairs}
     spans = max(by_day) - min(by_day), max(by_month) - min(by_month)
-    return spans[1] < spans[0] if spans[0] != spans[1] else matches[0]["sign"] == "/"
+    if spans[0] == spans[1]:
+        return matches[0]["sign"] == "/", matches[0]["sign"] != "."
+    return spans[1] < spans[0], False
 
 
-def _words(match: dict[str, str | None], *, month_first: bool) -> str:
+def _words(match: dict[str, str | None], *, month_first: bool, is_undecided: bool) -> str:
     if match.get("year") or match.get("compact"):
         return "ISO 8601"
+    if is_undecided:
+        return "day or month first, as the dates rise"
     if match.get("one"):
         return "month first" if month_first else "day first"
     return "with the name of the month" if match.get("before") else "times of day"
-
-
-def _nanoseconds(cell: str, form: StampForm) -> int | None:
-    """Return the time since 1970 or midnight [ns], None where the cell is no stamp of this form."""
-    match = (_STAMP if form.has_date else _BARE_CLOCK).fullmatch(cell)
-    if match is None:
-        return None
-    parts = match.groupdict()
-    days = _days(parts, month_first=form.month_first) if form.has_date else 0
-    clock = _clock(parts) if form.has_clock else 0
-    return None if days is None or clock is None else days * _DAY + clock
-
-
-def _days(parts: dict[str, str | None], *, month_first: bool) -> int | None:
-    year: str | None
-    month: str | None
-    day: str | None
-    if parts["year"]:
-        year, month, day = parts["year"], parts["month"], parts["day"]
-    elif parts["compact"]:
-        year, month, day = parts["compact"][:4], parts["compact"][4:6], parts["compact"][6:]
-    elif parts["one"]:
-        year, month, day = parts["late"], parts["two"], parts["one"]
-        month, day = (day, month) if month_first else (month, day)
-    else:
-        word = (parts["word"] or "")[:3].lower()
-        number = next((count for count, names in enumerate(_MONTHS, 1) if word in names.split("|")), 0)
-        year, month, day = parts["after"], str(number), parts["before"]
-    whole = int(year or 0) + (2000 if len(year or "") == 2 else 0)
-    try:
-        return int((np.datetime64(f"{whole:04d}-{int(month or 0):02d}-{int(day or 0):02d}", "D")).astype(np.int64))
-    except ValueError:
-        return None
-
-
-def _clock(parts: dict[str, str | None]) -> int | None:
-    if parts.get("digits"):
-        text, part, zone, half = parts["digits"] or "", parts["fine"], parts["place"], None
-        hour, minute, second = int(text[:2]), int(text[2:4]), int(text[4:])
-    elif parts["second"] is None and parts["part"] is not None:
-        # Excel shows 00:01.5 for minutes and seconds
-        hour, minute, second = 0, int(parts["hour"] or 0), int(parts["minute"] or 0)
-        part, zone, half = parts["part"], parts["zone"], parts["half"]
-    else:
-        hour, minute, second = (int(parts[key] or 0) for key in ("hour", "minute", "second"))
-        part, zone, half = parts["part"], parts["zone"], parts["half"]
-    if (minute > 59 and hour) or second > 60:
-        return None
-    if half:
-        hour = hour % 12 + (12 if half in "Pp" else 0)
-    offset = 0
-    if zone and zone[0] in "+-":
-        offset = (60 * int(zone[1:3]) + int(zone[-2:])) * (-1 if zone[0] == "-" else 1)
-    fine = int((part or "0").ljust(9, "0"))
-    return ((60 * hour + minute - offset) * 60 + second) * _SECOND + fine
 
 
 def _converted_at_once(cells: Sequence[str], form: StampForm) -> NDArray[np.float64] | None:
@@ -220,7 +160,7 @@ def _converted_at_once(cells: Sequence[str], form: StampForm) -> NDArray[np.floa
     """
     if len(cells) < 2 or any(not cell.isascii() for cell in (cells[0], cells[-1])):
         return None
-    match = (_STAMP if form.has_date else _BARE_CLOCK).fullmatch(cells[0])
+    match = (STAMP if form.has_date else BARE_CLOCK).fullmatch(cells[0])
     parts = {} if match is None else match.groupdict()
     if (
         match is None
@@ -282,8 +222,8 @@ def _assembled(
         if not np.array_equal(whole_days.astype("datetime64[M]").astype(np.int64), months):
             return None  # a 31st of June
         days = whole_days.astype(np.int64)
-    start = _nanoseconds(first, form)
+    start = nanoseconds(first, form)
     if start is None:
         return None
-    whole = (days * 86_400 + clock) * _SECOND + fine
-    return np.asarray((whole - whole[0] + (start - form.origin)) / _SECOND, dtype=np.float64)
+    whole = (days * 86_400 + clock) * SECOND + fine
+    return np.asarray((whole - whole[0] + (start - form.origin)) / SECOND, dtype=np.float64)
