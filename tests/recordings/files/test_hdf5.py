@@ -10,6 +10,7 @@ import pytest
 from torquerig.errors import RecordingError
 from torquerig.recordings.files import open_stream, read_recording
 from torquerig.recordings.files.hdf5 import hdf5_pieces, read_hdf5
+from torquerig.recordings.files.number_table import Table
 
 TIME = np.arange(500) / 1000
 TORQUE = np.sin(TIME * 90)
@@ -85,7 +86,7 @@ def test_a_rate_and_a_step_that_contradict(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "run.h5", "w") as file:
         file["torque_Nm"] = TORQUE
         file["torque_Nm"].attrs["fs"], file["torque_Nm"].attrs["dt"] = 1000.0, 0.01
-    with pytest.raises(RecordingError, match=r"state a rate of 1000 Hz and a step of 0.01 s"):
+    with pytest.raises(RecordingError, match=r"dt states a rate of 100 Hz and fs one of 1000 Hz"):
         read_recording(tmp_path / "run.h5")
 
 
@@ -97,3 +98,62 @@ def test_no_vector_and_no_hdf5(tmp_path: Path) -> None:
     (tmp_path / "run.h5").write_bytes(b"no hdf5")
     with pytest.raises(RecordingError, match="not a whole HDF5 file"):
         read_recording(tmp_path / "run.h5")
+
+
+@pytest.mark.parametrize(
+    "stated",
+    [
+        {"dt": 0.5, "dt_unit": "ms"},
+        {"dt_ms": 0.5},
+        {"dt": "0.5 ms"},
+        {"sampling_rate": 2.0, "sampling_rate_unit": "kHz"},
+        {"sampling_rate": "2 kHz"},
+        {"sample_rate": "2000"},
+        {"fs_kHz": 2},
+        {"fs": 2.0, "fs_units": np.bytes_("kS/s")},
+    ],
+)
+def test_rates_and_steps_in_their_units(tmp_path: Path, stated: dict[str, Any]) -> None:
+    with h5py.File(tmp_path / "run.h5", "w") as file:
+        file["torque_Nm"] = TORQUE
+        file["torque_Nm"].attrs.update(stated)
+    assert both_ways(tmp_path / "run.h5").rates == {"torque_Nm": pytest.approx(2000)}
+
+
+def test_a_rate_in_an_unknown_unit_is_refused(tmp_path: Path) -> None:
+    with h5py.File(tmp_path / "run.h5", "w") as file:
+        file["torque_Nm"] = TORQUE
+        file["torque_Nm"].attrs.update({"sampling_rate": 2.0, "sampling_rate_unit": "furlong"})
+    with pytest.raises(RecordingError, match=r"sampling_rate: 'furlong' is no unit of a rate; write Hz or kHz"):
+        read_recording(tmp_path / "run.h5")
+
+
+@pytest.mark.parametrize(("factor", "offset"), [(0.001, 0.0), (0.001, 1.5), (None, 1.5), (0.001, None)])
+def test_packed_numbers_are_unpacked(tmp_path: Path, factor: float | None, offset: float | None) -> None:
+    counts = np.arange(2000, 2100, dtype="i2")
+    packing = {key: one for key, one in (("scale_factor", factor), ("add_offset", offset)) if one is not None}
+    with h5py.File(tmp_path / "run.h5", "w") as file:
+        file["torque"] = np.append(counts, np.int16(-32768))
+        file["torque"].attrs.update({"units": "Nm", "fs": 1000.0, "_FillValue": np.int16(-32768), **packing})
+    table = both_ways_with_gaps(tmp_path / "run.h5")
+    assert table.columns["torque"][:-1] == pytest.approx(counts * (factor or 1.0) + (offset or 0.0))
+    assert np.isnan(table.columns["torque"][-1])
+    assert "torque: its numbers are scaled" in table.notes[0]
+
+
+def test_other_scales_are_named_and_not_applied(tmp_path: Path) -> None:
+    with h5py.File(tmp_path / "run.h5", "w") as file:
+        file["torque_V"] = TORQUE
+        file["torque_V"].attrs.update({"gain": 0.01, "fs": 1000.0})
+        file["speed_rpm"] = TORQUE
+        file["speed_rpm"].attrs.update({"gain": 1.0, "offset": 0, "fs": 1000.0})
+    assert both_ways(tmp_path / "run.h5").notes == (
+        "torque_V: its attribute gain = 0.01 is not applied; save scaled values",
+    )
+
+
+def both_ways_with_gaps(path: Path) -> Table:
+    table, pieces = read_hdf5(path), hdf5_pieces(path)
+    for name, values in table.columns.items():
+        assert np.array_equal(np.concatenate([one[name] for one in pieces.pieces([name])]), values, equal_nan=True)
+    return table

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.matlab.channels import Channels, channels_of
-from torquerig.recordings.files.matlab.leaves import RATE_NAMES, Leaf, is_time_name
+from torquerig.recordings.files.matlab.leaves import Leaf, is_time_name
+from torquerig.recordings.files.matlab.stated_rate import rate_of
 from torquerig.recordings.files.matlab.tree import Numbers, Unread
 from torquerig.recordings.files.matlab.version73 import stretch
 from torquerig.recordings.files.number_table import Table
 from torquerig.recordings.files.table_pieces import PIECE, Columns, TablePieces
 
 _UNITS = ("unit", "units", "unit_string", "einheit")
-_RATES = (*RATE_NAMES, "sampling_rate", "sampling_frequency", "sample_frequency")
-_STEPS = ("dt", "delta", "delta_t", "sample_interval", "sampling_interval", "wf_increment")
+# scales that no convention defines; they are named and not applied
+_OTHER_SCALES = ("gain", "scale", "scaling", "offset", "sensitivity", "conversion", "calibration")
 _COLUMNS = ("columns", "column_names", "channels", "channel_names", "labels", "names")
 _DEEPEST, _MOST = 40, 10_000  # groups within groups, and datasets; a logger writes tens of each
 # what h5py raises for damaged files
@@ -31,7 +34,8 @@ def read_hdf5(path: Path) -> Table:
 
     The unit is an attribute ``unit`` or ``units`` of the dataset; the rate an attribute such as ``sample_rate``, ``fs``
     or ``dt`` [s] of the dataset or of a group around it. A dataset of times applies to its group. Names and times
-    follow the same rules as the structs of a .mat file.
+    follow the same rules as the structs of a .mat file. Packed
+    numbers (``scale_factor``, ``add_offset``) are unpacked.
 
     Raises
     ------
@@ -120,6 +124,7 @@ def _dataset(path: Path, item: Any, place: tuple[str, ...], scope: tuple[str, ..
     rate = _rate(item.attrs, f"{path}: {item.name}") or rate
     fields = item.dtype.names or (None,)
     along = int(np.argmax(item.shape)) if item.ndim else 0
+    packing = _packing(item.attrs, f"{path}: {item.name}")
     for field in fields:
         kind = item.dtype if field is None else item.dtype[field]
         own = place if field is None else (*place, field)
@@ -129,7 +134,7 @@ def _dataset(path: Path, item: Any, place: tuple[str, ...], scope: tuple[str, ..
             continue
         numbers = Numbers(
             shape=tuple(item.shape),
-            read=partial(stretch, path, str(item.name), along, field=field),
+            read=partial(packing.read, partial(stretch, path, str(item.name), along, field=field)),
             is_logical=kind.kind == "b",
         )
         yield Leaf(
@@ -140,6 +145,7 @@ def _dataset(path: Path, item: Any, place: tuple[str, ...], scope: tuple[str, ..
             scope=place if len(fields) > 1 and any(is_time_name(str(one)) for one in fields) else scope,
             rate=0.0 if is_time else rate,
             columns=_texts(item.attrs, _COLUMNS) if field is None else (),
+            note=_note(item.attrs, packing),
         )
 
 
@@ -149,20 +155,62 @@ def _reason(kind: Any) -> str:
 
 
 def _rate(attributes: Any, where: str) -> float:
-    """Return the rate that attributes state, as a rate or as a step in seconds [Hz]; 0 where they do not."""
-    lowered = {str(name).lower(): name for name in attributes}
-    rate = next((_number(attributes[lowered[key]]) for key in _RATES if key in lowered), 0.0)
-    step = next((_number(attributes[lowered[key]]) for key in _STEPS if key in lowered), 0.0)
-    if rate > 0 and step > 0 and abs(rate * step - 1) > 1e-3:
-        raise RecordingError(
-            f"{where}: its attributes state a rate of {rate:g} Hz and a step of {step:g} s; correct one of them"
-        )
-    return max(rate, 0.0) or (1 / step if step > 0 else 0.0)
+    """Return the rate that attributes state, as a rate or as a step [Hz]; 0 where they do not."""
+    return rate_of({str(name): value for name, value in attributes.items()}, where=where)
 
 
-def _number(value: Any) -> float:
-    array = np.asarray(value)
-    return float(array.flat[0]) if array.size == 1 and array.dtype.kind in "fiu" and np.isfinite(array.flat[0]) else 0.0
+@dataclass(frozen=True)
+class _Packing:
+    """How stored numbers become values: ``number * factor + offset``; those equal to ``fill`` are missing."""
+
+    factor: float = 1.0
+    offset: float = 0.0
+    fill: tuple[float, ...] = ()
+
+    def read(self, stored: Callable[[int, int], NDArray[np.float64]], first: int, last: int) -> NDArray[np.float64]:
+        """Return the values ``[first, last)``, shape (samples, columns)."""
+        numbers = stored(first, last)
+        if self.fill:
+            numbers = np.where(np.isin(numbers, self.fill), np.nan, numbers)
+        return numbers if (self.factor, self.offset) == (1.0, 0.0) else numbers * self.factor + self.offset
+
+
+def _packing(attributes: Any, where: str) -> _Packing:
+    """Return the packing that a dataset states.
+
+    Raises
+    ------
+    RecordingError
+        Where one of its attributes is no single number.
+
+    Source: NetCDF Climate and Forecast (CF) Metadata Conventions 1.11, sections 2.5.1 (missing data) and 8.1 (packed
+    data): the attributes ``scale_factor``, ``add_offset``, ``_FillValue``, ``missing_value``.
+    """
+    found = {key: attributes[key] for key in ("scale_factor", "add_offset") if key in attributes}
+    for key, value in found.items():
+        array = np.asarray(value)
+        if array.size != 1 or array.dtype.kind not in "fiu" or not np.isfinite(array.flat[0]):
+            raise RecordingError(f"{where}: its attribute {key} is no single number; correct it, or save scaled values")
+    fill = [np.asarray(attributes[key]) for key in ("_FillValue", "missing_value") if key in attributes]
+    numbers = {key: float(np.asarray(value).flat[0]) for key, value in found.items()}
+    return _Packing(
+        factor=numbers.get("scale_factor", 1.0),
+        offset=numbers.get("add_offset", 0.0),
+        fill=tuple(float(one) for array in fill if array.dtype.kind in "fiu" for one in array.flat),
+    )
+
+
+def _note(attributes: Any, packing: _Packing) -> str:
+    """Return a sentence about what becomes of the scales that a dataset states; empty where it states none."""
+    is_plain = (packing.factor, packing.offset) == (1.0, 0.0)
+    notes = [] if is_plain else [f"its numbers are scaled: {packing.factor:.10g} * number + {packing.offset:.10g}"]
+    for name, value in attributes.items():
+        array = np.asarray(value)
+        is_number = array.size == 1 and array.dtype.kind in "fiu"
+        # a gain of 1 and an offset of 0 change nothing
+        if str(name).lower() in _OTHER_SCALES and is_number and float(array.flat[0]) != (name.lower() != "offset"):
+            notes.append(f"its attribute {name} = {float(array.flat[0]):.6g} is not applied; save scaled values")
+    return "; ".join(notes)
 
 
 def _text(attributes: Any, names: Sequence[str]) -> str:

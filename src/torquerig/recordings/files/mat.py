@@ -11,6 +11,7 @@ import numpy as np
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.recordings.files.matlab.channels import Channels, channels_of
+from torquerig.recordings.files.matlab.headers import with_headers
 from torquerig.recordings.files.matlab.leaves import leaves_of
 from torquerig.recordings.files.matlab.tables import with_tables
 from torquerig.recordings.files.matlab.tree import Variables
@@ -94,7 +95,8 @@ def _channels(path: Path) -> tuple[Channels, str]:
     try:
         variables = dict(_variables(path))
         sidecar = variables.pop(SIDECAR_KEY, "")
-        found = channels_of(leaves_of(with_tables(variables, path)), where=str(path), remedy=_REMEDY)
+        leaves = with_headers(leaves_of(with_tables(variables, path)), where=str(path))
+        found = channels_of(leaves, where=str(path), remedy=_REMEDY)
         return found, sidecar if isinstance(sidecar, str) else ""
     except (DamagedError, *_BROKEN) as error:
         raise _not_whole(path, error) from None

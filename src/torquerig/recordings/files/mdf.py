@@ -48,7 +48,10 @@ def read_mdf(path: Path) -> Table:
     leaves = [_leaf(description, array) for description, array in zip(index, arrays, strict=True)]
     found = channels_of(leaves, where=str(path), remedy="export the channels as .mat, TDMS or CSV")
     columns = {name: channel.read(0, channel.numbers.samples) for name, channel in found.channels.items()}
-    return Table(columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes)
+    return Table(
+        columns=columns, rates=found.rates, units=found.units, skipped=found.skipped, notes=found.notes,
+        starts=found.starts,
+    )  # fmt: skip
 
 
 def _leaf(description: Mapping[str, Any], array: NDArray[Any]) -> Leaf:

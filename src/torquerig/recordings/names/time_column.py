@@ -12,7 +12,7 @@ from torquerig.recordings.names.words import TIME_WORDS, words_of
 from torquerig.units import Meaning
 
 # the first of these that a table has is its time
-_EXACT = ("time_s", "time", "t", "x_value", "zeit", "timestamp", "time stamp", "zeitstempel", "elapsed time")
+_EXACT = ("time_s", "time", "t", "x_value", "zeit", "timestamp", "time stamp", "zeitstempel", "elapsed time", "tout")
 _CLOCKS = {"millis": "ms", "micros": "us", "msec": "ms", "usec": "us"}  # names of counters of microcontrollers
 # words that make a column of time something else than the time of the sample
 _NOT = ("constant", "konstante", "cycle", "zyklus", "delay", "const", "loop", "exposure", "response", "lap", "runde")

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
-from torquerig.recordings.files.matlab.leaves import RATE_NAMES, Leaf
+from torquerig.recordings.files.matlab.leaves import Leaf
+from torquerig.recordings.files.matlab.stated_rate import rate_of, states_rate
 from torquerig.recordings.files.matlab.tree import Numbers, Unread
 from torquerig.recordings.files.number_table import distinct
 from torquerig.recordings.files.starts import late_starts
@@ -70,7 +71,7 @@ def channels_of(leaves: Sequence[Leaf], *, where: str, remedy: str) -> Channels:
     bare = _bare(signals)
     if bare:
         notes = (f"{signals[0].path[-1]}: a matrix of two columns is read as time [s] and torque [V]",)
-        rates = _stated_rates(leaves, bare, ())
+        rates = _stated_rates(leaves, bare, where)
         return Channels(channels=bare, rates=rates, units={}, skipped=found.skipped, notes=notes)
     return _named(leaves, signals, found, where)
 
@@ -87,9 +88,10 @@ def _signals(leaves: Sequence[Leaf], found: _Found) -> list[Leaf]:
         if isinstance(node, Unread):
             found.skipped[name] = node.reason
         elif isinstance(node, str):
-            found.skipped[name] = "a text"
+            if not states_rate(leaf.path[-1]):
+                found.skipped[name] = "a text"
         elif node.size < 2:
-            if leaf.path[-1].lower() not in RATE_NAMES:
+            if not states_rate(leaf.path[-1]):
                 found.skipped[name] = "a single number" if node.size else "empty"
         elif node.width > 1 and len([size for size in node.shape if size > 1]) > 2:
             found.skipped[name] = f"an array of {len(node.shape)} dimensions"
@@ -115,6 +117,7 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
     signals = _one_time(signals, found)
     times = {leaf.scope: leaf for leaf in reversed(signals) if leaf.is_time}
     several = len(times) > 1
+    scalars = _scalar_rates(leaves, where)
     names = short_names([leaf.path for leaf in signals])
     channels: dict[str, Channel] = {}
     rates: dict[str, float] = {}
@@ -124,7 +127,7 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
         node = leaf.node
         if not isinstance(node, Numbers) or (several and leaf.is_time):
             continue
-        rate = leaf.rate or _scalar_rate(leaves, leaf.scope)
+        rate = leaf.rate or scalars.get(leaf.scope, scalars.get(()))
         own = times.get(leaf.scope) or times.get(())
         if several and own is not None and rate is None:
             rate = _rate_by(own, where)
@@ -137,6 +140,8 @@ def _named(leaves: Sequence[Leaf], signals: Sequence[Leaf], found: _Found, where
             rates |= {one: rate} if rate else {}
             starts |= {one: _seconds(own, 1)[0]} if several and own is not None else {}
             units |= {one: leaf.unit} if leaf.unit else {}
+        if leaf.note:
+            found.notes.append(f"{name}: {leaf.note}")
         if node.is_logical:
             found.notes.append(f"{name}: true and false are read as 1 and 0")
         if node.width > 1:
@@ -190,22 +195,19 @@ def _seconds(time: Leaf, count: int) -> NDArray[np.float64]:
     return seconds
 
 
-def _scalar_rate(leaves: Iterable[Leaf], scope: tuple[str, ...]) -> float | None:
-    """Return the rate that a scalar such as ``fs`` states in the struct, else at the top of the file [Hz]."""
-    stated = {
-        leaf.scope: number
-        for leaf in leaves
-        if leaf.path[-1].lower() in RATE_NAMES
-        and isinstance(leaf.node, Numbers)
-        and (number := leaf.node.scalar()) is not None
-        and np.isfinite(number)
-        and number > 0
-    }
-    return stated.get(scope, stated.get(()))
+def _scalar_rates(leaves: Iterable[Leaf], where: str) -> dict[tuple[str, ...], float]:
+    """Return the rate that scalars and texts such as ``fs`` state, by the struct that they are in [Hz]."""
+    stated: dict[tuple[str, ...], dict[str, object]] = {}
+    for leaf in leaves:
+        value = leaf.node.scalar() if isinstance(leaf.node, Numbers) else leaf.node
+        if isinstance(value, str | float):
+            stated.setdefault(leaf.scope, {})[leaf.path[-1]] = value
+    rates = {scope: rate_of(values, where=": ".join([where, *scope])) for scope, values in stated.items()}
+    return {scope: rate for scope, rate in rates.items() if rate > 0}
 
 
-def _stated_rates(leaves: Iterable[Leaf], names: Iterable[str], scope: tuple[str, ...]) -> dict[str, float]:
-    rate = _scalar_rate(leaves, scope)
+def _stated_rates(leaves: Iterable[Leaf], names: Iterable[str], where: str) -> dict[str, float]:
+    rate = _scalar_rates(leaves, where).get(())
     return dict.fromkeys(names, rate) if rate else {}
 
 

@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from torquerig.recordings.files.matlab.stated_rate import states_rate
 from torquerig.recordings.files.matlab.tree import Node, Numbers, Unread, Variables
 from torquerig.recordings.names.time_column import time_column
 
-RATE_NAMES = ("sample_rate_hz", "sample_rate", "samplerate", "fs", "fs_hz")
 _LABELS = ("label", "name", "title", "signalname")
 _DATA = ("data", "values", "value", "y")
 _UNITS = ("unit", "units", "einheit")
 # the lists of signals of Simulink's scopes and of dSPACE's recordings, also where they have one element
 _SIGNALS = ("signals", "X", "Y")
+HEADER = "_Header"
+"""End of the names of structs that describe another variable; their texts stay leaves."""
 _SECONDS = ("", "s", "sec", "second", "seconds", "-")
 
 
@@ -37,6 +39,8 @@ class Leaf:
         Sample rate that the file states for these numbers alone [Hz]; 0 where it does not.
     columns : tuple of str
         Names that the file gives the columns of a matrix; empty where it does not.
+    note : str
+        What the reader did with the numbers, or left undone.
     """
 
     path: tuple[str, ...]
@@ -46,6 +50,7 @@ class Leaf:
     scope: tuple[str, ...] = field(default=())
     rate: float = 0.0
     columns: tuple[str, ...] = ()
+    note: str = ""
 
 
 def leaves_of(variables: Variables) -> list[Leaf]:
@@ -69,7 +74,7 @@ def _fields(
     """Yield the leaves of one struct; its unit belongs to its data, and in a list of signals its label names them."""
     lowered = {name.lower() for name in element}
     # a struct with a time, a rate or an X axis is a clock for its fields; without, the struct around it is
-    has_clock = any(map(is_time_name, lowered)) or bool(lowered & {*RATE_NAMES}) or {"x", "y"} <= lowered
+    has_clock = any(map(is_time_name, lowered)) or any(map(states_rate, element)) or {"x", "y"} <= lowered
     own = path if has_clock else scope
     label, unit = _text(element, _LABELS), _text(element, _UNITS)
     signals = [
@@ -78,7 +83,7 @@ def _fields(
     ]  # fmt: skip
     data = next((name for name in signals if name.lower() in _DATA), signals[0] if len(signals) == 1 else None)
     for name, node in element.items():
-        if isinstance(node, str) and name.lower() in (*_LABELS, *_UNITS):
+        if isinstance(node, str) and name.lower() in (*_LABELS, *_UNITS) and not path[-1].endswith(HEADER):
             continue
         if name != data:
             yield from _leaves(node, (*path, name), own)
