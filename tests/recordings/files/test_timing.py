@@ -73,6 +73,13 @@ def test_a_single_lost_or_doubled_sample_is_not_hidden_by_a_stated_rate(rate: fl
         assert "too close to the one before" in timing_of(doubled, name="time", stated=rate).problem
 
 
+@pytest.mark.parametrize("lost", [2, 3, 20, 150])
+@pytest.mark.parametrize("stated", [None, 1000.0])
+def test_a_long_gap_is_not_taken_for_coarse_stamps(lost: int, stated: float | None) -> None:
+    times = np.delete(grid(2000, 1000), np.arange(700, 700 + lost))
+    assert f"{lost} samples lost in 1 gap" in timing_of(times, name="time", stated=stated).problem
+
+
 @pytest.mark.parametrize(("rate", "samples"), [(960.0, 30), (999.9, 20_000), (990.0, 300)])
 def test_few_other_steps_of_a_stated_rate_are_rounding(rate: float, samples: int) -> None:
     times = np.floor(grid(samples, rate) * 1000 + 1e-6) / 1000

@@ -167,3 +167,18 @@ def test_two_files_meet_on_the_clock_of_the_logger(tmp_path: Path, minutes: floa
     joined = join_recordings(paths, align="clock").recording
     assert joined.duration == pytest.approx(3.0, abs=2e-3)
     assert joined.channels["torque"].values == pytest.approx(joined.channels["force"].values, abs=1e-6)
+
+
+def test_a_stated_rate_does_not_hide_lost_samples(tmp_path: Path) -> None:
+    path = tmp_path / "run1.csv"
+    numbers = [number for number in range(2000) if not 700 <= number < 720]
+    path.write_text("Time [s],Torque [Nm]\n" + "".join(f"{k / 1000:.3f},{2 + k / 1000:.3f}\n" for k in numbers))
+    path.with_suffix(".yaml").write_text("sample_rate_Hz: 1000\n")
+    joined = join_recordings([path])
+    assert joined.recording.samples == 2000
+    assert joined.recording.channels["Torque"].values == pytest.approx(2 + np.arange(2000) / 1000, abs=1e-9)
+    assert "bridged" in joined.notes[0]
+    path.with_suffix(".yaml").write_text("sample_rate_Hz: 1500\n")
+    path.write_text("Time [s],Torque [Nm]\n" + "".join(f"{k / 1000:.3f},2.{k % 7}\n" for k in range(2000)))
+    with pytest.raises(RecordingError, match="states 1500 samples per second and the column Time states 1000"):
+        join_recordings([path])

@@ -13,6 +13,8 @@ _LEAST = 3
 _EQUAL = 1e-6
 # even times that are rounded lie in a band of one tick, which a lost sample widens [1]
 _ONE_TICK = 1.01
+# largest deviation of a step from whole ticks, of steps known to 0.001 of the usual one [1]
+_WHOLE = 0.05
 
 
 def rate_of_ticks(times: NDArray[np.float64]) -> tuple[float, float, float] | None:
@@ -40,3 +42,8 @@ def rate_of_ticks(times: NDArray[np.float64]) -> tuple[float, float, float] | No
         return None
     samples = int(whole.sum())
     return samples / (whole.size * tick), 1 / samples, tick
+
+
+def are_whole(steps: NDArray[np.float64]) -> bool:
+    """Return whether steps, in ticks, are whole ones, as rounded times have: no long gap among even steps."""
+    return bool(np.all(np.abs(steps - np.round(steps)) <= _WHOLE) and not np.any((steps > 0) & (np.round(steps) == 0)))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.recordings.files.rate_changes import stretches_of_rates
 from torquerig.recordings.files.time_band import narrowest_band
-from torquerig.recordings.files.time_ticks import rate_of_ticks
+from torquerig.recordings.files.time_ticks import are_whole, rate_of_ticks
 
 Floats = NDArray[np.float64]
 
@@ -131,7 +131,10 @@ def _coarse(times: Floats, steps: Floats, name: str, stated: float | None) -> Ti
     distinct, counts = np.unique(np.round(steps / scale, 3), return_counts=True)
     if distinct.size < 2:
         return None
-    grain = float(np.diff(distinct).min()) * scale
+    unit = float(np.diff(distinct).min())
+    if not are_whole(distinct / unit):
+        return None
+    grain = unit * scale
     width, step = narrowest_band(times)
     fits = width <= 1.01 * grain
     fits_stated = False

@@ -20,7 +20,7 @@ from torquerig.recordings.files.sidecar_choice import sidecar_of
 from torquerig.recordings.files.stream import pieces_of_file
 from torquerig.recordings.files.table_pieces import TablePieces
 from torquerig.recordings.files.time_unit import unit_evidence
-from torquerig.recordings.files.timebase import usual_rate
+from torquerig.recordings.files.timebase import agreed_rate, usual_rate
 from torquerig.recordings.files.timing import timing_of
 from torquerig.recordings.joining.resampling import resampled
 from torquerig.recordings.joining.track import Track
@@ -74,15 +74,17 @@ def tracks_of(path: Path) -> Tracks:
         _check_finite(name, values, path)
         if times is not None and times.size == values.size:
             start = float(times[0])
+            timing = timing_of(times, name=str(time), stated=rate)
             if rate is None:
-                timing = timing_of(times, name=str(time))
                 rate = timing.rate if timing.rate > 0 else usual_rate(times, name=str(time), where=str(path))
-                # coarse and late stamps are those of even samples
-                bridged: tuple[str, ...] = (f"{path.name}: {timing.note}",) if timing.note else ()
-                if timing.problem:
-                    raw = Track(name=name, values=values, rate=rate, start=start, entry=entry)
-                    values, bridged = _evenly(raw, times, name=str(time), path=path)
-                notes = notes if bridged and bridged[0] in notes else (*notes, *bridged)
+            elif not timing.problem:
+                agreed_rate(table.rates, [name], timing=timing, time_name=time, sidecar=sidecar, where=str(path))
+            # coarse and late stamps are those of even samples
+            bridged: tuple[str, ...] = (f"{path.name}: {timing.note}",) if timing.note else ()
+            if timing.problem:
+                raw = Track(name=name, values=values, rate=rate, start=start, entry=entry)
+                values, bridged = _evenly(raw, times, name=str(time), path=path)
+            notes = notes if bridged and bridged[0] in notes else (*notes, *bridged)
         if rate is None:
             raise RecordingError(
                 f"{path}: the rate of {name} is not stated; write it into {sidecar_path(path).name} as "

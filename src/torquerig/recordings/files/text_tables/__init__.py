@@ -8,6 +8,7 @@
 ``written_dates`` dates that are one number
 ``block``        the rows: separator and columns that stay the same over the most lines
 ``header``       the lines of names and units above the rows
+``scale_rows``   rows of factors and offsets below the names
 ``preamble``     the sample rate and the units that lines above the names state
 ``layout``       all of these together
 ``columns``      which columns are read, and why the others are not

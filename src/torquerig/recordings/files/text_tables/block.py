@@ -19,6 +19,8 @@ SEPARATORS = "\t;|, "
 _AS_GOOD = 0.9
 # characters and cells of the longest row; what is longer is no row of a table
 _LONGEST_ROW, _MOST_CELLS = 2**16, 4096
+# rows above those with a first number: a range, a factor, an offset [1]
+_MOST_ABOVE = 4
 _DIRECTIVE = re.compile(r'^"?sep=(.)"?$', re.IGNORECASE)
 
 NUMBER, STAMP, WORDS, EMPTY = "number", "stamp", "words", "empty"
@@ -104,6 +106,10 @@ def _block(lines: Sequence[TextLine], separator: str) -> Block | None:
     first, last, count = _longest_run(_below_break(rows, width), families)
     if not count:
         return None
+    # rows at the top without a first number, as ranges below the names, are none of the rows
+    above = [place for place in range(first, min(first + _MOST_ABOVE, last)) if rows.get(place, [""])[0] == EMPTY]
+    if families[0] in (NUMBER, STAMP) and above == list(range(first, first + len(above))):
+        first, count = first + len(above), count - len(above)
     filled = Counter(cell for row in data.values() if len(row) == width for cell in row if cell != EMPTY)
     share = 1 - filled[WORDS] / filled.total()
     return Block(separator=separator, families=families, first=first, last=last, rows=count, share=share)

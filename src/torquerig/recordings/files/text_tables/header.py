@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from torquerig.recordings.files.text_tables.block import NUMBER, STAMP, Block, family_of, is_directive
+from torquerig.recordings.files.text_tables.block import EMPTY, NUMBER, STAMP, WORDS, Block, family_of, is_directive
 from torquerig.recordings.files.text_tables.cells import form_of, split_cells
 from torquerig.recordings.files.text_tables.lines import TextLine
 from torquerig.recordings.files.text_tables.preamble import read_preamble
@@ -31,6 +31,8 @@ class Header:
     above: tuple[TextLine, ...] = ()
     wrong: TextLine | None = None
     """The line right above the rows, where it has a number of names that does not fit."""
+    between: tuple[TextLine, ...] = ()
+    """Lines of numbers between names and rows: ranges, factors, with a label in place of the time or without."""
 
 
 def read_header(lines: Sequence[TextLine], block: Block) -> Header:
@@ -39,6 +41,7 @@ def read_header(lines: Sequence[TextLine], block: Block) -> Header:
     A comment line serves where no other does and one of its cells is a known name or has a known unit.
     """
     rows: list[tuple[TextLine, list[str]]] = []
+    between: list[TextLine] = []
     place = block.first
     while place > 0 and len(rows) < _ROWS:
         place -= 1
@@ -50,10 +53,15 @@ def read_header(lines: Sequence[TextLine], block: Block) -> Header:
         if _is_remark(line, block):
             continue
         cells = _cells(line.text, block)
-        if cells is None or read_preamble([line]).notes:
+        if read_preamble([line]).notes:
             break
+        if cells is None:
+            if rows or len(between) == _ROWS or not _is_between(line, block):
+                break
+            between.append(line)
+            continue
         rows.append((line, cells))
-    if not rows:
+    if not rows or (between and not any(_has_known(cells) for _, cells in rows)):
         return _from_comment(lines[: block.first], block)
     units_at = next((number for number, (_, cells) in enumerate(rows[:3]) if len(rows) > 1 and _are_units(cells)), None)
     names_at = 0 if units_at is None else (units_at + 1 if units_at + 1 < len(rows) else units_at - 1)
@@ -62,8 +70,20 @@ def read_header(lines: Sequence[TextLine], block: Block) -> Header:
     units = () if units_at is None else tuple(_unbracketed(cell) for cell in rows[units_at][1])
     return Header(
         names=tuple(names), names_line=line.number, above=above, units=units,
-        units_line=0 if units_at is None else rows[units_at][0].number,
+        units_line=0 if units_at is None else rows[units_at][0].number, between=tuple(reversed(between)),
     )  # fmt: skip
+
+
+def _is_between(line: TextLine, block: Block) -> bool:
+    """Return whether a line has numbers below the names of signals, and a label or nothing where rows have a time."""
+    families = [family_of(cell, block.separator) for cell in split_cells(line.text, block.separator)]
+    return (
+        block.families[0] in (NUMBER, STAMP)
+        and 1 < len(families) <= block.width
+        and families[0] in (WORDS, EMPTY)
+        and NUMBER in families
+        and set(families[1:]) <= {NUMBER, EMPTY, "missing"}
+    )
 
 
 def _from_comment(lines: Sequence[TextLine], block: Block) -> Header:

@@ -23,6 +23,7 @@ from torquerig.recordings.files.text_tables.cells import (
 from torquerig.recordings.files.text_tables.header import Header, read_header
 from torquerig.recordings.files.text_tables.lines import TextLine, first_lines
 from torquerig.recordings.files.text_tables.preamble import Preamble, read_preamble
+from torquerig.recordings.files.text_tables.scale_rows import refuse_scales
 
 UNNAMED = "(unnamed)"
 # rows that settle the layout; where the first lines hold fewer, more lines are looked at, up to the last number
@@ -122,6 +123,7 @@ def _layout(lines: Sequence[TextLine], block: Block, path: Path) -> Layout:
     block, header = _one_column(lines, block, header)
     if header.wrong is not None:
         _refuse_width(header.wrong, lines[block.first], block, path)
+    refuse_scales(header.between, block, path)
     cells = [(line, split_cells(line.text, block.separator)) for line in lines[block.first : block.last + 1]]
     rows = [(line, row) for line, row in cells if block.fits(row)]
     wide = [(line, split_cells(line.text, block.separator)) for line in lines[block.first :]]
@@ -274,6 +276,8 @@ def _notes(
         parts.append(f"units in line {header.units_line}")
     if not header.names:
         parts.append(f"there is no line of names, and the columns are called {', '.join(names[:4])}")
+    if header.between:
+        parts.append(f"the numbers in line {', '.join(str(one.number) for one in header.between)} are no samples")
     if dialect.decimal == ",":
         parts.append("the comma is the decimal sign")
     if other:
