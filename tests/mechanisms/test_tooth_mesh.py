@@ -175,7 +175,7 @@ def test_mesh_stiffness_makes_a_ripple_in_proportion_to_the_load(load: float) ->
     assert line.amplitude == pytest.approx(0.04 * load / 11300, rel=1e-6)
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_a_slow_mesh_twists_as_one_over_its_stiffness() -> None:
     """T/K 1/(1 + s cos x) = T/K / sqrt(1 - s^2) (1 + 2 sum (-r)^h cos h x), r = (1 - sqrt(1 - s^2))/s: not s T/K alone.
 

@@ -51,7 +51,7 @@ def test_cases_are_drawn_from_seed_and_place():
     assert [case.effects for case in draw_trials(3, 4, same_laws=True)] == [c.effects for c in draw_trials(3, 4)]
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_answers_say_what_is_due():
     for case in draw_trials(8, 40):
         answer = answer_of(case)

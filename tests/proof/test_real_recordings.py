@@ -28,7 +28,7 @@ def _beside(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(VARIABLE, str(REAL))
 
 
-@pytest.mark.long
+@pytest.mark.full
 @recorded
 def test_emps_friction_by_direction_is_named_and_its_ripple_left_unexplained() -> None:
     """Janot, Gautier & Brunot 2019: Fv 166.7 and 240.4 N s/m, Fc 20.1 and 20.6 N; nobody published the ripple."""

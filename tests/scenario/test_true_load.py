@@ -43,7 +43,7 @@ def chain(rig, name):
     return read_chains(shipped_scenarios() / "filters.yaml", kinematics=kinematics_of(rig), response=response)[name]
 
 
-@pytest.mark.long
+@pytest.mark.full
 @pytest.mark.parametrize("occupancy", [5, 11, 15, 21])
 @pytest.mark.parametrize("encoder", [True, False])
 def test_the_default_line_chain_is_as_good_as_perfect_line_removal(occupancy, encoder):

@@ -66,7 +66,7 @@ def truth(made: Recording, name: str) -> NDArray[np.float64]:
     return made.channels[f"true_{name}"].values
 
 
-@pytest.mark.long
+@pytest.mark.full
 @pytest.mark.parametrize("speed", [3.0, 12.0, -5.0])
 def test_the_load_is_one_trace_over_the_angle_whatever_the_speed(speed: float) -> None:
     turned = 7 * 2 * pi  # more than twice through the grid

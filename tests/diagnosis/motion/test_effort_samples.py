@@ -98,7 +98,7 @@ def test_codes_that_make_most_of_the_noise_are_named_and_fine_ones_are_not() -> 
     assert named(diagnosed(carriage(lambda force: 0.5 * np.round(force / 0.5)))) == []
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_hum_has_a_phase_of_its_own_in_every_run() -> None:
     time = np.arange(moved_rigs.COUNT) / moved_rigs.RATE * 0.1  # as if at 4 kHz: 50 Hz lies in the compared band
     runs = []

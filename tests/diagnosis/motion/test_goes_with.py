@@ -28,7 +28,7 @@ def said(outcome: MotionOutcome) -> str:
     return told
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_an_effort_that_comes_late_is_told_with_its_delay(carriage: Carriage, diagnosed: Diagnosed) -> None:
     made = carriage(lambda time, position, speed: 0 * time)
     late = made.with_values("force_N", np.roll(made.channels["force_N"].values, 8))  # 20 ms at 400 Hz

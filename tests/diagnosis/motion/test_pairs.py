@@ -95,7 +95,7 @@ def test_over_what_speed_a_stated_friction_changes_sign_is_no_missing_physics(di
     assert [knob.name for knob in knobs_of_the_sign(outcome.nominal, ())] == ["bearings.smoothing"]
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_a_wave_is_told_by_samples_that_go_round_it_and_by_no_others(diagnosed: Diagnosed) -> None:
     """Backwards over a fiftieth of a cycle, a wave of any size would fit with its mean to match."""
     outcome = diagnosed(turned(both), MOTOR)

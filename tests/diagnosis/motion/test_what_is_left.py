@@ -39,7 +39,7 @@ def turned(hum: Callable[[Floats], Floats]) -> Recording:
     return Recording(sample_rate=RATE, channels=channels, name="turn.csv")
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_a_spring_to_the_frame_is_told_by_its_place(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 60.0 * np.maximum(position - 0.04, 0.0)))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
@@ -48,7 +48,7 @@ def test_a_spring_to_the_frame_is_told_by_its_place(carriage: Carriage, diagnose
     assert there.at > 0.06  # of a stroke from -0.12 to 0.12 m
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_a_load_that_steps_is_told_by_its_moment_and_is_no_drift(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 8.0 * (time > 7.0)))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
@@ -56,7 +56,7 @@ def test_a_load_that_steps_is_told_by_its_moment_and_is_no_drift(carriage: Carri
     assert step.at == pytest.approx(7.0, abs=step.width)
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_viscous_friction_that_the_scenario_lacks_is_no_dry_friction(carriage: Carriage, diagnosed: Diagnosed) -> None:
     outcome = diagnosed(carriage(lambda time, position, speed: 60.0 * speed))
     assert (outcome.diagnosis.verdict, outcome.diagnosis.findings) == ("unexplained", ())
@@ -77,7 +77,7 @@ def test_friction_that_holds_more_than_it_slides_is_told_with_its_peak(
     assert told["stribeck_rad_s"] == pytest.approx(0.04, rel=0.25)
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_motion_one_way_tells_no_friction_of_the_other(diagnosed: Diagnosed) -> None:
     outcome = diagnosed(turned(lambda time: 0.03 + 0 * time), BROAD)
     for finding in outcome.diagnosis.findings:
