@@ -132,3 +132,26 @@ def test_a_faulty_row_keeps_its_line(tmp_path: Path) -> None:
     path.write_text("# rig\n\nTime;Torque\ns;Nm\n" + "\n".join(rows).replace(".", ",") + "\nEnd\n")
     with pytest.raises(RecordingError, match=r"run1\.csv:22: the row has 3 cells and the table 2 columns"):
         read_csv(path)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Messrate = 2000/s", "Sample rate;2000;Hz", "Sample rate\t2000\tHz", "Sample rate,2000,Hz", "Sample rate: 2k",
+        "Abtastzeit 500 us", "Abtastzeit: 500 µs", "Sample interval;0.5;ms", "Sampling rate 2 kHz", "Rate: 2000 1/s",
+    ],
+)  # fmt: skip
+def test_rates_as_loggers_write_them(tmp_path: Path, line: str) -> None:
+    path = tmp_path / "run1.txt"
+    path.write_text(f"Tester\n{line}\n\nTorque;Speed\nNm;rpm\n" + "1.5;1000\n1.6;1001\n" * 20)
+    assert read_recording(path).sample_rate == 2000
+
+
+def test_exponents_of_fortran(tmp_path: Path) -> None:
+    path = tmp_path / "run1.txt"
+    path.write_text(
+        "time_s torque_Nm\n" + "".join(f"{k / 1000:.4e} {-2 - k:.3e}\n" for k in range(60)).replace("e", "D")
+    )
+    recording = read_recording(path)
+    assert recording.sample_rate == 1000
+    assert recording.channels["torque_Nm"].values == pytest.approx(-2 - np.arange(60))

@@ -19,6 +19,8 @@ MISSING = (
 """Cells, in lower case, that stand for a missing number: of loggers, Excel, LabVIEW and Microsoft's C library."""
 
 _POINT = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+# 1.0D+00, an exponent of Fortran
+_FORTRAN = re.compile(r"(?<=[0-9.])[dD](?=[+-][0-9]{2,3}$)")
 _COMMA = re.compile(r"[+-]?(?:[0-9]+(?:,[0-9]+)?|,[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _INTEGER = re.compile(r"[+-]?[0-9]+")
 # 1.234,5 or 1.234.567; 1,234.5 or 1,234,567: more than one reading is not possible
@@ -59,7 +61,7 @@ class Dialect:
             return float("nan")
         if lowered in _INFINITE:
             return float("-inf" if lowered.startswith("-") else "inf")
-        text = _OTHER_GROUPS.sub("", cell.replace("\u2212", "-"))
+        text = _plain(cell)
         # once the decimal sign is known, 1.234,5 has one reading, and 1.234 only where groups are usual
         other = "." if self.decimal == "," else ","
         grouped = _GROUPED_BY_POINT if other == "." else _GROUPED_BY_COMMA
@@ -89,8 +91,13 @@ def form_of(cell: str) -> str:
     ``integer``, ``point`` (1.5), ``comma`` (1,5), ``one group`` (1,234: 1234 or 1.234), ``one group by point``
     (1.234: 1.234 or 1234), ``groups by point`` (1.234,5) or ``groups by comma`` (1,234.5).
     """
-    text = _OTHER_GROUPS.sub("", cell.replace("\u2212", "-"))
+    text = _plain(cell)
     return next((form for form, pattern in _FORMS.items() if pattern.fullmatch(text)), "")
+
+
+def _plain(cell: str) -> str:
+    text = _OTHER_GROUPS.sub("", cell.replace("\u2212", "-"))
+    return _FORTRAN.sub("E", text) if "." in text else text
 
 
 def is_missing(cell: str) -> bool:

@@ -11,10 +11,14 @@ from torquerig.recordings.files.text_tables.lines import TextLine
 from torquerig.recordings.files.timing import shortest_rate
 
 _ENTRY = re.compile(r"^[\s#%/\"';*]*(?P<key>[^:=\t;,|]{1,60}?)\s*(?:[:=\t;,|]\s*)+(?P<value>[^\s].*?)[\s\"';,|]*$")
+# Abtastzeit 500 us, without a sign between
+_BARE = re.compile(r"^[\s#%/\"';*]*(?P<key>[A-Za-z][A-Za-z ._-]*?)\s+(?P<value>[0-9][0-9.,]*\s*[^0-9\s]\S*)\s*$")
 _BRACKET = re.compile(r"^(?P<name>.*?)\s*[\[(](?P<unit>[^\])]*)[\])]$")
 _NUMBER = re.compile(r"^(?P<number>[+-]?[0-9][0-9.,' ]*(?:[eE][+-]?[0-9]+)?)\s*(?P<unit>[^0-9\s].*)?$")
+_ONE_PER = re.compile(r"\s1/(?=s)")
 _PER_SECOND = {
-    "hz": 1.0, "1/s": 1.0, "s/s": 1.0, "sps": 1.0, "samples/s": 1.0, "samples/sec": 1.0, "samples/second": 1.0,
+    "hz": 1.0, "1/s": 1.0, "/s": 1.0, "1/sec": 1.0, "/sec": 1.0, "per second": 1.0, "k": 1e3,
+    "s/s": 1.0, "sps": 1.0, "samples/s": 1.0, "samples/sec": 1.0, "samples/second": 1.0,
     "samples per second": 1.0, "hertz": 1.0, "khz": 1e3, "ks/s": 1e3, "ksps": 1e3, "kilohertz": 1e3, "mhz": 1e6,
     "ms/s": 1e6,
 }  # fmt: skip
@@ -58,7 +62,7 @@ def read_preamble(lines: Sequence[TextLine], *, decimal: str = "") -> Preamble:
     named: dict[str, str] = {}
     notes: list[str] = []
     for line in lines:
-        match = _ENTRY.match(line.text)
+        match = _ENTRY.match(line.text) or _BARE.match(line.text)
         if match is None:
             continue
         key, value = " ".join(match["key"].split()), match["value"].strip()
@@ -90,13 +94,14 @@ def _rate(key: str, value: str, decimal: str) -> float | str | None:
     is_rate, is_interval = _RATE.fullmatch(name), _INTERVAL.fullmatch(name)
     if not (is_rate or is_interval or _COUNTED.fullmatch(name) or name == "rate"):
         return None
-    match = _NUMBER.match(value)
-    written = "" if match is None else match["number"].strip()
+    match = _NUMBER.match(_ONE_PER.sub(" /", value))
+    written = "" if match is None else match["number"].strip(" ,")
     number = _number(written, decimal)
     if match is None or number is None or not number > 0:
         both = two_readings(written)
         return f"the {name} {value} ({both}?)" if both else None
-    unit = (match["unit"] or unit).strip().rstrip(".").lower()
+    # a separator may stand between number and unit
+    unit = ((match["unit"] or "").strip(' \t;|,"') or unit).strip().rstrip(".").lower()
     if is_interval:
         step = _SECONDS.get(unit)
         return f"the {name} {value} without a known unit" if step is None else _inverse(number * step)
