@@ -223,3 +223,25 @@ def test_numbers_equal_those_of_lvm_read(tmp_path: Path, x_columns: str) -> None
     for name in "ab":
         column = theirs["Channel names"].index(name)
         assert theirs["data"][:, column].tolist() == ours.columns[name].tolist()
+
+
+@pytest.mark.parametrize("cut", [1, 3, 8, 200])
+@pytest.mark.parametrize("x_columns", ["One", "No"])
+def test_a_file_that_is_cut_short_is_noted(tmp_path: Path, cut: int, x_columns: str) -> None:
+    speed = [1000.0 + index for index in range(40)]
+    path = written(tmp_path, text([("speed_rpm", "rpm", 0.001, speed)], x_columns=x_columns), x_columns=x_columns)
+    whole = path.read_bytes().rstrip(b"\r\n")
+    assert not any("cut short" in note for note in read_lvm(path).notes)
+    path.write_bytes(whole[:-cut])
+    rows = whole[:-cut].count(b"\n") - whole[: whole.index(b"X_Value")].count(b"\n")
+    table = read_lvm(path)
+    notes = " ".join(table.notes)
+    assert "the last row has no line end and its last number may be cut off" in notes
+    assert (f"the header states 40 samples and the file has {rows} rows: it is cut short" in notes) == (rows < 40)
+    assert table.columns["speed_rpm"].tolist() == speed[: rows - 1]
+
+
+def test_a_last_row_without_a_line_end_is_whole(tmp_path: Path) -> None:
+    path = written(tmp_path, text([("torque_Nm", "Nm", 0.001, sine())]))
+    path.write_bytes(path.read_bytes().rstrip(b"\r\n"))
+    assert read_lvm(path).columns["torque_Nm"].size == 40

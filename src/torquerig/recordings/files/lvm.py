@@ -40,6 +40,8 @@ def read_lvm(path: Path) -> Table:
     _refuse_different(path, segments, headers)
     skipped: dict[str, str] = {"Comment": "remarks"} if any(segment.has_remarks for segment in segments) else {}
     notes = [f"{len(segments)} segments are joined in the order of the file"] if len(segments) > 1 else []
+    notes += [f"segment {number}: {one.note}" if len(segments) > 1 else one.note
+              for number, one in enumerate(segments, 1) if one.note]  # fmt: skip
     offsets = _segment_starts(segments, headers)
     remarks: dict[str, list[str]] = {}
     signals = [index for index, label in enumerate(first.labels) if label != X_LABEL]

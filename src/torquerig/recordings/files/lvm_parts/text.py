@@ -16,6 +16,8 @@ from torquerig.recordings.files.text_tables.cells import Dialect
 
 END = b"***End_of_Header***"
 X_LABEL = "X_Value"
+# rows above a last one that are enough to see that it is cut off
+_COMPARED = 20
 _SPECIAL = re.compile(rb"^\*\*\*Start_Special.*?(?:^\*\*\*End_Special[^\n]*|\Z)", re.DOTALL | re.MULTILINE)
 
 
@@ -37,6 +39,8 @@ class Segment:
         Decimal places of the printed X values.
     has_remarks : bool
         Whether a row has text in the column of remarks.
+    note : str
+        Why the file seems to be cut short; empty where it does not.
     """
 
     tags: Mapping[str, list[str]]
@@ -45,6 +49,7 @@ class Segment:
     blank: list[NDArray[np.bool_]]
     decimals: int
     has_remarks: bool
+    note: str = ""
 
 
 def segments_of(path: Path) -> list[Segment]:
@@ -151,6 +156,7 @@ def _segment(
             f"{path}:{number}: a row of numbers comes before the line of labels that starts with {X_LABEL}; save the "
             "file again"
         )
+    body, note = _without_cut_row(body, tags, labels, dialect)
     rows = Rows(path, number + 1, body, labels, dialect, _fewer(tags, labels))
     columns, blank, has_remarks = rows.parsed()
     return Segment(
@@ -160,7 +166,36 @@ def _segment(
         blank=blank,
         decimals=_decimals(body, dialect),
         has_remarks=has_remarks,
+        note=note,
     )
+
+
+def _without_cut_row(
+    body: bytes, tags: Mapping[str, list[str]], labels: list[str], dialect: Dialect
+) -> tuple[bytes, str]:
+    """Return the rows without a last one that may end within a number, and a sentence about it.
+
+    LabVIEW ends each row with a line end, and states the number of rows in ``Samples``.
+    """
+    rows = sum(1 for line in body.split(b"\n") if line.strip())
+    stated = max(counts_of(aligned(tags, labels).get("Samples", {})).values(), default=0)
+    ends = [decoded(line).rstrip("\r") for line in body.split(b"\n")[-_COMPARED - 1 :]]
+    # a row without its last cells is refused with its line
+    is_open = rows > 1 and bool(ends[-1]) and len({line.count(dialect.separator) for line in ends[-2:]}) == 1
+    is_short = 0 < rows < stated
+    is_cut = is_open and (is_short or _ends_early(ends, dialect))
+    if not is_short and not is_cut:
+        return body, ""
+    parts = [f"the header states {stated} samples and the file has {rows} rows: it is cut short"] if is_short else []
+    parts += ["the last row has no line end and its last number may be cut off; it is not read"] if is_cut else []
+    return body[: body.rfind(b"\n") + 1] if is_cut else body, "; ".join(parts)
+
+
+def _ends_early(lines: list[str], dialect: Dialect) -> bool:
+    """Return whether the last number has fewer decimals than all of those at the ends of the rows above it."""
+    ends = [line.rstrip().rpartition(dialect.separator)[2] for line in lines]
+    decimals = [len(end.partition(dialect.decimal)[2]) for end in ends if end]
+    return len(set(decimals[:-1])) == 1 and decimals[-1] < decimals[0]
 
 
 def aligned(tags: Mapping[str, list[str]], labels: list[str]) -> dict[str, dict[int, str]]:
