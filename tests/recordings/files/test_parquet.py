@@ -68,3 +68,13 @@ def test_units_of_fields_and_other_kinds(tmp_path: Path) -> None:
     assert table.columns["on"][0] == 1
     assert np.isnan(table.columns["on"][1])
     assert table.skipped == {"word": "values of the type string"}
+
+
+@pytest.mark.parametrize("name", ["ts", "Moment", "date"])
+def test_the_only_column_of_moments_is_the_time(tmp_path: Path, name: str) -> None:
+    moments = [START + timedelta(milliseconds=index) for index in range(300)]
+    parquet.write_table(pa.table({name: moments, "torque_Nm": TORQUE}), tmp_path / "run.parquet")
+    table = both_ways(tmp_path / "run.parquet")
+    assert list(table.columns) == ["time_s", "torque_Nm"]
+    assert f"{name} is called time_s" in table.notes
+    assert open_stream(tmp_path / "run.parquet").sample_rate == 1000

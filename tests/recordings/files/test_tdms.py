@@ -192,3 +192,12 @@ def test_the_private_members_of_nptdms_are_there(tmp_path: Path) -> None:
             kind = getattr(importlib.import_module(module), name)
             assert isinstance(things.get(place, kind), kind) or things.get(place, kind) is kind
             assert [member for member in members if not hasattr(things.get(place, kind), member)] == []
+
+
+def test_the_unit_that_daqmx_logs(tmp_path: Path) -> None:
+    path = written(
+        tmp_path / "run.tdms",
+        ("a", "Torque", np.arange(9.0), {"wf_increment": 1e-3, "NI_UnitDescription": "Nm"}),
+        ("a", "Speed", np.arange(9.0), {"wf_increment": 1e-3, "unit_string": "rpm", "NI_UnitDescription": "Volts"}),
+    )
+    assert read_tdms(path).units == {"Torque": "Nm", "Speed": "rpm"}

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.recordings.names.time_column import time_column
+
 _SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 # where pandas stores the index of a table
 _INDEX, _INDEX_NAME = "__index_level_0__", "time"
@@ -79,6 +81,12 @@ def schema_of(schema: Any) -> Schema:
             notes.append(f"{name}: moments are read in seconds after the first")
         elif pa.types.is_boolean(kind):
             notes.append(f"{name}: true and false are read as 1 and 0")
+    moments = [name for name, column in columns.items() if column.tick]
+    if len(moments) == 1 and time_column(columns, units) is None and "time_s" not in columns:
+        # the only column of moments is the time whatever its name
+        columns = {"time_s" if name in moments else name: column for name, column in columns.items()}
+        units = {"time_s" if name in moments else name: unit for name, unit in units.items()}
+        notes.append(f"{moments[0]} is called time_s")
     return Schema(columns=columns, units=units, skipped=skipped, notes=tuple(notes))
 
 

@@ -126,7 +126,8 @@ def channels_in(file: Any) -> TdmsChannels:
     """Return the channels of an open file; ``group/name`` where two groups share a name."""
     every = [channel for group in file.groups() for channel in group.channels()]
     doubled = {name for name, count in Counter(channel.name for channel in every).items() if count > 1}
-    channels, rates, units, skipped, starts = {}, {}, {}, {}, {}
+    channels, rates, skipped, starts = {}, {}, {}, {}
+    units: dict[str, str] = {}
     for channel in every:
         name = f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name
         reason = _reason(channel)
@@ -138,8 +139,9 @@ def channels_in(file: Any) -> TdmsChannels:
         if increment > 0:
             rates[name] = shortest_rate(1 / increment, tolerance=1e-11)
         starts[name] = _start(channel)
-        if _text(channel, "unit_string"):
-            units[name] = _text(channel, "unit_string")
+        # of DIAdem, and of DAQmx where it logs to the file
+        unit = _text(channel, "unit_string") or _text(channel, "NI_UnitDescription")
+        units |= {name: unit} if unit else {}
     return TdmsChannels(
         channels=channels, rates=rates, units=units, skipped=skipped, notes=late_starts(starts, rates),
         sidecar=str(file.properties.get(SIDECAR_KEY, "")), starts=starts,

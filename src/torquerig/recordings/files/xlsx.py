@@ -1,8 +1,8 @@
-"""Excel workbooks: the first sheet that holds a table of numbers."""
+"""Excel workbooks: the sheet that holds the longest table of numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from datetime import date, time, timedelta
 from pathlib import Path
 from warnings import catch_warnings, simplefilter
@@ -11,6 +11,7 @@ from zipfile import ZipFile
 from torquerig.errors import RecordingError
 from torquerig.recordings.files.csv import table_of
 from torquerig.recordings.files.number_table import Table
+from torquerig.recordings.files.text_tables.parsing import FaultyCellError
 from torquerig.recordings.files.text_tables.source import TextSource
 
 # the unpacked sheets [bytes]: half a million rows of ten columns; read, they take four times as much memory
@@ -27,29 +28,54 @@ _SAVE_AGAIN = "open it in Excel and save it again"
 
 
 def read_xlsx(path: Path, only: Collection[str] = ()) -> Table:
-    """Read the first sheet that holds rows of numbers, as :func:`~torquerig.recordings.files.csv.read_csv`.
+    """Read the sheet with the longest table of numbers, as :func:`~torquerig.recordings.files.csv.read_csv`.
 
-    Formulas are read as the values that Excel saved. Dates and times are time stamps.
+    Formulas are read as the values that Excel saved. Dates and times are time stamps. Other sheets are noted.
 
     Raises
     ------
     RecordingError
-        For a damaged workbook, one that unpacks to more than 256 MiB or 200 times its size, and one without a table.
+        For a damaged workbook, one that unpacks to more than 256 MiB or 200 times its size, and one without a table;
+        for a cell that is no number in a sheet that is longer than the others.
     """
-    problems = []
+    tables: dict[str, Table] = {}
+    problems: dict[str, str] = {}
+    faulty: dict[FaultyCellError, int] = {}
     for title, text in _sheets(path):
         try:
             table = table_of(TextSource(path=path, content=text), only)
         except RecordingError as error:
-            problems.append(f"the sheet {title!r}: {str(error).removeprefix(f'{path}:')}")
-            continue
-        if table.columns:
-            return Table(
-                columns=table.columns, rates=table.rates, units=table.units, skipped=table.skipped,
-                notes=(f"the sheet {title!r} is read", *table.notes),
-            )  # fmt: skip
-        problems.append(f"the sheet {title!r} has no column of numbers")
-    raise RecordingError(f"{path}: {'; '.join(problems[:3]) or 'the workbook has no sheet'}; save the table as CSV")
+            faulty |= {error: text.count(b"\n")} if isinstance(error, FaultyCellError) else {}
+            problems[title] = str(error).removeprefix(f"{path}:")
+        else:
+            tables |= {title: table} if table.columns else {}
+            problems |= {} if table.columns else {title: " it has no column of numbers"}
+    sizes = {title: _rows(table) for title, table in tables.items()}
+    for one, rows in faulty.items():
+        if rows > max(sizes.values(), default=0):
+            raise one
+    if not tables:
+        listed = "; ".join(f"the sheet {title!r}:{problem}" for title, problem in list(problems.items())[:3])
+        raise RecordingError(f"{path}: {listed or 'the workbook has no sheet'}; save the table as CSV")
+    return _longest(tables, sizes)
+
+
+def _longest(tables: Mapping[str, Table], sizes: Mapping[str, int]) -> Table:
+    """Return the table of the sheet with the most rows, with a note about the others."""
+    read = max(sizes, key=lambda title: sizes[title])
+    others = [f"{title!r} ({rows} row{'s' * (rows != 1)})" for title, rows in sizes.items() if title != read]
+    notes = [f"the sheet {read!r} is read"]
+    if others:
+        notes.append(f"other sheets with numbers are not read: {', '.join(others)}; save one as CSV to read it")
+    found = tables[read]
+    return Table(
+        columns=found.columns, rates=found.rates, units=found.units, skipped=found.skipped,
+        notes=(*notes, *found.notes),
+    )  # fmt: skip
+
+
+def _rows(table: Table) -> int:
+    return max(values.size for values in table.columns.values())
 
 
 def _sheets(path: Path) -> Iterator[tuple[str, bytes]]:
