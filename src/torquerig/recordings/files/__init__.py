@@ -27,7 +27,7 @@
 ``lvm``                 read: the LabVIEW measurement text; its segments, rows and rates are in ``lvm_parts``
 ``wav``                 read: shares of full scale
 ``hdf5``, ``mdf``       read: plain datasets; MDF4 through asammdf
-``other_formats``       the export to choose for formats that are not read
+``other_formats``       the export to choose for formats that are not read; contents under another ending
 ``child_reading``       reading in a process of its own, for libraries that a damaged file can bring down
 ======================= ===========================================================================
 """

@@ -15,7 +15,7 @@ from torquerig.recordings.files.lvm import read_lvm
 from torquerig.recordings.files.mat import read_mat
 from torquerig.recordings.files.mdf import read_mdf
 from torquerig.recordings.files.number_table import Table
-from torquerig.recordings.files.other_formats import export_for
+from torquerig.recordings.files.other_formats import export_for, other_content
 from torquerig.recordings.files.parquet import read_parquet
 from torquerig.recordings.files.plain_names import with_plain_names
 from torquerig.recordings.files.sidecar import ChannelEntry, Sidecar
@@ -111,7 +111,7 @@ def _table(path: Path, only: Collection[str]) -> Table:
 
 
 def check_readable(path: Path) -> None:
-    """Raise InputError for a missing file, a folder, a sidecar, or an ending of no known format."""
+    """Raise InputError for a missing file, a folder, a sidecar, and an ending of no known or of another format."""
     if path.is_dir():
         raise InputError(f"{path}: is a folder; name a recording in it")
     if not path.exists():
@@ -121,6 +121,9 @@ def check_readable(path: Path) -> None:
     ending = path.suffix.lower()
     if ending == ".yaml":
         raise InputError(f"{path}: is a sidecar; name its table file ({path.stem}.parquet, {path.stem}.csv, ...)")
+    content = "" if ending in readers().keys() - READERS.keys() else other_content(path)
+    if content:
+        raise InputError(f"{path}: {content}")
     if ending not in readers():
         export = export_for(ending)
         if export:
