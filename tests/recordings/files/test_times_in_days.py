@@ -63,3 +63,12 @@ def test_dates_that_a_number_cannot_hold_are_refused(tmp_path: Path) -> None:
     savemat(tmp_path / "run1.mat", {"Time": times, "Torque": np.sin(times)})
     with pytest.raises(RecordingError, match=r"dates written as one number \(20240305101159\)"):
         open_stream(tmp_path / "run1.mat")
+
+
+@pytest.mark.parametrize("name", ["time_d", "Time (days)", "Zeit in Tagen", "time_days"])
+@pytest.mark.parametrize("rate", [0.37, 7.3, 1000.0])
+def test_days_that_the_name_states(tmp_path: Path, name: str, rate: float) -> None:
+    path = written(tmp_path / "run1.csv", [f"{k / rate / DAY:.14f}" for k in range(300)], name)
+    assert read_recording(path).sample_rate == pytest.approx(rate, rel=1e-5)
+    assert open_stream(path).sample_rate == pytest.approx(rate, rel=1e-5)
+    assert join_recordings([path]).recording.sample_rate == pytest.approx(rate, rel=1e-5)

@@ -22,6 +22,7 @@ _WRITTEN_DATE = re.compile(
     r"(?:19[7-9]|20[0-9])[0-9](?:0[1-9]|1[0-2])(?:0[1-9]|[12][0-9]|3[01])(?:[01][0-9]|2[0-3])[0-5][0-9][0-5][0-9]"
 )
 _DAY = 86_400.0  # [s]
+_IN_DAYS = re.compile(r"(?:[\[(/_]|\bin )\s*(?:d|days?|tagen?)[\])]?$", re.IGNORECASE)
 # a rate below which the order lines of a shaft are not seen [Hz], and samples from which the question is worth asking
 _SLOW, _MANY = 20.0, 100
 # largest difference of two rates that are the same [1]
@@ -55,6 +56,8 @@ def unit_evidence(
     RecordingError
         Where two units are possible.
     """
+    if _IN_DAYS.search(name.strip()):
+        return _DAY, f"the column {name} is the time, in days"
     if stated is not None:
         for word, seconds in _SECONDS.items():
             if abs(timing.rate / seconds / stated - 1) <= max(_SAME, timing.uncertainty):
@@ -99,8 +102,8 @@ def _seconds_or_days(timing: Timing, *, first: float, samples: int, name: str, w
         return 1.0, ""
     raise RecordingError(
         f"{where}: {name} states no unit: its times show {timing.rate:.6g} Hz if they are seconds, and "
-        f"{timing.rate / _DAY:.6g} Hz if they are days; name it time_s if they are "
-        "seconds, or write the true one as sample_rate_Hz into a sidecar"
+        f"{timing.rate / _DAY:.6g} Hz if they are days; name it time_s or time_d, or "
+        "write sample_rate_Hz into a sidecar"
     )
 
 
