@@ -146,3 +146,17 @@ def test_a_column_that_is_no_time_stays(name: str, values: np.ndarray) -> None:
 def test_a_sidecar_names_a_channel_of_times() -> None:
     table = Table(columns={"time_s": T, "torque": TORQUE, "Time 2 [s]": 10 * T, "speed": SPEED})
     assert with_own_times(table, kept=["torque", "Time 2"]) is table
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_damaged_times_are_no_traceback(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    bad = [np.nan, np.inf, -np.inf, 1e308, -1e308, 0.0]
+    for names in [("t_a", "a", "t_b", "b"), ("time_s", "a", "Time 2", "b"), ("Time", "Zeit", "a", "b")] * 20:
+        columns = {name: T[:200] * random.choice([1.0, 10.0, 1e300]) for name in names}
+        for values in columns.values():
+            values[random.integers(0, 200, random.integers(0, 4))] = random.choice(bad)
+            values[random.choice([200, 200, 150, 1, 0]) :] = np.nan
+        table = with_own_times(Table(columns=columns))
+        assert set(table.columns) <= {*names, "time_s"}
+    assert not with_own_times(Table(columns={"t_a": T[:0], "a": T[:0], "t_b": T[:1], "b": T[:1]})).rates

@@ -109,8 +109,9 @@ def _stays_same(one: _Reading, leader: _Reading) -> bool:
 
 def _first(column: TimeColumn, times: NDArray[np.float64]) -> _Reading:
     times = _whole(times) * column.seconds
-    if times.size < 2:
-        nothing = Timing(rate=float("nan"), problem="has fewer than 2 times")
+    if times.size < 2 or not np.isfinite(np.diff(times)).all():
+        problem = "has fewer than 2 times" if times.size < 2 else "has times that are no finite numbers"
+        nothing = Timing(rate=float("nan"), problem=problem)
         return _Reading(column=column, seconds=column.seconds, start=0.0, timing=nothing, problem=nothing.problem)
     timing, steps = timing_of(times, name=column.name), np.diff(times)
     seconds, problem = 1.0, timing.problem

@@ -88,15 +88,17 @@ def pieces_with_own_times(table: TablePieces, *, kept: Collection[str] = ()) -> 
     )
 
 
+@np.errstate(all="ignore")  # damaged times are refused by what they show
 def own_times(table: TablePieces, *, kept: Collection[str] = ()) -> OwnTimes | None:
     """Return what the columns of times mean for the others; None where there is at most the usual one."""
     times = _times(table, kept)
     if len(times) < 2:
         return None
-    head = next(iter(table.pieces([one.name for one in times])), {})
+    first = next(iter(table.pieces([one.name for one in times])), {})
+    head = {one.name: first.get(one.name, np.empty(0)) for one in times}
     named = set(named_pairs(table.names, [one.name for one in times]).values())
     # times that belong to a column by name are times even where they are faulty
-    times = [one for one in times if one.name in named or is_rising(head.get(one.name, np.empty(0)))]
+    times = [one for one in times if one.name in named or is_rising(head[one.name])]
     if len(times) < 2:
         return None
     clocks, leaders = clocks_of(table, times, head)
