@@ -201,3 +201,21 @@ def test_the_unit_that_daqmx_logs(tmp_path: Path) -> None:
         ("a", "Speed", np.arange(9.0), {"wf_increment": 1e-3, "unit_string": "rpm", "NI_UnitDescription": "Volts"}),
     )
     assert read_tdms(path).units == {"Torque": "Nm", "Speed": "rpm"}
+
+
+@pytest.mark.parametrize("name", ["Time", "ts", "Zeit"])
+@pytest.mark.parametrize("largest", [tdms_pieces.PIECE, 10])
+def test_time_stamps_are_the_times(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, largest: int) -> None:
+    monkeypatch.setattr(tdms_pieces, "_LARGEST_CHUNK", largest)
+    stamps = np.datetime64("2026-01-01T00:00:00") + (np.arange(500) * 1000).astype("timedelta64[us]")
+    path = written(tmp_path / "run.tdms", ("g", name, stamps, {}), ("g", "torque_Nm", np.arange(500.0), {}))
+    recording, stream = read_recording(path), open_stream(path)
+    assert (list(recording.channels), recording.sample_rate, stream.sample_rate) == (["torque_Nm"], 1000, 1000)
+    pieces = [one["torque_Nm"] for one in stream.table.pieces(["torque_Nm"])]
+    assert np.array_equal(np.concatenate(pieces), np.arange(500.0))
+
+
+def test_a_stated_increment_goes_before_time_stamps(tmp_path: Path) -> None:
+    stamps = np.datetime64("2026-01-01T00:00:00") + np.arange(9).astype("timedelta64[s]")
+    path = written(tmp_path / "run.tdms", ("g", "Time", stamps, {}), ("g", "a", np.arange(9.0), {"wf_increment": 1e-3}))
+    assert read_tdms(path).skipped == {"Time": "time stamps"}

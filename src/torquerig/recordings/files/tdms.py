@@ -20,17 +20,20 @@ from torquerig.recordings.files.sidecar_text import SIDECAR_KEY, sidecar_text
 from torquerig.recordings.files.starts import late_starts
 from torquerig.recordings.files.table_pieces import PIECE
 from torquerig.recordings.files.timing import shortest_rate
+from torquerig.recordings.names.time_column import time_column
 from torquerig.recordings.recording import Recording
 
 _LEAD_IN = 28  # bytes that every segment begins with
+_EPOCH = np.datetime64("2000-01-01")
 _CUT_SHORT = ("incomplete", "less data", "multiple of the chunk", "Cropping")
 
 
 def read_tdms(path: Path) -> Table:
     """Read the channels of numbers, scaled as the file states; a name that two groups share becomes ``group/name``.
 
-    Texts, time stamps, channels without samples and channels over another axis than time are skipped by name. Each
-    channel has the rate of its waveform, so that groups of several rates can be read.
+    Texts, channels without samples and channels over another axis than time are skipped by name. Each channel has the
+    rate of its waveform, so that groups of several rates can be read. Time stamps are the times where no channel
+    states its increment.
 
     Raises
     ------
@@ -57,9 +60,13 @@ def read_tdms(path: Path) -> Table:
 
 
 def numbers_of(samples: Any) -> NDArray[np.float64]:
-    """Return samples as float64; a damaged float may be a signalling NaN."""
+    """Return samples as float64, time stamps in seconds since 2000; a damaged float may be a signalling NaN."""
+    array = np.asarray(samples)
     with np.errstate(invalid="ignore"):
-        return np.asarray(samples, dtype=np.float64)
+        if array.dtype.kind == "M":
+            seconds = (array - _EPOCH) / np.timedelta64(1, "us") * 1e-6
+            return np.where(np.isnat(array), np.nan, seconds)
+        return np.asarray(array, dtype=np.float64)
 
 
 def write_tdms(recording: Recording, path: Path) -> None:
@@ -128,8 +135,13 @@ def channels_in(file: Any) -> TdmsChannels:
     doubled = {name for name, count in Counter(channel.name for channel in every).items() if count > 1}
     channels, rates, skipped, starts = {}, {}, {}, {}
     units: dict[str, str] = {}
+    stamps = _stamps(every)
     for channel in every:
         name = f"{channel.group_name}/{channel.name}" if channel.name in doubled else channel.name
+        if channel in stamps:
+            name = name if time_column([name], {name: "s"}) else "time_s"
+            channels[name], units[name] = channel, "s"
+            continue
         reason = _reason(channel)
         if reason:
             skipped[name] = reason
@@ -146,6 +158,18 @@ def channels_in(file: Any) -> TdmsChannels:
         channels=channels, rates=rates, units=units, skipped=skipped, notes=late_starts(starts, rates),
         sidecar=str(file.properties.get(SIDECAR_KEY, "")), starts=starts,
     )  # fmt: skip
+
+
+def _stamps(every: list[Any]) -> list[Any]:
+    """Return the channels of time stamps that are times: where no channel states its increment.
+
+    Where their names do not show it, only one of them can be the time.
+    """
+    if any(_number(channel, "wf_increment") > 0 for channel in every):
+        return []
+    stamps = [channel for channel in every if len(channel) > 1 and channel.dtype.kind == "M"]
+    named = [channel for channel in stamps if time_column([channel.name], {channel.name: "s"})]
+    return named or (stamps if len(stamps) == 1 else [])
 
 
 def _reason(channel: Any) -> str:
@@ -166,7 +190,7 @@ def _start(channel: Any) -> float:
     moment = channel.properties.get("wf_start_time")
     whole = 0.0
     if isinstance(moment, np.datetime64):
-        whole = float((moment - np.datetime64("2000-01-01")) / np.timedelta64(1, "us")) * 1e-6
+        whole = float((moment - _EPOCH) / np.timedelta64(1, "us")) * 1e-6
     return whole + _number(channel, "wf_start_offset")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +83,9 @@ def _pieces(path: Path, names: Sequence[str]) -> Iterator[Columns]:
             every = channels_in(file).channels
             named = {name: every[name] for name in names}
             spans = {
-                name: _spans(file, channel.path) if _largest_chunk(file, channel.path) > _LARGEST_CHUNK else None
+                name: _spans(file, channel.path)
+                if channel.dtype.kind != "M" and _largest_chunk(file, channel.path) > _LARGEST_CHUNK
+                else None
                 for name, channel in named.items()
             }
             starts = range(0, max((len(channel) for channel in named.values()), default=0), PIECE)
@@ -139,8 +141,8 @@ def _spans(file: Any, path: str) -> Spans:
     spans: Spans = []
     for segment in file._reader._segments:
         objects = segment._get_data_objects()
-        order = ">" if segment.toc_mask & toc_properties["kTocBigEndian"] else "<"
-        kinds = [one.data_type.nptype.newbyteorder(order) for one in objects]
+        order: Literal[">", "<"] = ">" if segment.toc_mask & toc_properties["kTocBigEndian"] else "<"
+        kinds = [_kind(one.data_type).newbyteorder(order) for one in objects]
         widths = [kind.itemsize for kind in kinds]
         interleaved = segment._have_interleaved_data()
         position = segment.data_position
@@ -153,3 +155,8 @@ def _spans(file: Any, path: str) -> Spans:
             if interleaved:
                 position += sum(widths) * (int(objects[0].number_values) - 1)
     return spans
+
+
+def _kind(data_type: Any) -> np.dtype[Any]:
+    """Return the type of the stored values; time stamps, for which npTDMS has none, as bytes."""
+    return np.dtype(f"V{data_type.size}") if data_type.nptype is None else data_type.nptype
