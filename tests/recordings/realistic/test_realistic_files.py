@@ -46,6 +46,16 @@ def test_it_opens_and_says_what_it_is(name: str, tmp_path: Path, capsys: pytest.
         one = recording.channels[channel]
         assert (one.quantity, one.unit) == (quantity, unit)
         assert one.values.mean() == pytest.approx(mean, abs=0.1)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", FILES)
+def test_ordermap_finds_its_lines(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ending, make = FILES[name]
+    path = tmp_path / f"run{ending}"
+    right = make(path)
+    if right.edits:
+        edited(path, right)
     capsys.readouterr()
     main(("ordermap", str(path)))
     shown = capsys.readouterr().out
