@@ -207,6 +207,23 @@ def _inch_pounds(path: Path) -> Right:
     return Right(rate=5000, torque="Torque")
 
 
+def _epoch(path: Path) -> Right:
+    data = signals(1000)
+    stamps = 1620814272000 + (data["time"] * 1e3).round().astype(np.int64)
+    rows = "".join(f"{t};{v:.5f}\n" for t, v in zip(stamps, data["torque"], strict=True))
+    path.write_text("Timestamp;Torque [Nm]\n" + rows)
+    return Right(rate=1000, torque="Torque")
+
+
+def _oscilloscope(path: Path) -> Right:
+    head = "Time,Channel A\n(ms),(V)\n\n"
+    _text(path, head, ("time", "torque"), scale={"time": 1e3, "torque": 0.1})
+    edits = (("  Channel A: {quantity: voltage, unit: V}", "  # Channel A:"),
+             ("# EDIT, if it is the torque: Channel A: {quantity: torque, unit: V, Nm_per_V: NUMBER}",
+              "Channel A: {quantity: torque, unit: V, Nm_per_V: 10}"))  # fmt: skip
+    return Right(rate=5000, torque="Channel A", edits=edits)
+
+
 def _overload(path: Path) -> Right:
     data = signals(5000)
     rows = "".join(f"{t:.4f},{v:.5f},OVLD\n" for t, v in zip(data["time"], data["torque"], strict=True))
@@ -223,5 +240,6 @@ TEXTS: dict[str, tuple[str, Callable[[Path], Right]]] = {
     "no rate": (".csv", _no_rate), "no unit": (".csv", _no_unit), "volts": (".csv", _volts),
     "unknown units": (".csv", _unknown_units), "newton meters": (".dat", _newton_meters),
     "inch pounds": (".tsv", _inch_pounds), "overload": (".csv", _overload),
+    "epoch": (".csv", _epoch), "oscilloscope": (".csv", _oscilloscope),
 }  # fmt: skip
 """The text files: ending and maker of each."""

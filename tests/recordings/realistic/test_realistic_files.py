@@ -65,4 +65,4 @@ def test_ordermap_finds_its_lines(name: str, tmp_path: Path, capsys: pytest.Capt
 def test_there_are_files_of_eight_formats() -> None:
     endings = {ending for ending, _ in FILES.values()}
     assert len(endings) >= 8
-    assert len(FILES) >= 38
+    assert len(FILES) >= 40
