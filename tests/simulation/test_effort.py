@@ -34,7 +34,7 @@ def test_a_rig_that_needs_steps_without_end_is_refused(setting: str, steps: str)
     with pytest.raises(SimulationError, match="integration steps a sample for") as refused:
         simulate(_rig(setting), duration=0.01, seed=1)
     assert steps in str(refused.value)
-    assert "and 50 are the most" in str(refused.value)
+    assert "and 400 are the most" in str(refused.value)
 
 
 @pytest.mark.parametrize("part", ["coupling", "gearbox"])

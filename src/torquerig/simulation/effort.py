@@ -10,7 +10,7 @@ from torquerig.simulation.lower import Lowered
 from torquerig.simulation.step_choice import Rate, StepChoice
 
 MOST_SAMPLES = 10_000_000  # of a run with its settling; they take about 1 GB, and 400 s at 25 kHz
-MOST_STEPS = 1_250_000.0  # [1/s] 50 a sample at 25 kHz: a mode at 120 kHz, which no torque sensor shows
+MOST_STEPS = 1e7  # [1/s] 400 a sample at 25 kHz: a second of the rig takes some ten seconds
 
 
 def refuse_long(span: Span) -> None:
