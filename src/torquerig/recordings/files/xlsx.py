@@ -84,9 +84,10 @@ def _sheets(path: Path) -> Iterator[tuple[str, bytes]]:
 
     _check_parts(path)
     try:
-        with catch_warnings():
+        # opened here, because openpyxl 3.1.0 leaves a damaged file open
+        with catch_warnings(), path.open("rb") as raw:
             simplefilter("ignore")  # of styles and extensions that do not matter here
-            book = openpyxl.load_workbook(path, read_only=True, data_only=True)
+            book = openpyxl.load_workbook(raw, read_only=True, data_only=True)
             texts = []
             for sheet in book.worksheets:
                 sheet.reset_dimensions()  # the stated ones may be those of an empty sheet of a million rows
