@@ -88,8 +88,8 @@ def _cut_row(body: bytes, layout: Layout) -> bytes:
         return b""
     if family_of(cells[0], layout.dialect.separator) not in (layout.families[0], "missing", EMPTY):
         return b""
-    if len(cells) <= places[-1]:
-        return b""  # a row without some of its cells is reported
+    if not places[-1] < len(cells) <= len(layout.families):
+        return b""  # a row with fewer or more cells is reported
     last = len(cells) - 1
     if layout.families[last] != NUMBER or form_of(cells[last]) == "":
         return b""
