@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from torquerig.orders.angle.best_angle import MotorSpeed
 
 LARGE = 2**26
-"""From this size on [bytes] it is told that a file could not be read in pieces."""
+"""From this size on [bytes] info says that a file could not be read in pieces."""
 
 
 @click.command("info")

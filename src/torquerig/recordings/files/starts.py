@@ -1,4 +1,4 @@
-"""Channels that start earlier or later than the first one: told below one sample, refused from there on."""
+"""Channels that start earlier or later than the first one: noted below one sample, refused from there on."""
 
 from __future__ import annotations
 

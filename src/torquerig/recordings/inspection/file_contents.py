@@ -160,7 +160,7 @@ def _rate_by_time(table: TablePieces, time: str | None, path: Path) -> float | N
     try:
         return timed(table, time, stated=None, path=path)[1].rate
     except (RecordingError, StopIteration):
-        return None  # told as the file's problem
+        return None  # reported as the problem of the file
 
 
 def _problem(path: Path) -> str:
