@@ -142,7 +142,7 @@ def test_each_is_described(fault: type[DrawnFault]) -> None:
 
 
 def test_every_module_of_a_fault_is_in_the_registry() -> None:
-    shared = {"__init__", "registry", "drawn_fault", "measured", "moments", "parameter_table"}
+    shared = {"__init__", "registry", "counter_steps", "drawn_fault", "measured", "moments", "parameter_table"}
     modules = {path.stem for path in Path(str(package.__file__)).parent.glob("*.py")} - shared
     assert modules == {each.__module__.rpartition(".")[2] for each in FAULTS}
     assert len(BY_NAME) == len(FAULTS)

@@ -9,9 +9,8 @@ import numpy as np
 
 from torquerig.parameter import Parameter
 from torquerig.recordings.recording import Recording
+from torquerig.synthetic.faults.counter_steps import with_counter_steps
 from torquerig.synthetic.faults.drawn_fault import Acts, Disturbed, DrawnFault, Whole
-from torquerig.synthetic.faults.measured import counts_name
-from torquerig.synthetic.faults.moments import drawn_moments
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,9 +28,4 @@ class DoubledCounts(DrawnFault):
 
     def disturbed(self, recording: Recording, rng: np.random.Generator) -> Disturbed:
         """Return the recording with the wrong counts, and the sample after each event."""
-        name = counts_name(recording, fault=self.type)
-        values = recording.channels[name].values
-        turns = 1.0 if values[-1] >= values[0] else -1.0
-        off = np.zeros(recording.samples)
-        off[drawn_moments(recording, self.rate, rng, fault=self.type)] = turns * self.counts
-        return Disturbed(recording=recording.with_values(name, values + np.cumsum(off)), affected=off != 0)
+        return with_counter_steps(recording, rng, counts=self.counts, rate=self.rate, fault=self.type)
