@@ -12,6 +12,7 @@
 ``motor_drive``   a motor's drive with its effects and encoder
 ``steady``        mean torques at the set-point
 ``phase_level``   torque lines of the motor's phases at the set-point
+``leading_part``  the part that the set-point belongs to
 ``reading_place`` the part whose torque is measured
 ``mean_by_occupancy`` mean load over the occupancy of the drum
 ================= ===============================================================================

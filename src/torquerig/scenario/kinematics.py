@@ -2,47 +2,102 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from math import prod
 
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.orders.kinematics.stage_kinds import ChainStage, DrivenBackwards, Untoothed
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import Motor
+from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.parts.gear_stage import GearStage
+from torquerig.rig.reading_place import reading_place
+
+
+@dataclass(frozen=True)
+class CrossedStage:
+    """A stage on the way from the driving shaft to a part.
+
+    Parameters
+    ----------
+    part : GearStage
+        The gear or belt.
+    backwards : bool
+        Whether the way enters at its output, as where the scenario lists the parts from the load to the motor.
+    """
+
+    part: GearStage
+    backwards: bool = False
+
+    @property
+    def turns(self) -> float:
+        """Turns of the shaft before it per turn of the shaft behind it, with sign [1]."""
+        return 1 / self.part.ratio if self.backwards else self.part.ratio
+
+    def teeth(self) -> tuple[ChainStage, ...]:
+        """Return its sets of teeth in the order of the way; its ratio alone where none is known."""
+        if not self.part.teeth:
+            return (Untoothed(abs(self.turns)),)
+        return tuple(map(DrivenBackwards, reversed(self.part.teeth))) if self.backwards else self.part.teeth
 
 
 def kinematics_of(rig: Rig) -> Kinematics:
-    """Return poles and slots of the rig's first motor, and ratio and teeth of the gears up to the measured part."""
-    motor = next(iter(rig.parts_of(Motor)), None)
-    gears = gears_to_sensor(rig)
+    """Return poles and slots of the rig's driven or first motor, and ratio and teeth up to the measured part.
+
+    A stage without known teeth counts by its ratio, so that the mesh orders of the other stages are right.
+    """
+    motor, read = leading_motor(rig), reading_place(rig)
+    crossed = stages_to(rig, read)
+    known = any(stage.part.teeth for stage in crossed)
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
         slots=None if motor is None else motor.slots,
-        ratio=turns_to(rig, rig.measured),
-        teeth=tuple(stage for gear in gears for stage in gear.teeth),
+        ratio=turns_to(rig, read),
+        teeth=tuple(teeth for stage in crossed for teeth in stage.teeth()) if known else (),
     )
 
 
 def gears_to_sensor(rig: Rig) -> tuple[GearStage, ...]:
-    """Return the gears from the start of the shaft to the measured part; those of other branches do not count."""
-    return gears_to(rig, rig.measured)
+    """Return the gears between the driving shaft and the measured part; those of other branches do not count."""
+    return gears_to(rig, reading_place(rig))
 
 
 def gears_to(rig: Rig, last: str) -> tuple[GearStage, ...]:
-    """Return the gears from the start of the shaft to the part called ``last``, which may be one of them."""
-    gears: list[GearStage] = []
-    name: str | None = last
-    while name is not None:
-        part = rig.part(name)
-        gears += [part] if isinstance(part, GearStage) else []
-        name = part.after
-    return tuple(reversed(gears))
+    """Return the gears between the driving shaft and the part called ``last``, which may be one of them."""
+    return tuple(stage.part for stage in stages_to(rig, last))
+
+
+def stages_to(rig: Rig, last: str) -> tuple[CrossedStage, ...]:
+    """Return the stages from the driving shaft to the output of the part ``last``, in this order.
+
+    From the start of the shaft where no shaft leads from the driving part to ``last``.
+    """
+    leader = leading_part(rig)
+    known = {part.name for part in rig.parts}
+    first = list(_ancestors(rig, leader)) if leader in known else []
+    then = list(_ancestors(rig, last))
+    meeting = next((name for name in then if name in first), None)
+    if meeting is None:
+        first = []
+    else:
+        first, then = first[: first.index(meeting)], then[: then.index(meeting)]
+    back = [CrossedStage(part, backwards=True) for name in first if isinstance(part := rig.part(name), GearStage)]
+    forth = [CrossedStage(part) for name in reversed(then) if isinstance(part := rig.part(name), GearStage)]
+    return (*back, *forth)
 
 
 def turns_to(rig: Rig, last: str) -> float:
     """Return the turns of the motor per turn of the output of ``last`` [1], without sign."""
-    return abs(prod(gear.ratio for gear in gears_to(rig, last)))
+    return abs(prod(stage.turns for stage in stages_to(rig, last)))
 
 
 def torque_gain(rig: Rig) -> float:
     """Return the steady torque at the measured part per torque of the motor: the gears' ratios times efficiencies."""
-    return prod(abs(gear.ratio) * gear.efficiency for gear in gears_to_sensor(rig))
+    return prod(abs(stage.turns) * stage.part.efficiency for stage in stages_to(rig, reading_place(rig)))
+
+
+def _ancestors(rig: Rig, name: str | None) -> Iterator[str]:
+    """Yield a part, the part that it is fixed to, and so on to the start of the shaft."""
+    while name is not None:
+        yield name
+        name = rig.part(name).after

@@ -13,7 +13,7 @@ from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.recordings.run import Profile, Run
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion, InductionDrive, Motor, SpeedController, TorqueController
+from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.percent import Percent
@@ -65,8 +65,8 @@ class OperatingPoint(BaseModel):
 
 def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
     """Return the conditions of the run on this rig; the file of a profile's table is relative to ``folder``."""
-    motor = next(iter(rig.parts_of(Motor)), None)
-    leader = _leader(rig)
+    motor = leading_motor(rig)
+    leader = leading_part(rig)
     if leader is None:
         return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
                    particle_size=point.load.particle_size, speed=point.motor_speed)  # fmt: skip
@@ -91,13 +91,3 @@ def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
         return replace(run, profile=point.profile)
     course = planned(points, rig.at(run), motor_turns=1 / turned, folder=folder)
     return replace(run, profile=point.profile, set_points=course, speed=course.rows.top)
-
-
-def _leader(rig: Rig) -> str | None:
-    """Return the part that the set-point of the speed belongs to: driven, else imposed, else the motor."""
-    driven: tuple[SpeedController | InductionDrive | TorqueController, ...] = (
-        *rig.parts_of(SpeedController), *rig.parts_of(InductionDrive), *rig.parts_of(TorqueController),
-    )  # fmt: skip
-    names = [part.motor for part in driven] + [part.at for part in rig.parts_of(ImposedMotion)]
-    names += [part.name for part in rig.parts_of(Motor)]
-    return names[0] if names else None

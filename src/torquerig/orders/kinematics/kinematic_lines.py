@@ -8,7 +8,8 @@ from math import isfinite, lcm, pi, prod
 from typing import Literal, get_args
 
 from torquerig.errors import InputError
-from torquerig.orders.kinematics.teeth import Planetary, Teeth
+from torquerig.orders.kinematics.stage_kinds import ChainStage, Toothed, Untoothed, set_of_teeth, untoothed
+from torquerig.orders.kinematics.teeth import Planetary
 
 Family = Literal[
     "shaft",
@@ -68,14 +69,15 @@ class Kinematics:
         Of the motor; None where unknown or not applicable. Lines that need them are then left out.
     ratio : float
         Motor turns per output turn [1], > 0.
-    teeth : tuple of Planetary or Spur
-        The gear stages from the motor to the output; empty where the tooth counts are unknown.
+    teeth : tuple of ChainStage
+        The stages from the motor to the output, those without known teeth by their ratio; empty where no tooth count is
+        known.
     """
 
     pole_pairs: int | None = None
     slots: int | None = None
     ratio: float = 1.0
-    teeth: tuple[Teeth, ...] = ()
+    teeth: tuple[ChainStage, ...] = ()
 
     def __post_init__(self) -> None:
         for name, count in (("pole pairs", self.pole_pairs), ("slots", self.slots)):
@@ -111,8 +113,11 @@ class Kinematics:
         if self.pole_pairs is None or self.slots is None:
             reason = "slots unknown" if self.slots is None else "pole pairs unknown"
             missing |= dict.fromkeys(("cogging_per_pole", "cogging", "slots_times_pole_pairs"), reason)
-        if not self.teeth:
+        if len(open_stages := untoothed(self.teeth)) == len(self.teeth):
             missing["gear_mesh"] = "tooth counts unknown"
+        elif open_stages:
+            listed = " and ".join(f"{stage.ratio:g}:1" for stage in open_stages)
+            missing["gear_mesh"] = f"of the stage of {listed}, whose tooth counts are unknown"
         return {family: missing[family] for family in FAMILIES if family in missing}
 
 
@@ -152,7 +157,7 @@ def kinematic_lines(
     pole_pairs: int | None,
     slots: int | None,
     ratio: float,
-    teeth: tuple[Teeth, ...] = (),
+    teeth: tuple[ChainStage, ...] = (),
     harmonics: int = 4,
 ) -> tuple[KinematicLine, ...]:
     """Return the order lines of a motor and gearbox, the fundamental first in each family.
@@ -181,14 +186,14 @@ def kinematic_lines(
     return tuple(
         KinematicLine(
             family, harmonic, harmonic * motor, harmonic * output, cause, CAUSES[family][1],
-            cancelled=isinstance(stage, Planetary) and harmonic not in stage.torque_harmonics(harmonics),
+            cancelled=_cancelled(stage, harmonic, harmonics),
         )
         for family, motor, output, cause, stage in _fundamentals(kinematics)
         for harmonic in range(1, harmonics + 1)
     )  # fmt: skip
 
 
-def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str, Teeth | None]]:
+def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str, Toothed | None]]:
     """Yield family, motor order, output order and cause of each fundamental, and the stage of a gear mesh."""
     ratio, p, slots = kinematics.ratio, kinematics.pole_pairs, kinematics.slots
     yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], None
@@ -205,9 +210,17 @@ def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float
         if order is not None:
             yield family, float(order), order * ratio, CAUSES[family][0], None
     for position, stage in enumerate(kinematics.teeth):
+        if isinstance(stage, Untoothed):
+            continue
         before = prod(earlier.ratio for earlier in kinematics.teeth[:position])
         after = prod(later.ratio for later in kinematics.teeth[position + 1 :])
         cause = f"{CAUSES['gear_mesh'][0]}: {stage.spoken}"
         yield "gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause, stage
     if p and slots:
         yield "slots_times_pole_pairs", p * slots / ratio, float(p * slots), CAUSES["slots_times_pole_pairs"][0], None
+
+
+def _cancelled(stage: Toothed | None, harmonic: int, harmonics: int) -> bool:
+    """Return whether equal planets cancel a mesh harmonic in the torque."""
+    teeth = None if stage is None else set_of_teeth(stage)
+    return isinstance(teeth, Planetary) and harmonic not in teeth.torque_harmonics(harmonics)

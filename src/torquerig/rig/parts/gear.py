@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import prod
+from math import copysign, prod
 from typing import Annotated, ClassVar, Literal
 
 from torquerig.orders.kinematics.planetary_assembly import RATIO_KEPT, assembly_remedy, nearest_sets
@@ -23,7 +23,7 @@ class Gear(Part):
     Stiffness, damping and backlash are counted at the output; the efficiency acts on the transmitted torque.
     ``planetary_gear`` and ``fixed_axis_gear`` are gears whose teeth are stated; their ratio follows (1 + ring/sun with
     a fixed ring, -ring/sun with a fixed carrier, 1 + sun/ring with a fixed sun; -wheel/pinion, or wheel/pinion into a
-    ring). A stated ratio must agree within 2 % and its sign goes before that of the teeth.
+    ring). A stated ratio must agree within 2 % (it is rounded): the teeth then give its value, and it gives the sign.
 
     Data sheets give the inertia J1 of the whole gearbox referred to its input and not where it sits; it is put on the
     output side of the spring as J1 ratio^2, as the reference rig has it. Which side matters only above the mode of the
@@ -62,6 +62,8 @@ class Gear(Part):
                 f"the teeth give a ratio of {abs(by_teeth):.4g}, but ratio is {self.ratio:g}; correct one of them"
                 + self._nearest()
             )
+        elif self.teeth:
+            object.__setattr__(self, "ratio", copysign(by_teeth, self.ratio))
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the inertias of both sides and the spring between, with the errors and gaps that effects add."""
