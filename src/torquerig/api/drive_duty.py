@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-DURATION = 10.0  # [s] of a ramp or reversal
 _UNITS = {"margin": "K", "use": "1", "until": "s", "rms_torque": "N*m", "peak_torque": "N*m", "rms_current": "A"}
 
 
@@ -86,7 +85,7 @@ class MotorHeat(Result):
 
 def duty(
     scenario: Scenario | str | Path, *, motor: str | None = None, gearbox: str | None = None, ambient: float = 40.0,
-    duration: float = DURATION,
+    duration: float | None = None,
 ) -> MotorHeat:  # fmt: skip
     """Return how hot the motor of a rig becomes when the profile of its scenario is repeated without end.
 
@@ -97,8 +96,8 @@ def duty(
         Another entry of the catalog, where ``scenario`` is a path.
     ambient : float
         Temperature of the surroundings [C].
-    duration : float
-        Length of a profile that states none, such as a ramp [s], > 0.
+    duration : float, optional
+        Length of a profile that states none, such as a ramp [s], > 0; ``recording.duration`` without it.
 
     Returns
     -------
@@ -122,7 +121,7 @@ def duty(
         raise InputError(f"{made.title}: the driven motor is not in the catalog, so that nothing is known of its heat; "
                          "name one with catalog: in the scenario, or with motor=")  # fmt: skip
     points = made.rig.run.set_points
-    length = duration if points is None else points.breakpoints(top=0.0, duration=0.0).length
+    length = duration or made.recording.duration if points is None else points.breakpoints(top=0.0, duration=0.0).length
     warnings = check_requirement(made, made.catalog, duration=length)
     asked = duty_of_requirement(drive_requirement(made.rig, duration=length))
     motors = thermal_variants(entry)

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-SAMPLE_RATE = 25_000.0  # [Hz] of the sampled speed controller
 HIGHEST_SPEED = 3000.0  # [rpm] of the Campbell diagram of a rig without set-point
 BEYOND = 1.5  # times the set-point up to which crossings are listed
 
@@ -101,7 +100,7 @@ class RigModes(Result):
 
 
 def modes(
-    scenario: Scenario | str | Path, *, speed_max: float | None = None, sample_rate: float = SAMPLE_RATE
+    scenario: Scenario | str | Path, *, speed_max: float | None = None, sample_rate: float | None = None
 ) -> RigModes:
     """Return the modes of a rig, the margins of its speed loop, and at which speeds a line meets a mode.
 
@@ -110,8 +109,8 @@ def modes(
     scenario : Scenario, or path of its file
     speed_max : float, optional
         Highest motor speed [rpm], > 0; 1.5 times the set-point without it.
-    sample_rate : float
-        Of the sampled speed controller [Hz], > 0.
+    sample_rate : float, optional
+        Of the sampled speed controller [Hz], > 0; that of the scenario's section recording without it.
 
     Returns
     -------
@@ -134,10 +133,10 @@ def modes(
     >>> bool(found.to_frame()["undamped_Hz"].is_monotonic_increasing), found.stable
     (True, True)
     """
-    if not sample_rate > 0 or (speed_max is not None and not speed_max > 0):
+    if (sample_rate is not None and not sample_rate > 0) or (speed_max is not None and not speed_max > 0):
         raise InputError("sample_rate and speed_max must be more than 0; give for example speed_max=3000")
     made = scenario_from(scenario)
-    twin = twin_of(made.rig, rate=sample_rate, seed=made.seed)
+    twin = twin_of(made.rig, rate=sample_rate or made.recording.sample_rate, seed=made.seed)
     rpm = speed_max or BEYOND * abs(twin.motor_speed_rpm) or HIGHEST_SPEED
     lines = tuple(twin.order_lines(kinematics_of(made.rig).lines()))
     crossings = twin.crossings(lines, top_speed=rpm * pi / 30) if twin.reads_a_spring else ()

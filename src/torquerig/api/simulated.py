@@ -10,8 +10,6 @@ from torquerig.recordings.recording import Recording
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import simulate as simulate_rig
 
-DURATION = 10.0  # [s] of a recording where nothing states another length
-
 
 def simulate(
     scenario: Scenario | str | Path, *, duration: float | None = None, seed: int = 1, truth: bool = True
@@ -22,7 +20,7 @@ def simulate(
     ----------
     scenario : Scenario, or path of its file
     duration : float, optional
-        Length [s], > 0; without it the length of the scenario's table or duty cycle, else 10 s.
+        Length [s], > 0; without it the length of the scenario's table or duty cycle, else ``recording.duration``.
     seed : int
         Fixes every random number of the run; the same scenario, seed and version give the same samples.
     truth : bool
@@ -31,7 +29,7 @@ def simulate(
     Returns
     -------
     Recording
-        Sampled as the scenario's converter states, 25 kHz by default.
+        Sampled as ``recording.sample_rate`` of the scenario states, 25 kHz by default.
 
     Raises
     ------
@@ -50,12 +48,13 @@ def simulate(
     made = scenario_from(scenario)
     recording = simulate_rig(
         made.rig, duration=default_length(made) if duration is None else duration, seed=seed,
+        sample_rate=made.recording.sample_rate, settling=made.recording.settling,
         wander=made.operating_point.slow_speed_wander, scenario=made.title,
     )  # fmt: skip
     return recording if truth else recording.without_truth()
 
 
 def default_length(made: Scenario) -> float:
-    """Return how long to record where nothing states it [s]: a table's length, else ``DURATION``."""
+    """Return how long to record where nothing states it [s]: a table's length, else ``recording.duration``."""
     points = made.rig.run.set_points
-    return DURATION if points is None or isinf(points.length) else points.length
+    return made.recording.duration if points is None or isinf(points.length) else points.length

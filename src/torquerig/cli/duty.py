@@ -43,7 +43,8 @@ class _DutyOfMotor:
 @click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
 @click.option("--recording", type=click.Path(path_type=Path), default=None,
               help="Take torque and speed from a recording (with motor_torque) instead of the profile.")  # fmt: skip
-@click.option("--duration", default="10 s", show_default=True, help="Length of a ramp or reversal, with its unit.")
+@click.option("--duration", default=None, help="Length of a ramp or reversal, with its unit. Default: that of the "
+              "scenario's section recording, else 10 s.")  # fmt: skip
 @click.option("--ambient", type=click.FloatRange(-60, 150), default=40.0, show_default=True,
               help="Temperature of the surroundings in degrees Celsius.")  # fmt: skip
 @click.option(
@@ -59,8 +60,8 @@ class _DutyOfMotor:
 @set_option
 @catalog_option
 def command(
-    *, scenario: Path, motor: str | None, gearbox: str | None, recording: Path | None, duration: str, ambient: float,
-    seed: int, picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
+    *, scenario: Path, motor: str | None, gearbox: str | None, recording: Path | None, duration: str | None,
+    ambient: float, seed: int, picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Compute torque, speed and winding temperature of SCENARIO's motor when its profile repeats without end.
@@ -84,7 +85,8 @@ def command(
         )
     else:
         points = made.rig.run.set_points
-        length = _seconds(duration) if points is None else points.breakpoints(top=0.0, duration=0.0).length
+        seconds = made.recording.duration if duration is None else _seconds(duration)
+        length = seconds if points is None else points.breakpoints(top=0.0, duration=0.0).length
         flags = check_requirement(made, catalog, duration=length)
         requirement = drive_requirement(made.rig, duration=length)
         title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"

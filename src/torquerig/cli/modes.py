@@ -34,7 +34,8 @@ NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] highest speed of the diagram for a rig 
               "set-point.")  # fmt: skip
 @click.option("--crossings", "rows", type=click.IntRange(1, 200), default=12, show_default=True,
               help="Number of critical speeds to print, strongest first.")  # fmt: skip
-@click.option("--rate", default="25 kHz", show_default=True, help="Sample rate of the speed controller.")
+@click.option("--rate", default=None, help="Sample rate of the speed controller, with its unit. Default: that of the "
+              "scenario's section recording, else 25 kHz.")  # fmt: skip
 @click.option(
     "--seed",
     type=click.IntRange(0),
@@ -49,7 +50,7 @@ NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] highest speed of the diagram for a rig 
 @set_option
 @catalog_option
 def command(
-    *, scenario: Path, speed_max: str | None, rows: int, rate: str, seed: int, picture: Path | None, force: bool,
+    *, scenario: Path, speed_max: str | None, rows: int, rate: str | None, seed: int, picture: Path | None, force: bool,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Show the modes of SCENARIO's rig, the stability margins of its speed loop, and its critical speeds.
@@ -59,12 +60,12 @@ def command(
     """
     if picture is not None and picture.exists() and not force:
         raise InputError(f"{picture}: is there already; choose another name, or overwrite it with --force")
-    sampled = _read(rate, "Hz", "--rate")
+    sampled = None if rate is None else _read(rate, "Hz", "--rate")
     stated_top = None if speed_max is None else _read(speed_max, "rad/s", "--speed-max")
-    if not sampled > 0 or (stated_top is not None and not stated_top > 0):
+    if (sampled is not None and not sampled > 0) or (stated_top is not None and not stated_top > 0):
         raise InputError("--rate and --speed-max must be more than 0; write for example --speed-max '3000 rpm'")
     made = read_scenario(edited(scenario, settings), catalog_for(scenario, catalogs), seed=seed)
-    twin = twin_of(made.rig, rate=sampled, seed=seed)
+    twin = twin_of(made.rig, rate=sampled or made.recording.sample_rate, seed=seed)
     top = stated_top or 1.5 * abs(twin.motor_speed_rpm) * pi / 30 or NO_SPEED_TOP
     if picture is not None and not twin.reads_a_spring:
         raise InputError(f"{scenario}: {made.rig.measured} imposes the motion and no spring torque is measured, so "

@@ -8,8 +8,15 @@ import click
 
 from torquerig.api.simulated import default_length
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.common_options import catalog_option, edited, profile_option, profile_settings, set_option
-from torquerig.errors import UnitError
+from torquerig.cli.common_options import (
+    catalog_option,
+    edited,
+    profile_option,
+    profile_settings,
+    quantity_in,
+    set_option,
+)
+from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import check_target, write_recording
 from torquerig.scenario.model import Scenario
@@ -27,8 +34,14 @@ from torquerig.units import IN_A_LINE, parse_quantity
 )
 @click.option("--gearbox", default=None, help="Another gearbox of the catalog, tuned and limited as in the study.")
 @click.option("--duration", default=None,
-              help="Length of the recording, with its unit. Default: 10 s, or the length of the profile "
-                   "table.")  # fmt: skip
+              help="Length of the recording, with its unit. Default: that of the profile table, else of "
+                   "the scenario's section recording, else 10 s.")  # fmt: skip
+@click.option(
+    "--rate",
+    default=None,
+    callback=quantity_in("Hz"),
+    help="Sample rate, with its unit. Default: that of the scenario's section recording, else 25 kHz.",
+)
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of all random numbers.")
 @click.option("--out", type=click.Path(path_type=Path), default=Path("simulated.parquet"), show_default=True,
               help="Recording to write: .parquet, .csv, .mat or .tdms, with its sidecar.")  # fmt: skip
@@ -41,10 +54,11 @@ from torquerig.units import IN_A_LINE, parse_quantity
 @set_option
 @catalog_option
 def command(
-    *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, seed: int, out: Path, truth: bool,
-    force: bool, prove_step: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, rate: float | None, seed: int,
+    out: Path, truth: bool, force: bool, prove_step: bool, profile: str | None, settings: tuple[str, ...],
+    catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Simulate SCENARIO and write the recording of its torque sensor at 25 kHz.
+    """Simulate SCENARIO and write the recording of its torque sensor.
 
     The same scenario and seed give the same bytes. With --motor or --gearbox the speed loop is tuned by the study's
     rule, and the drive is limited to the range of the sensor, as in `torquerig compare`.
@@ -57,8 +71,16 @@ def command(
     seconds = stated or default_length(made)
     flags = check_requirement(made, catalog, duration=seconds)
     wander = made.operating_point.slow_speed_wander
-    recording = simulate(made.rig, duration=seconds, seed=seed, wander=wander, scenario=made.title)
-    kept = with_true_lines(recording, made.rig, seed=seed, wander=wander) if truth else recording.without_truth()
+    sample_rate, settling = _rate(rate) or made.recording.sample_rate, made.recording.settling
+    recording = simulate(
+        made.rig, duration=seconds, seed=seed, sample_rate=sample_rate, wander=wander, settling=settling,
+        scenario=made.title,
+    )  # fmt: skip
+    kept = (
+        with_true_lines(recording, made.rig, seed=seed, wander=wander, settling=settling)
+        if truth
+        else recording.without_truth()
+    )
     written = write_recording(kept, out, overwrite=force)
     torque, unit = recording.torque(), IN_A_LINE["N*m"] if recording.find("torque") is None else "N*m"
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
@@ -68,7 +90,7 @@ def command(
         f"mean {torque.mean():.4f} {unit}, std {torque.std():.4f} {unit}"
     )
     if prove_step:
-        click.echo(wrapped(_proof(made, duration=seconds, seed=seed)))
+        click.echo(wrapped(_proof(made, duration=seconds, seed=seed, sample_rate=sample_rate)))
     for flag in flags:
         click.echo(wrapped(f"flagged: {flag}"))
     if made.assumed:
@@ -76,12 +98,22 @@ def command(
         click.echo(grid([["value", "taken"], *([key, text] for key, text in made.assumed.items())]))
 
 
-def _proof(made: Scenario, *, duration: float, seed: int) -> str:
+def _proof(made: Scenario, *, duration: float, seed: int, sample_rate: float) -> str:
     """Return one sentence: what determined the integration step and the effect of half the step."""
     from torquerig.simulation.step_proof import prove_step
 
     wander = made.operating_point.slow_speed_wander
-    return prove_step(made.rig, duration=duration, seed=seed, wander=wander).sentence()
+    proof = prove_step(
+        made.rig, duration=duration, seed=seed, sample_rate=sample_rate, wander=wander,
+        settling=made.recording.settling,
+    )  # fmt: skip
+    return proof.sentence()
+
+
+def _rate(stated: float | None) -> float | None:
+    if stated is not None and not stated > 0:
+        raise InputError(f"--rate {stated:g} Hz: a sample rate is more than 0; write for example --rate '10 kHz'")
+    return stated
 
 
 def _seconds(duration: str | None) -> float | None:

@@ -14,6 +14,7 @@ from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.filled import FromCatalog
 from torquerig.scenario.operating_point import OperatingPoint
+from torquerig.scenario.recording_settings import RecordingSettings
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
 from torquerig.shown import figure, notebook_html
 
@@ -46,6 +47,8 @@ class Scenario:
         Fixed what was drawn.
     added : tuple of Part
         Effects and parts that the file does not have.
+    recording : RecordingSettings
+        Sample rate, length and settling time of its recordings.
     """
 
     document: Document
@@ -58,6 +61,7 @@ class Scenario:
     catalog: Catalog | None = field(default=None, repr=False, compare=False)
     seed: int = 0
     added: tuple[Part, ...] = ()
+    recording: RecordingSettings = field(default_factory=RecordingSettings)
 
     def __add__(self, part: Part) -> Scenario:
         """Return the scenario with one more effect or part; its terms are checked at once."""
@@ -74,7 +78,8 @@ class Scenario:
     def text(self, *, head: str = "") -> str:
         """Return the scenario as the YAML of a file; ``head`` goes before it as a comment."""
         stated = self.document.data.get("operating_point", {})
-        return scenario_text(self.rig, title=self.title, operating_point=stated, head=head)
+        recorded = self.document.data.get("recording")
+        return scenario_text(self.rig, title=self.title, operating_point=stated, recording=recorded, head=head)
 
     def write(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the scenario as a file that ``read_scenario`` reads; InputError where one may not be replaced."""

@@ -23,6 +23,7 @@ from torquerig.scenario.model import Scenario
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
 from torquerig.scenario.phase_level import is_from_phase_level, with_phase_level
+from torquerig.scenario.recording_settings import RecordingSettings
 
 KINDS: dict[str, type[Part]] = {
     word: cls
@@ -30,7 +31,7 @@ KINDS: dict[str, type[Part]] = {
     for word in get_args(get_type_hints(cls)["kind"])
 }
 """Every kind of part and effect that a scenario may name, by the word it uses."""
-SECTIONS = ("scenario", "operating_point", "measured", "rig", "study")
+SECTIONS = ("scenario", "operating_point", "recording", "measured", "rig", "study")
 
 
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
@@ -51,6 +52,8 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
     data = _sections(document)
     point = validated(document, TypeAdapter(OperatingPoint), within=("operating_point",)) if (
         "operating_point" in data) else OperatingPoint()  # fmt: skip
+    recorded = validated(document, TypeAdapter(RecordingSettings), within=("recording",)) if (
+        "recording" in data) else RecordingSettings()  # fmt: skip
     found: list[Part] = []
     owners: dict[str, str] = {}
     uncertainties: dict[str, Estimate] = {}
@@ -71,7 +74,8 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
             taken.update({f"{part.name}.{key}": one for key, one in item.taken.items()})
             shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
     rig = _runnable(document, Rig(tuple(found), measured=str(data.get("measured", "torque_sensor"))), point, owners)
-    return Scenario(document, str(data.get("scenario", document.path.stem)), point, rig, uncertainties, assumed, taken)
+    title = str(data.get("scenario", document.path.stem))
+    return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded)
 
 
 def _sections(document: Document) -> dict[str, Any]:

@@ -45,7 +45,7 @@ def written_part(
 
 
 def scenario_text(
-    rig: Rig, *, title: str, operating_point: Mapping[str, Any],
+    rig: Rig, *, title: str, operating_point: Mapping[str, Any], recording: Mapping[str, Any] | None = None,
     spreads: Mapping[str, Mapping[str, float]] | None = None, head: str = "",
 ) -> str:  # fmt: skip
     """Return a scenario file for ``rig``; ``head`` goes before it as a comment, line by line."""
@@ -55,7 +55,10 @@ def scenario_text(
         part.name: written_part(part, (spreads or {}).get(part.name), in_a_line=rig.in_a_line(part))
         for part in rig.parts
     }
-    data = {"scenario": title, "operating_point": dict(operating_point), "measured": rig.measured, "rig": parts}
+    data = {
+        "scenario": title, "operating_point": dict(operating_point),
+        **({} if recording is None else {"recording": dict(recording)}), "measured": rig.measured, "rig": parts,
+    }  # fmt: skip
     comment = "".join(f"# {line}\n" for line in head.splitlines())
     return comment + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120)
 

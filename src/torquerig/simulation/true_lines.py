@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from torquerig.recordings.recording import Channel, Recording
-from torquerig.simulation.simulator import simulate
+from torquerig.simulation.simulator import SETTLING, simulate
 
 if TYPE_CHECKING:
     from torquerig.rig.assembly import Rig
@@ -21,7 +21,9 @@ def without_lines(rig: Rig) -> Rig:
     return replace(rig, parts=tuple(part for part in rig.parts if part.group not in _LINE_GROUPS))
 
 
-def with_true_lines(recording: Recording, rig: Rig, *, seed: int, wander: float = 0.0) -> Recording:
+def with_true_lines(
+    recording: Recording, rig: Rig, *, seed: int, wander: float = 0.0, settling: float = SETTLING
+) -> Recording:
     """Return a simulated recording with what its lines add to the reading, as the channel ``true_lines_Nm`` [N m].
 
     The reading less this channel is perfect line removal: what a filter could reach that knew every line and nothing
@@ -30,7 +32,7 @@ def with_true_lines(recording: Recording, rig: Rig, *, seed: int, wander: float 
     Parameters
     ----------
     recording : Recording
-        Of ``rig``, by ``simulate`` with this seed and wander. Where the true load is
+        Of ``rig``, by ``simulate`` with this seed, wander and settling time. Where the true load is
         not known it comes back as it is.
 
     Notes
@@ -42,8 +44,9 @@ def with_true_lines(recording: Recording, rig: Rig, *, seed: int, wander: float 
     if _LOAD not in recording.channels:
         return recording
     clean = simulate(
-        without_lines(rig), duration=recording.duration, seed=seed, sample_rate=recording.sample_rate, wander=wander
-    )
+        without_lines(rig), duration=recording.duration, seed=seed, sample_rate=recording.sample_rate, wander=wander,
+        settling=settling,
+    )  # fmt: skip
     wrong, left = (one.torque() - one.channels[_LOAD].in_si() for one in (recording, clean))
     lines = Channel(values=wrong - left, quantity="torque", unit="N*m", truth=True)
     return recording.with_channel(TRUE_LINES, lines)
