@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 Model = TypeVar("Model")
 Renamed = Mapping[tuple[str, ...], str]
+Elsewhere = Callable[[str, Any], str | None]
+CLOSE = 0.8  # likeness of two names from which one is the other misspelt, as in difflib
 
 
 @dataclass(frozen=True)
@@ -142,12 +144,13 @@ def _new_node(node: yaml.Node, renamed: Renamed) -> yaml.Node:
 
 def validated(
     document: Document, adapter: TypeAdapter[Model], *, within: tuple[str | int, ...] = (), data: Any = None,
-    context: Mapping[str, Any] | None = None,
+    context: Mapping[str, Any] | None = None, elsewhere: Elsewhere | None = None,
 ) -> Model:  # fmt: skip
     """Return the document's data (or the part ``within``) as the adapter's type; InputError lists every problem.
 
     ``data`` replaces the part ``within`` where defaults have been filled in; places are those of the document.
-    ``context`` is passed to the fields, such as ``{"in_a_line": True}``.
+    ``context`` is passed to the fields, such as ``{"in_a_line": True}``. ``elsewhere`` returns the remedy for an
+    unknown key and its value where the key would be right in another place.
     """
     from pydantic import ValidationError
 
@@ -158,11 +161,16 @@ def validated(
     try:
         return adapter.validate_python(data, context=None if context is None else dict(context))
     except ValidationError as error:
-        sentences = [_sentence(document, within, detail, adapter) for detail in _without_misspelt(error.errors())]
+        sentences = [
+            _sentence(document, within, detail, adapter, elsewhere) for detail in _without_misspelt(error.errors())
+        ]
         raise InputError("\n".join(dict.fromkeys(sentences))) from None
 
 
-def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, adapter: TypeAdapter[Any]) -> str:
+def _sentence(
+    document: Document, within: tuple[str | int, ...], detail: Any, adapter: TypeAdapter[Any],
+    elsewhere: Elsewhere | None,
+) -> str:  # fmt: skip
     keys = (*within, *detail["loc"])
     kind, last = detail["type"], str(detail["loc"][-1]) if detail["loc"] else ""
     foreign = halved_between_terminals(last, detail.get("input")) if kind in UNKNOWN_KEYS else None
@@ -171,7 +179,10 @@ def _sentence(document: Document, within: tuple[str | int, ...], detail: Any, ad
     elif kind == "misspelt":
         text = f"unknown key; did you mean {detail['meant']!r}?"
     elif kind in UNKNOWN_KEYS:
-        text = f"unknown key; {did_you_mean(last, _field_names(adapter, detail['loc'][:-1]) - {last})}"
+        known = _field_names(adapter, detail["loc"][:-1]) - {last}
+        far = elsewhere is not None and not get_close_matches(last, known, n=1, cutoff=CLOSE)
+        place = elsewhere(last, detail.get("input")) if far and elsewhere else None
+        text = f"unknown key; {place or did_you_mean(last, known)}"
     elif kind in ("missing", "missing_argument"):
         text = f"the key {last!r} is missing; add it"
     elif kind == "value_error":
@@ -220,7 +231,7 @@ def _without_misspelt(details: Iterable[Any]) -> list[Any]:
         if detail["type"] not in UNKNOWN_KEYS or halved_between_terminals(last, detail.get("input")):
             continue
         siblings = {str(loc[-1]): loc for loc in missing if loc[:-1] == detail["loc"][:-1]}
-        for meant in get_close_matches(str(detail["loc"][-1]), siblings, n=1, cutoff=0.8):
+        for meant in get_close_matches(str(detail["loc"][-1]), siblings, n=1, cutoff=CLOSE):
             found[at] = {"type": "misspelt", "loc": detail["loc"], "meant": meant}
             missing.remove(siblings[meant])
     return [

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from math import isfinite
-from typing import Any, get_args, get_type_hints
+from typing import Any
 
 from pydantic import TypeAdapter
 
-from torquerig import mechanisms
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
@@ -19,19 +19,14 @@ from torquerig.rig import parts
 from torquerig.rig.assembly import HOST_FIELDS, Part, Rig
 from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
+from torquerig.scenario.kinds import KINDS
+from torquerig.scenario.misplaced import place_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
 from torquerig.scenario.phase_level import is_from_phase_level, with_phase_level
 from torquerig.scenario.recording_settings import RecordingSettings
-
-KINDS: dict[str, type[Part]] = {
-    word: cls
-    for cls in (*(getattr(parts, name) for name in parts.__all__), *mechanisms.extended().values())
-    for word in get_args(get_type_hints(cls)["kind"])
-}
-"""Every kind of part and effect that a scenario may name, by the word it uses."""
-SECTIONS = ("scenario", "operating_point", "recording", "measured", "rig", "study")
+from torquerig.scenario.sections import read_section, sections_of
 
 
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
@@ -49,11 +44,9 @@ def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenari
 
 
 def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
-    data = _sections(document)
-    point = validated(document, TypeAdapter(OperatingPoint), within=("operating_point",)) if (
-        "operating_point" in data) else OperatingPoint()  # fmt: skip
-    recorded = validated(document, TypeAdapter(RecordingSettings), within=("recording",)) if (
-        "recording" in data) else RecordingSettings()  # fmt: skip
+    data = sections_of(document)
+    point = read_section(document, "operating_point", OperatingPoint)
+    recorded = read_section(document, "recording", RecordingSettings)
     found: list[Part] = []
     owners: dict[str, str] = {}
     uncertainties: dict[str, Estimate] = {}
@@ -76,17 +69,6 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
     rig = _runnable(document, Rig(tuple(found), measured=str(data.get("measured", "torque_sensor"))), point, owners)
     title = str(data.get("scenario", document.path.stem))
     return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded)
-
-
-def _sections(document: Document) -> dict[str, Any]:
-    data = document.data
-    if not isinstance(data, dict) or not isinstance(data.get("rig"), dict) or not data["rig"]:
-        place = document.place(("rig",)) if isinstance(data, dict) and "rig" in data else document.path
-        raise InputError(f"{place}: a scenario needs a mapping named rig: with one entry per part")
-    for key in data:
-        if key not in SECTIONS:
-            raise InputError(f"{document.place((key,))}: unknown key; {did_you_mean(str(key), SECTIONS)}")
-    return data
 
 
 def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:
@@ -180,7 +162,8 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
         data.setdefault("after", shaft)
     adapter: TypeAdapter[Part] = TypeAdapter(cls)
     units = {"in_a_line": cls.in_a_line or _kind_of(document, _host(cls, data)).in_a_line}
-    return validated(document, adapter, within=("rig", name), data=data, context=units)
+    elsewhere = partial(place_of, data=document.data, here=f"rig.{name}")
+    return validated(document, adapter, within=("rig", name), data=data, context=units, elsewhere=elsewhere)
 
 
 def _host(cls: type[Part], data: Mapping[str, Any]) -> Any:

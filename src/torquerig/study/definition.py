@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from torquerig.catalog.reading import Catalog
-from torquerig.document import Document, read_document, with_new_keys
+from torquerig.document import Document, read_document
 from torquerig.errors import InputError, did_you_mean
 from torquerig.filters.chains.chain_file import needs_response, read_chains
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.sections import with_current_names
 from torquerig.study.settings import Settings, read_settings
 
 
@@ -49,7 +50,7 @@ class Study:
 
 def open_study(document: Document, catalog: Catalog) -> Study:
     """Return the study of a scenario's document; InputError with file, line and key for what cannot be used."""
-    document = with_new_keys(document, {("study", "demands"): "requirements"})
+    document = with_current_names(document)
     settings = read_settings(document)
     filters = read_document(Path(document.path).parent / settings.filters.file)
     return Study(document, settings, catalog, filters)

@@ -1,129 +1,28 @@
-"""The study section of a scenario: candidates, filters, rules, requirements and criteria."""
+"""The settings of a study, and which of its metrics need a simulation."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
-
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, TypeAdapter, model_validator
-
-from torquerig.document import Document, validated
+from torquerig.document import Document
 from torquerig.errors import InputError
-from torquerig.filters.chains.renamed_chains import current_chain
-from torquerig.parameter import Parameter
-from torquerig.renamed import current_name
-from torquerig.scenario.percent import Percent
+from torquerig.scenario.sections import read_study_section
+from torquerig.scenario.study_section import (
+    AllPoints,
+    Band,
+    CriterionRow,
+    Filters,
+    Metric,
+    Present,
+    RequirementRow,
+    Settings,
+    SpeedLoopRule,
+)  # fmt: skip
 
-Metric = Literal[
-    "truth_error", "disturbance", "speed_reserve", "speed_use", "continuous_output_torque", "torque_reserve",
-    "sensor_peak", "servo", "new_parts", "price", "residual_disturbance",
-    # of metrics/sizing, over the duty cycle where the scenario states one
-    "rms_torque", "peak_torque", "peak_power", "top_speed", "mean_speed", "rms_torque_use", "peak_torque_use",
-    "continuous_use", "intermittent_use", "speed_limit_use", "inertia_ratio", "thermal_use", "thermal_margin",
-    "gearbox_life_use", "gearbox_peak_use", "gearbox_jam_use", "gearbox_speed_use", "gearbox_no_load_use",
-    "rms_current", "peak_current", "limit_current", "rms_current_use", "peak_current_use", "braking_energy",
-    "regenerated_energy", "ideal_ratio", "speed_ratio", "best_ratio", "best_ratio_use", "sensor_cycle_use",
-    "sensor_range_use", "sensor_overload", "sensor_overload_unlimited", "load_fidelity", "loop_fidelity", "flat_to",
+__all__ = [
+    "SIMULATED", "AllPoints", "Band", "CriterionRow", "Filters", "Metric", "Present", "RequirementRow", "Settings",
+    "SpeedLoopRule", "metrics_of", "read_settings",
 ]  # fmt: skip
+
 SIMULATED: tuple[Metric, ...] = ("truth_error", "disturbance", "residual_disturbance")
-ChainName = Annotated[str, AfterValidator(current_chain)]
-
-
-def _current_metric(written: Any) -> Any:
-    return (
-        current_name(written, {"left_disturbance": "residual_disturbance"}, what="metric")
-        if isinstance(written, str)
-        else written
-    )
-
-
-WrittenMetric = Annotated[Metric, BeforeValidator(_current_metric)]
-
-
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Present(_Section):
-    """The present drive of the rig; the baseline of the Pugh matrix."""
-
-    motor: str
-    gearbox: str
-    filter: ChainName = "none"
-
-
-class Filters(_Section):
-    """Filter chains and their file, relative to the scenario."""
-
-    file: str
-    names: tuple[ChainName, ...] = Field(min_length=1)
-
-
-class SpeedLoopRule(_Section):
-    """Tuning rule of the speed loop, the same for every drive."""
-
-    crossover: Annotated[float, Parameter("Hz", "crossover of the speed loop", above=0)]
-    integral_corner: Annotated[float, Parameter("Hz", "corner of the integrator", low=0)]
-
-
-class AllPoints(_Section):
-    """The operating points of ``--all-points``."""
-
-    occupancy: tuple[Percent, ...]
-    particle_size: tuple[Annotated[float, Parameter("m", "particle size", above=0)], ...]
-
-
-class RequirementRow(_Section):
-    """A requirement of the elimination."""
-
-    metric: WrittenMetric
-    unit: str
-    min: float | None = None
-    max: float | None = None
-    purpose: str
-
-    @model_validator(mode="after")
-    def _has_a_limit(self) -> RequirementRow:
-        if self.min is None and self.max is None:
-            raise ValueError("a requirement needs a limit; write min or max")
-        return self
-
-
-class Band(_Section):
-    """Largest difference of two values that count as the same in the Pugh matrix."""
-
-    absolute: float = 0.0
-    relative: float = 0.0
-
-
-class CriterionRow(_Section):
-    """A criterion of the Pugh and Kesselring matrices."""
-
-    metric: WrittenMetric
-    unit: str
-    better: Literal["more", "less", "band"]
-    band: tuple[float, float] | None = None
-    kind: Literal["technical", "economic"] = "technical"
-    weight: Annotated[float, Field(ge=0)]
-    same_within: Band = Band()
-    points: dict[float, float] = Field(min_length=2)
-    purpose: str
-
-
-class Settings(_Section):
-    """Everything under ``study:``."""
-
-    duration: Annotated[float, Parameter("s", "length of a run", above=0)] = 10.0
-    seed: int = Field(default=1, ge=0)
-    draws: int = Field(default=0, ge=0, le=1000)  # each is a run of every drive
-    present: Present
-    motors: Literal["all"] | tuple[str, ...]
-    gearboxes: tuple[str, ...] = Field(min_length=1)
-    filters: Filters
-    speed_loop: SpeedLoopRule
-    sensor_limit: Annotated[float, Parameter("N*m", "largest torque at the sensor", above=0)]
-    all_points: AllPoints | None = None
-    requirements: dict[str, RequirementRow]
-    criteria: dict[str, CriterionRow] = Field(min_length=1)
 
 
 def metrics_of(settings: Settings) -> frozenset[Metric]:
@@ -135,13 +34,4 @@ def read_settings(document: Document) -> Settings:
     """Return the study of a scenario; InputError with file, line and key where there is none or it cannot be used."""
     if not isinstance(document.data, dict) or "study" not in document.data:
         raise InputError(f"{document.path}: there is no study: section to compare; copy the one of wear_rig.yaml")
-    settings = validated(document, TypeAdapter(Settings), within=("study",))
-    for what, names in (("motors", settings.motors), ("gearboxes", settings.gearboxes)):
-        if names == "all":
-            continue
-        if not names:
-            raise InputError(f"{document.place(('study', what))}: the list is empty; name at least one")
-        twice = {name for name in names if names.count(name) > 1}
-        if twice:
-            raise InputError(f"{document.place(('study', what))}: {sorted(twice)[0]!r} is listed twice; keep one")
-    return settings
+    return read_study_section(document)

@@ -1,0 +1,56 @@
+"""The sections of a scenario file, and the check of the one that only a comparison uses."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from pydantic import BaseModel, TypeAdapter
+
+from torquerig.document import Document, validated, with_new_keys
+from torquerig.errors import InputError, did_you_mean
+from torquerig.scenario.misplaced import place_of
+
+if TYPE_CHECKING:
+    from torquerig.scenario.study_section import Settings
+
+SECTIONS = ("scenario", "operating_point", "recording", "measured", "rig", "study")
+Section = TypeVar("Section", bound=BaseModel)
+
+
+def sections_of(document: Document) -> dict[str, Any]:
+    """Return the sections of a scenario; InputError for a missing rig, an unknown section, or an unusable study."""
+    data = document.data
+    if not isinstance(data, dict) or not isinstance(data.get("rig"), dict) or not data["rig"]:
+        place = document.place(("rig",)) if isinstance(data, dict) and "rig" in data else document.path
+        raise InputError(f"{place}: a scenario needs a mapping named rig: with one entry per part")
+    for key, value in data.items():
+        if key not in SECTIONS:
+            remedy = did_you_mean(str(key), SECTIONS)
+            elsewhere = None if remedy.startswith("did you") else place_of(str(key), value, data, here="the top level")
+            raise InputError(f"{document.place((key,))}: unknown key; {elsewhere or remedy}")
+    if "study" in data:
+        read_study_section(with_current_names(document))
+    return data
+
+
+def with_current_names(document: Document) -> Document:
+    """Return the document with old names of keys of its study replaced by the new ones; a notice lists them."""
+    return with_new_keys(document, {("study", "demands"): "requirements"})
+
+
+def read_study_section(document: Document) -> Settings:
+    """Return the study of a scenario that has one; InputError with file, line and key where it cannot be used."""
+    from torquerig.scenario.study_section import Settings  # 20 ms that a scenario without a study does not need
+
+    return _validated(document, "study", Settings)
+
+
+def read_section(document: Document, name: str, model: type[Section]) -> Section:
+    """Return a section of a scenario, its defaults where the file has none; InputError as for the study."""
+    return _validated(document, name, model) if name in document.data else model()
+
+
+def _validated(document: Document, name: str, model: type[Section]) -> Section:
+    elsewhere = partial(place_of, data=document.data, here=name)
+    return validated(document, TypeAdapter(model), within=(name,), elsewhere=elsewhere)
