@@ -75,13 +75,19 @@ class RigModes(Result):
         return f"{self.title}: undamped natural frequencies {found} Hz{loop}"
 
     def to_frame(self) -> pd.DataFrame:
-        """Return one row per mode: undamped and damped frequency [Hz], damping ratio [1], shape in words."""
+        """Return one row per mode: undamped and damped frequency [Hz], damping ratio [1], shape in words.
+
+        An overdamped mode has no damped frequency (NaN); rigid-body motions are not among them.
+        """
         import pandas as pd
 
         rows = [
-            {"undamped_Hz": one.undamped, "damped_Hz": one.damped, "damping_ratio": one.damping, "shape": one.words}
+            {
+                "undamped_Hz": one.undamped, "damped_Hz": float("nan") if one.is_overdamped else one.damped,
+                "damping_ratio": one.damping, "shape": one.words,
+            }
             for one in self.twin.modes()
-        ]
+        ]  # fmt: skip
         frame = pd.DataFrame(rows, columns=["undamped_Hz", "damped_Hz", "damping_ratio", "shape"])
         frame.index = pd.RangeIndex(1, len(frame) + 1, name="mode")
         return frame

@@ -10,6 +10,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, edited, set_option
+from torquerig.cli.modes_text import modes_text, poles_text
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.scenario.kinematics import kinematics_of
@@ -17,7 +18,6 @@ from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.twin.crossings import Crossing, nearest_to
 from torquerig.simulation.twin.linear_twin import Twin, twin_of
 from torquerig.simulation.twin.margins import Margins
-from torquerig.simulation.twin.modes import Mode, Pole
 from torquerig.units import parse_quantity
 
 _IMPOSED = (
@@ -73,14 +73,14 @@ def command(
                          "measured:")  # fmt: skip
     lines = twin.order_lines(kinematics_of(made.rig).lines())
     click.echo(f"{made.title}: {_about(twin)}\n")
-    _print_modes(twin.modes())
+    click.echo(modes_text(twin))
     if not twin.reads_a_spring:
         click.echo(wrapped(_IMPOSED.format(made.rig.measured)))
         return
     found = twin.crossings(lines, top_speed=top)
     if loops := twin.margins():
         click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
-        _print_poles(twin.loop_poles())
+        click.echo(poles_text(twin.loop_poles()))
     _print_crossings(found[:rows], len(found), top)
     if nearest := nearest_to(twin.motor_speed_rpm * pi / 30, [one for one in found if one.torque is not None]):
         click.echo(wrapped(_nearest(nearest, twin.motor_speed_rpm)) + "\n")
@@ -111,20 +111,6 @@ def _about(twin: Twin) -> str:
     return words + (f", {point.drive_torque:.4g} N*m from the motor" if twin.lowered.drive_names else "")
 
 
-def _print_modes(modes: Sequence[Mode]) -> None:
-    if not modes:
-        click.echo("no modes: this rig has no torsional spring\n")
-        return
-    rows = [
-        [str(number), f"{mode.undamped:.5g}", f"{mode.damped:.5g}" if mode.damped else "-", f"{mode.damping:.4f}"]
-        for number, mode in enumerate(modes, start=1)
-    ]
-    click.echo(grid([["mode", "undamped Hz", "damped Hz", "damping ratio"], *rows]))
-    for number, mode in enumerate(modes, start=1):
-        click.echo(wrapped(f"mode {number}: {mode.words}"))
-    click.echo()
-
-
 def _margins(found: Margins) -> str:
     if found.crossovers:
         first, *more = found.crossovers
@@ -144,11 +130,6 @@ def _margins(found: Margins) -> str:
     words += f", modulus margin {found.modulus_margin:.3f} at {found.modulus_at:.4g} Hz"
     stability = "stable" if found.stable else "UNSTABLE: oscillation grows to the torque limit"
     return f"{found.controller}: {stability}; {words}"
-
-
-def _print_poles(poles: Sequence[Pole]) -> None:
-    rows = [[one.what, f"{one.frequency:.5g}", f"{one.damping:.4f}"] for one in poles]
-    click.echo(grid([["closed loop", "natural frequency Hz", "damping ratio"], *rows]) + "\n")
 
 
 def _print_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:

@@ -17,6 +17,8 @@ from torquerig.simulation.twin.system import LinearSystem
 
 Floats = NDArray[np.float64]
 
+REAL = 1e-6  # [1] part of a root's size below which its imaginary part is rounding: a double root is known to 1e-8
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -29,7 +31,7 @@ class Mode:
     magnitude : float
         ``|lambda| / 2 pi`` [Hz] of the damped rig. It is not ``undamped`` where damping couples the modes.
     damped : float
-        ``Im lambda / 2 pi`` [Hz]: where it rings; 0 where it creeps back.
+        ``Im lambda / 2 pi`` [Hz]: where it rings; 0 where it is overdamped.
     damping : float
         ``-Re lambda / |lambda|`` [1].
     shape : ndarray, shape (nodes,)
@@ -45,6 +47,17 @@ class Mode:
     shape: Floats
     words: str
 
+    @property
+    def is_overdamped(self) -> bool:
+        """Whether it returns without oscillation, so that it has no damped frequency."""
+        return self.damped == 0.0
+
+    @property
+    def time_constant(self) -> float:
+        """Time in which it falls by a factor e [s]."""
+        rate = 2 * np.pi * self.magnitude * self.damping
+        return 1 / rate if rate else np.inf
+
 
 @dataclass(frozen=True)
 class Pole:
@@ -53,6 +66,13 @@ class Pole:
     frequency: float
     damping: float
     what: str
+    oscillates: bool = True
+
+    @property
+    def time_constant(self) -> float:
+        """Time in which it falls by a factor e [s]; negative where it grows, infinite where it stays."""
+        rate = 2 * np.pi * self.frequency * self.damping
+        return 1 / rate if rate else np.inf
 
 
 def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) -> tuple[Mode, ...]:
@@ -70,7 +90,7 @@ def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) ->
     squares, clamped = eigh(system.stiffness[np.ix_(free, free)], system.mass[np.ix_(free, free)])
     shapes = np.zeros((len(lowered.nodes), free.size))
     shapes[free] = clamped
-    elastic = np.flatnonzero(squares > 1e-10 * (squares[-1] if squares.size else 1.0))
+    elastic = range(len(rigid_motions(lowered)), free.size)
     damped = plant(lowered, operating_point(rig, lowered) if point is None else point)
     roots, motion = _roots(damped, len(lowered.nodes))
     turns, names = _turns(rig, lowered), node_names(rig, lowered)
@@ -84,7 +104,7 @@ def modes(rig: Rig, lowered: Lowered, *, point: OperatingPoint | None = None) ->
             Mode(
                 undamped=float(np.sqrt(squares[column]) / (2 * np.pi)),
                 magnitude=float(abs(value) / (2 * np.pi)),
-                damped=float(abs(value.imag) / (2 * np.pi)),
+                damped=float(abs(value.imag) / (2 * np.pi)) if _oscillates(value) else 0.0,
                 damping=float(-value.real / abs(value)),
                 shape=shape / shape[np.abs(shape).argmax()],
                 words=shape_in_words(shape, lowered=lowered, turns=turns, names=names),
@@ -108,9 +128,34 @@ def loop_poles(closed: LinearSystem, found: tuple[Mode, ...]) -> tuple[Pole, ...
             nearest = min(free, key=lambda row: abs(left[row].imag - 2 * np.pi * mode.damped))
             named[nearest] = f"mode {number}"
     return tuple(
-        Pole(float(abs(root) / (2 * np.pi)), float(-root.real / abs(root)), named.get(row, "speed loop"))
+        Pole(
+            float(abs(root) / (2 * np.pi)), float(-root.real / abs(root)), named.get(row, "speed loop"),
+            oscillates=_oscillates(root),
+        )
         for row, root in enumerate(left)
-    )
+    )  # fmt: skip
+
+
+def rigid_motions(lowered: Lowered) -> tuple[tuple[str, ...], ...]:
+    """Return the groups of nodes that turn freely together: linked by springs, and none of them held or imposed.
+
+    Each group is one rigid-body motion, which has no frequency; it is counted by its springs and not by a small root.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    springs, n = lowered.arrays.springs, len(lowered.nodes)
+    ends = (springs.a.astype(np.int64), springs.b.astype(np.int64))
+    linked = coo_array((np.ones(springs.a.size), ends), shape=(n + 1, n + 1))
+    _, group = connected_components(linked, directed=False)
+    held = {int(group[n]), *(int(group[int(on)]) for on in lowered.arrays.imposed.on)}
+    free = [one for one in dict.fromkeys(group[:n].tolist()) if one not in held]
+    return tuple(tuple(name for row, name in enumerate(lowered.nodes) if group[row] == one) for one in free)
+
+
+def _oscillates(root: complex) -> bool:
+    """Whether a root is one of a pair; the imaginary part of a real root is not exactly 0 in floating point."""
+    return abs(root.imag) > REAL * abs(root)
 
 
 def _roots(system: LinearSystem, nodes: int) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:

@@ -1,0 +1,57 @@
+"""Modes and poles as ``torquerig modes`` prints them: oscillations as frequencies, everything else in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from torquerig.plain_table import grid, wrapped
+from torquerig.simulation.twin.linear_twin import Twin
+from torquerig.simulation.twin.modes import Mode, Pole, rigid_motions
+
+
+def modes_text(twin: Twin) -> str:
+    """Return the table of the modes, their shapes, and the motions that have no frequency."""
+    modes, words = twin.modes(), list(_rigid(twin))
+    if not modes:
+        return "\n".join(["no modes: this rig has no torsional spring", *map(wrapped, words), ""])
+    rows = [
+        [str(number), f"{mode.undamped:.5g}", "none" if mode.is_overdamped else f"{mode.damped:.5g}",
+         f"{mode.damping:.4f}"]
+        for number, mode in enumerate(modes, start=1)
+    ]  # fmt: skip
+    words += [f"mode {number}: {mode.words}{_creeping(mode)}" for number, mode in enumerate(modes, start=1)]
+    return "\n".join([
+        grid([["mode", "undamped Hz", "damped Hz", "damping ratio"], *rows]), *map(wrapped, words), ""
+    ])  # fmt: skip
+
+
+def poles_text(poles: Sequence[Pole]) -> str:
+    """Return the table of the closed loop; a pole that does not oscillate has a time constant and no frequency."""
+    rows = [
+        [one.what, f"{one.frequency:.5g}" if one.oscillates else "none",
+         f"{one.damping:.4f}" if one.oscillates else _course(one.time_constant)]
+        for one in poles
+    ]  # fmt: skip
+    return grid([["closed loop", "natural frequency Hz", "damping ratio"], *rows]) + "\n"
+
+
+def _rigid(twin: Twin) -> Iterator[str]:
+    for nodes in rigid_motions(twin.lowered):
+        moving = "all shafts" if len(nodes) == len(twin.lowered.nodes) else ", ".join(nodes)
+        yield f"rigid-body motion: {moving} turn freely; this motion has no frequency"
+
+
+def _creeping(mode: Mode) -> str:
+    if not mode.is_overdamped:
+        return ""
+    return f"; overdamped: it does not oscillate, and returns with a time constant of {_seconds(mode.time_constant)}"
+
+
+def _course(time_constant: float) -> str:
+    if time_constant < 0:
+        return f"grows, time constant {_seconds(-time_constant)}"
+    return f"overdamped, time constant {_seconds(time_constant)}"
+
+
+def _seconds(value: float) -> str:
+    return f"{1000 * value:.3g} ms" if value < 1 else f"{value:.3g} s"
