@@ -15,7 +15,7 @@ from torquerig.rig.terms import Term
 
 @dataclass(frozen=True, kw_only=True)
 class Backlash(Part):
-    """``T = k (twist - g/2)`` beyond the gap and zero inside, damping only in contact, never pulling.
+    """``T = k (twist - middle - g/2)`` beyond the gap and zero inside, damping only in contact, never pulling.
 
     Source: Nordin & Gutman 2002, Automatica 38 (physical dead-zone model); contact law: terms.Spring.
     In a line ``gear`` names a link and the gap is in m. Rattle and limit cycles result from the simulation.
@@ -25,6 +25,7 @@ class Backlash(Part):
     kind: Literal["backlash"] = "backlash"
     gear: str = "gearbox"
     gap: Annotated[float, Parameter("rad", "full gap at the output", low=0)]
+    middle: Annotated[float, Parameter("rad", "input angle / ratio less output angle in the middle of the gap")] = 0.0
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return none, the gear or link carries the gap; InputError where ``gear`` is neither."""
@@ -34,4 +35,4 @@ class Backlash(Part):
 
     def changes_in_host(self, rig: Rig) -> tuple[HostChange, ...]:
         """Return the gap."""
-        return (ExtraGap(self.gap),)
+        return (ExtraGap(self.gap, self.middle),)

@@ -12,8 +12,9 @@ from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.recordings.run import Run
 from torquerig.recordings.stage import Stage
 from torquerig.rig.host_changes import HostChange
+from torquerig.rig.locked import refuse_locked
 from torquerig.rig.placed_stage import PlacedStage
-from torquerig.rig.terms import Inertia, Spring, Term
+from torquerig.rig.terms import GROUND, Inertia, Spring, Term
 
 HOST_FIELDS = ("at", "gear", "coupling", "sensor")  # by which an effect names its host
 
@@ -48,6 +49,9 @@ class Part:
     """True for a branch: the parts after it in a scenario continue from the start of the branch."""
     opens_node: ClassVar[bool] = False
     """True for what has a spring inside (gear, sensor, coupling): its output shaft is a separate node."""
+
+    locks_shaft: ClassVar[bool] = False
+    """True for what fixes its shaft to the frame: the node is then the ground, and nothing on it moves."""
 
     in_a_line: ClassVar[bool] = False
     """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
@@ -104,6 +108,8 @@ class Rig:
                 raise UnknownNameError(
                     f"{part.name}: after: {part.after!r} is no part before it; {did_you_mean(part.after, seen)}"
                 )
+            if part.name == GROUND and not part.locks_shaft:
+                raise InputError(f"{GROUND!r} is the name of the frame; rename the part, or make it of kind: ground")
             seen.add(part.name)
 
     def __add__(self, part: Part) -> Rig:
@@ -141,8 +147,17 @@ class Rig:
 
     def node(self, name: str) -> str:
         """Return the node that the part ``name`` turns with (of a gear, sensor or coupling: its output side)."""
+        shaft = self._shaft(name)
+        return GROUND if shaft in self._locked else shaft
+
+    def _shaft(self, name: str) -> str:
         part = self.part(name)
-        return part.name if part.opens_node or part.after is None else self.node(part.after)
+        return part.name if part.opens_node or part.after is None else self._shaft(part.after)
+
+    @cached_property
+    def _locked(self) -> dict[str, str]:
+        """The shafts that are fixed to the frame, each with the part that locks it."""
+        return {self._shaft(part.name): part.name for part in self.parts if part.locks_shaft}
 
     def upstream(self, name: str) -> str:
         """Return the node on the input side of the gear, sensor or coupling ``name``."""
@@ -183,7 +198,8 @@ class Rig:
     def _terms(self) -> tuple[Term, ...]:
         terms = tuple(term for part in self.parts for term in self._terms_of(part))
         refuse_misplaced(self)
-        carried = {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
+        refuse_locked(terms, speed=self.run.speed or 0.0)
+        carried = {GROUND} | {term.node for term in terms if isinstance(term, Inertia) and term.inertia > 0}
         for term in terms:
             if isinstance(term, Spring):
                 for node in (term.a, term.b):
@@ -221,7 +237,7 @@ class Rig:
             here = waiting.popleft()
             for spring in springs:
                 for start, end, factor in ((spring.a, spring.b, 1 / spring.ratio), (spring.b, spring.a, spring.ratio)):
-                    if start != here:
+                    if start != here or end == GROUND:
                         continue
                     turned = ratios[here] * factor
                     if end not in ratios:

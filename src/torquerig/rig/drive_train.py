@@ -13,7 +13,7 @@ from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.torque_controller import TorqueController
-from torquerig.rig.terms import Inertia, Load, ShaftMotion, Spring, Term
+from torquerig.rig.terms import GROUND, Inertia, Load, ShaftMotion, Spring, Term
 
 NO_LOAD: Mapping[str, float] = {}
 
@@ -153,7 +153,7 @@ def places_from(start: str, springs: Sequence[Spring]) -> dict[str, Place]:
         here = waiting.pop()
         for spring in springs:
             for near, far, turns in ((spring.a, spring.b, 1 / spring.ratio), (spring.b, spring.a, spring.ratio)):
-                if near == here and far not in places:
+                if near == here and far not in places and far != GROUND:
                     place = places[here]
                     places[far] = Place(place.ratio * turns, place.efficiency * spring.efficiency)
                     waiting.append(far)

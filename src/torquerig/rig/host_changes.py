@@ -48,10 +48,11 @@ class StiffnessVariation:
 
 @dataclass(frozen=True)
 class ExtraGap:
-    """A gap in a spring, full width [rad, or m in a line] on its output side; it adds to the spring's stated gap."""
+    """A gap in a spring on its output side: full width and middle [rad, or m in a line]; both add to the stated."""
 
     what: ClassVar[str] = "a gap"
     gap: float
+    middle: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,11 @@ def waves_of(changes: Iterable[HostChange], kind: type[Waved]) -> tuple[Wave, ..
 def total_gap(changes: Iterable[HostChange]) -> float:
     """Return the sum of the gaps among the changes [rad, or m in a line]."""
     return sum(change.gap for change in changes if isinstance(change, ExtraGap))
+
+
+def total_shift(changes: Iterable[HostChange]) -> float:
+    """Return the sum of the middles of the gaps among the changes [rad, or m in a line]."""
+    return sum(change.middle for change in changes if isinstance(change, ExtraGap))
 
 
 def lowest_cutoff(bandwidth: float, changes: Iterable[HostChange]) -> float:

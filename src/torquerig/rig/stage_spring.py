@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from torquerig.rig.assembly import Rig
-from torquerig.rig.host_changes import KinematicError, StiffnessVariation, total_gap, waves_of
+from torquerig.rig.host_changes import KinematicError, StiffnessVariation, total_gap, total_shift, waves_of
 from torquerig.rig.terms import Spring
 
 
 def stage_spring(
-    rig: Rig, name: str, *, stiffness: float, damping: float, gap: float = 0.0, ratio: float = 1.0,
-    efficiency: float = 1.0,
+    rig: Rig, name: str, *, stiffness: float, damping: float, gap: float = 0.0, rest: float = 0.0,
+    ratio: float = 1.0, efficiency: float = 1.0,
 ) -> Spring:  # fmt: skip
     """Return the spring of the part ``name`` with the errors, gaps and stiffness waves that effects add to it.
 
@@ -17,8 +17,8 @@ def stage_spring(
     ----------
     rig : Rig
         Whose effects in the part are collected, all of ``host_changes.IN_A_SPRING``.
-    stiffness, damping, gap
-        At the output [N m/rad], [N m s/rad], [rad].
+    stiffness, damping, gap, rest
+        At the output [N m/rad], [N m s/rad], [rad], [rad].
     ratio, efficiency
         As in :class:`torquerig.rig.terms.Spring`.
     """
@@ -30,6 +30,7 @@ def stage_spring(
         stiffness=stiffness,
         damping=damping,
         gap=gap + total_gap(changes),
+        rest=rest + total_shift(changes),
         ratio=ratio,
         efficiency=efficiency,
         error=waves_of(changes, KinematicError),

@@ -84,7 +84,28 @@ def start(rig: Rig, lowered: Lowered, terms: Terms) -> tuple[NDArray[np.float64]
         speed = terms.drives.reference[0, 0]
     ratios = rig.speed_ratios(leader)
     turned = np.array([ratios.get(node, 0.0) for node in lowered.nodes] + [0.0])
-    return angle * turned, speed * turned
+    return angle * turned + unloaded(lowered), speed * turned
+
+
+def unloaded(lowered: Lowered) -> NDArray[np.float64]:
+    """Return the angles [rad] at which the springs hold no torque, shape (nodes + 1,), seen from the frame or leader.
+
+    All zero where no spring has a rest angle. Where two paths contradict, the first one counts.
+    """
+    springs, ground = lowered.arrays.springs, len(lowered.nodes)
+    angles = np.zeros(ground + 1)
+    if not springs.rest.any():
+        return angles
+    known = np.zeros(ground + 1, dtype=bool)
+    for root in (ground, lowered.node(lowered.leader())):
+        known[root] = True
+        for _ in range(springs.a.size):
+            for a, b, r, rest in zip(springs.a, springs.b, springs.inverse_ratio, springs.rest, strict=True):
+                if known[a] and not known[b]:
+                    angles[b], known[b] = angles[a] * r - rest, True
+                elif known[b] and not known[a]:
+                    angles[a], known[a] = (angles[b] + rest) / r, True
+    return angles
 
 
 def _set_point(rig: Rig, span: Span) -> NDArray[np.float64]:
@@ -117,6 +138,8 @@ def _imposed(lowered: Lowered, span: Span, reference: NDArray[np.float64]) -> Im
         if term.motion is None:
             speed = term.factor * reference
             angle = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]))]) / span.rate
+            if term.released:  # it holds the rig where its springs are unloaded
+                angle += unloaded(lowered)[lowered.node(term.on)]
         else:
             angle, speed = term.motion.at(time)
         angles.append(angle)

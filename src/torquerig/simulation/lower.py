@@ -116,7 +116,7 @@ def _nodes(terms: Sequence[Term]) -> tuple[tuple[str, ...], NDArray[np.float64]]
     """Return the nodes and what inertia sits on each; InputError where a term names a node without any."""
     carried: dict[str, float] = {}
     for one in terms:
-        if isinstance(one, Inertia) and one.inertia > 0:
+        if isinstance(one, Inertia) and one.inertia > 0 and one.node != GROUND:
             carried[one.node] = carried.get(one.node, 0.0) + one.inertia
     if not carried:
         raise InputError("the rig has no inertia at all; add a motor or a body")

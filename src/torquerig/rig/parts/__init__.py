@@ -9,6 +9,7 @@ torque_controller torque mode, fed forward, replayed   replayed_torque   a measu
 imposed_motion    a shaft that turns as measured       slide             a mass in a line (kg, N, m)
 link              spring in a line                     force_sensor      torque_sensor for motion in a line
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
+ground            a locked end
 """
 
 from torquerig.rig.parts.belt import BeltStage
@@ -17,6 +18,7 @@ from torquerig.rig.parts.coupling import Coupling
 from torquerig.rig.parts.encoder import MotorEncoder
 from torquerig.rig.parts.force_sensor import ForceSensor
 from torquerig.rig.parts.gear import Gear
+from torquerig.rig.parts.ground import Ground
 from torquerig.rig.parts.imposed_motion import ImposedMotion
 from torquerig.rig.parts.induction_drive import InductionDrive
 from torquerig.rig.parts.link import Link
@@ -35,6 +37,7 @@ __all__ = [
     "Coupling",
     "ForceSensor",
     "Gear",
+    "Ground",
     "ImposedMotion",
     "InductionDrive",
     "Link",

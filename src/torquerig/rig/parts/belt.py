@@ -10,6 +10,7 @@ from torquerig.errors import InputError
 from torquerig.orders.kinematics.belt import Belt
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
@@ -44,6 +45,10 @@ class BeltStage(Part):
     efficiency: Annotated[float, Parameter("1", "efficiency", above=0, high=1)] = 1.0
     pinion_inertia: Annotated[float, Parameter("kg*m^2", "inertia of the input pulley", low=0)] = 0.0
     wheel_inertia: Annotated[float, Parameter("kg*m^2", "inertia of the output pulley", low=0)] = 0.0
+    rest_angle: Annotated[float, Parameter("rad", "input angle / ratio less output angle without torque")] = 0.0
+    viscous: Viscous = 0.0
+    coulomb: Coulomb = 0.0
+    smoothing: Smoothing = 0.02
 
     def __post_init__(self) -> None:
         toothed = (self.pinion_teeth, self.wheel_teeth, self.belt_teeth, self.pitch)
@@ -90,10 +95,14 @@ class BeltStage(Part):
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the pulleys and the spring between, with the errors that effects add."""
         spring = stage_spring(
-            rig, self.name, stiffness=self.stiffness, damping=self.damping, ratio=self.ratio, efficiency=self.efficiency
-        )
+            rig, self.name, stiffness=self.stiffness, damping=self.damping, rest=self.rest_angle, ratio=self.ratio,
+            efficiency=self.efficiency,
+        )  # fmt: skip
         pinion = Inertia(node=rig.upstream(self.name), inertia=self.pinion_inertia)
-        return pinion, Inertia(node=rig.node(self.name), inertia=self.wheel_inertia), spring
+        friction = bearing_friction(
+            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
+        )
+        return pinion, Inertia(node=spring.b, inertia=self.wheel_inertia), spring, *friction
 
     @property
     def _unit(self) -> float:

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.bearing import bearing_friction
 from torquerig.rig.host_changes import IN_A_SENSOR, IN_A_SPRING, HostChange, lowest_cutoff
 from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.stage_spring import stage_spring
@@ -34,11 +35,17 @@ class ForceSensor(Part):
     noise_rms: Annotated[float, Parameter("V", "rms of the noise", low=0)] = 0.0
     converter_range: Annotated[float, Parameter("V", "converter range, plus and minus", above=0)] = 10.0
     converter_bits: int = 16
+    viscous: Annotated[float, Parameter("N*s/m", "viscous friction of the far side against the frame", low=0)] = 0.0
+    coulomb: Annotated[float, Parameter("N", "Coulomb friction of the far side against the frame", low=0)] = 0.0
+    smoothing: Annotated[float, Parameter("m/s", "speed over which the sign is smoothed", above=0)] = 1e-3
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return the spring and the mass of its far side."""
+        """Return the spring, and mass and friction of its far side."""
         spring = stage_spring(rig, self.name, stiffness=self.stiffness, damping=self.damping)
-        return Inertia(node=rig.node(self.name), inertia=self.mass), spring
+        friction = bearing_friction(
+            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
+        )
+        return Inertia(node=spring.b, inertia=self.mass), spring, *friction
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return amplifier, noise and converter."""

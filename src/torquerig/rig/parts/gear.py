@@ -11,6 +11,7 @@ from torquerig.orders.kinematics.teeth import Planetary, Spur
 from torquerig.orders.kinematics.teeth_reading import TeethList
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
 from torquerig.rig.host_changes import IN_A_SPRING, HostChange
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
@@ -44,6 +45,12 @@ class Gear(Part):
     backlash: Annotated[float, Parameter("rad", "full backlash at the output", low=0)] = 0.0
     input_inertia: Annotated[float, Parameter("kg*m^2", "inertia referred to the input (J1)", low=0)] = 0.0
     output_inertia: Annotated[float, Parameter("kg*m^2", "inertia on the output shaft", low=0)] = 0.0
+    rest_angle: Annotated[
+        float, Parameter("rad", "input angle / ratio less output angle without torque, in the middle of the backlash")
+    ] = 0.0
+    viscous: Viscous = 0.0
+    coulomb: Coulomb = 0.0
+    smoothing: Smoothing = 0.02
     teeth: Annotated[tuple[Planetary | Spur, ...], TeethList()] = ()
 
     def __post_init__(self) -> None:
@@ -70,9 +77,12 @@ class Gear(Part):
         inertia = self.output_inertia + self.input_inertia * self.ratio**2
         spring = stage_spring(
             rig, self.name, stiffness=self.stiffness, damping=self.damping, gap=self.backlash, ratio=self.ratio,
-            efficiency=self.efficiency,
+            efficiency=self.efficiency, rest=self.rest_angle,
         )  # fmt: skip
-        return Inertia(node=rig.node(self.name), inertia=inertia), spring
+        friction = bearing_friction(
+            self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
+        )
+        return Inertia(node=spring.b, inertia=inertia), spring, *friction
 
     def _nearest(self) -> str:
         """Return the sets of teeth that would give the stated ratio, for a planetary gear of one stage."""

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.bearing import Coulomb, Smoothing, Viscous, bearing_friction
 from torquerig.rig.host_changes import IN_A_SENSOR, HostChange, lowest_cutoff
 from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.terms import Inertia, Spring, Term
@@ -39,12 +40,18 @@ class TorqueSensor(Part):
     ] = 0.0
     converter_range: Annotated[float, Parameter("V", "converter range, plus and minus", above=0)] = 10.0
     converter_bits: int = 16
+    viscous: Viscous = 0.0
+    coulomb: Coulomb = 0.0
+    smoothing: Smoothing = 0.02
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
-        """Return the spring and the inertia of its output side."""
+        """Return the spring, and inertia and friction of its output side."""
         upstream, node = rig.upstream(self.name), rig.node(self.name)
         spring = Spring(name=self.name, a=upstream, b=node, stiffness=self.stiffness, damping=self.damping)
-        return Inertia(node=node, inertia=self.inertia), spring
+        friction = bearing_friction(
+            self.name, node, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing
+        )
+        return Inertia(node=node, inertia=self.inertia), spring, *friction
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return amplifier, noise and converter."""

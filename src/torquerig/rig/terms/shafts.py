@@ -44,10 +44,10 @@ class Wave:
 class Spring(Term):
     """A spring and damper with gap, gear ratio, losses, kinematic error and varying stiffness between two shafts.
 
-    ``twist = theta_a / ratio - theta_b + e(theta_b)``; ``T = k(theta_b) twist + c d(twist)/dt``. With a gap, k counts
-    the twist beyond it, the damping torque is at most the spring's and the sum never pulls (the contact law of the
-    Modelica Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T (1 - e') - k' twist^2 /
-    2``, ``a`` gets ``-T / (ratio eta)`` while power flows from a to b and ``-T eta / ratio`` when it flows back.
+    ``twist = theta_a / ratio - theta_b - rest + e(theta_b)``; ``T = k(theta_b) twist + c d(twist)/dt``. With a gap, k
+    counts the twist beyond it, the damping torque is at most the spring's and the sum never pulls (the contact law of
+    the Modelica Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T (1 - e') - k' twist^2
+    / 2``, ``a`` gets ``-T / (ratio eta)`` while power flows from a to b and ``-T eta / ratio`` when it flows back.
 
     The primed terms (derivatives by theta_b) follow from the energy ``k(theta_b) twist^2 / 2`` that spring and shafts
     share: an error or a stiffness that turns with the shaft does no work of its own, the housing bears the difference.
@@ -64,6 +64,9 @@ class Spring(Term):
         On the side of b [N m s/rad].
     gap : float
         Full gap [rad] on the side of b.
+    rest : float
+        ``theta_a / ratio - theta_b`` without torque [rad]: the zero of the spring, or the middle of its gap. It counts
+        where both sides are held, imposed, or linked by a second path; a free chain settles to it.
     ratio : float
         Turns of a per turn of b [1]; may be negative for a reversing stage.
     efficiency : float
@@ -82,6 +85,7 @@ class Spring(Term):
     stiffness: float
     damping: float
     gap: float = 0.0
+    rest: float = 0.0
     ratio: float = 1.0
     efficiency: float = 1.0
     error: tuple[Wave, ...] = ()

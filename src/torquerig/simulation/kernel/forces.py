@@ -36,7 +36,7 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         torque[harmonics.against[i]] -= value
     for i in range(springs.a.size):
         a, b, r = springs.a[i], springs.b[i], springs.inverse_ratio[i]
-        twist = theta[a] * r - theta[b]
+        twist = theta[a] * r - theta[b] - springs.rest[i]
         lean = 1.0  # 1 - e': what the kinematic error makes of the lever on b
         for j in range(springs.e_first[i], springs.e_first[i + 1]):
             slot = springs.e_slot[j]

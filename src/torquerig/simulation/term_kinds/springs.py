@@ -21,6 +21,7 @@ class Springs(NamedTuple):
     stiffness: Floats
     damping: Floats
     half_gap: Floats
+    rest: Floats
     inverse_ratio: Floats
     loss_mean: Floats  # (1/eta + eta) / 2
     loss_half: Floats  # (1/eta - eta) / 2
@@ -69,6 +70,7 @@ class SpringKind(TermKind[Spring, Springs]):
             stiffness=floats(s.stiffness for s in terms),
             damping=floats(s.damping for s in terms),
             half_gap=floats(0.5 * s.gap for s in terms),
+            rest=floats(s.rest for s in terms),
             inverse_ratio=floats(1 / s.ratio for s in terms),
             loss_mean=floats(0.5 * (1 / s.efficiency + s.efficiency) for s in terms),
             loss_half=floats(0.5 * (1 / s.efficiency - s.efficiency) for s in terms),
@@ -79,6 +81,10 @@ class SpringKind(TermKind[Spring, Springs]):
             e_sin=errors.s,
             swing=floats(_swing(spring, to) for spring in terms),
         )
+
+    def refused(self, terms: Sequence[Spring]) -> Iterator[tuple[str, str]]:
+        """Yield each spring whose zero is not at equal angles."""
+        yield from ((spring.name, "a rest angle") for spring in terms if spring.rest)
 
     def links(self, rows: Springs, *, stiffest: bool) -> Iterator[Link]:
         """Yield the springs with gaps closed and without losses; at their highest stiffness where wanted."""

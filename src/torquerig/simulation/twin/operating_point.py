@@ -167,7 +167,7 @@ def _balanced(lowered: Lowered, point: OperatingPoint, outside: Floats) -> Opera
         driven[on, column] += 1.0
         driven[against, column] -= 1.0
     stiff = springs.stiffness[:, None] * twist[:, :n]
-    offset = -springs.stiffness * side * springs.half_gap
+    offset = -springs.stiffness * (side * springs.half_gap + springs.rest)
     matrix = np.hstack([pull[:n] @ stiff, driven[:n]])
     found = np.linalg.lstsq(matrix, -outside[:n] - pull[:n] @ offset, rcond=None)[0]
     angles, drive = found[:n], found[n:]
