@@ -115,12 +115,20 @@ def test_info_names_a_possible_alias(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert "may be the alias of cogging x1 at 840 Hz, above half the sample rate" in shown
 
 
-def test_two_torques_are_named_until_one_has_the_role(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_two_torques_are_refused_until_one_has_the_role(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = "".join(f"{n / 1000:.3f},{n % 7},{n % 5},1000\n" for n in range(3000))
     (tmp_path / "run.csv").write_text("Time [s],Torque A1 [Nm],Torque B2 [Nm],Speed [rpm]\n" + rows)
-    for command in (("info",), ("filter", "--chain", "order_lines"), ("ordermap",)):
-        main((command[0], str(tmp_path / "run.csv"), *command[1:]))
-        assert "several channels are a torque: Torque A1, Torque B2; Torque A1 is used" in capsys.readouterr().out
+    main(("info", str(tmp_path / "run.csv")))
+    assert "several channels are a torque: Torque A1, Torque B2; write role: compared" in capsys.readouterr().out
+    for command in (("filter", "--chain", "order_lines"), ("filter", "--chain", "order_lines", "--block", "1 s"),
+                    ("ordermap",)):  # fmt: skip
+        with pytest.raises(SystemExit) as stopped:
+            main((command[0], str(tmp_path / "run.csv"), *command[1:]))
+        assert stopped.value.code == 2
+        said = " ".join(capsys.readouterr().err.split())
+        assert "run.csv: several channels are a torque: Torque A1, Torque B2; name the one" in said
+        main((command[0], str(tmp_path / "run.csv"), *command[1:], "--channel", "Torque B2"))
+        assert "several channels" not in capsys.readouterr().out
     entries = "  Torque B2: {quantity: torque, unit: N*m, role: compared}\n  Torque A1: {quantity: torque, unit: N*m}\n"
     (tmp_path / "run.yaml").write_text("channels:\n" + entries + "  Speed: {quantity: speed, unit: rpm}\n")
     main(("info", str(tmp_path / "run.csv")))

@@ -123,7 +123,7 @@ def test_a_host_collects_what_it_takes_and_refuses_the_rest(name: str, change: H
         with pytest.raises(InputError, match=r"it: .* has no place in 'host'"):
             changed.terms()
         return
-    assert (changed.terms(), changed.stages()) != (plain.terms(), plain.stages())
+    assert (changed.terms(), changed.stages("host")) != (plain.terms(), plain.stages("host"))
 
 
 def test_an_induction_drive_collects_the_ripple() -> None:

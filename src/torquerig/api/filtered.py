@@ -17,7 +17,8 @@ from torquerig.scenario.recording_lines import kinematics_of_recording
 
 def filter(  # noqa: A001 (the public name; this module does not use the built-in)
     recording: Recording | str | Path, chain: str = "order_lines", *, filters: str | Path | None = None,
-    motor: str | None = None, ratio: float | None = None, catalogs: Sequence[str | Path] = (),
+    motor: str | None = None, ratio: float | None = None, channel: str | None = None,
+    catalogs: Sequence[str | Path] = (),
 ) -> Recording:  # fmt: skip
     """Return a recording after a filter chain.
 
@@ -32,6 +33,8 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
         Motor of the catalog whose order lines are removed, where the run does not name it.
     ratio : float, optional
         Motor turns per output turn [1], where the run does not state it.
+    channel : str, optional
+        Channel with the measured torque, where several have one and none has the role ``compared``.
     catalogs : sequence of path
         Further catalog folders.
 
@@ -56,6 +59,7 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
     True
     """
     read = recording_from(recording)
+    read = read if channel is None else read.comparing(channel)
     kinematics, _ = kinematics_of_recording(
         read, catalog_for(None, folders(catalogs)), motor=motor, ratio=ratio, remedies=("motor=NAME", "ratio=N")
     )

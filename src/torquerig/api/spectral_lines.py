@@ -88,7 +88,7 @@ class OrderLines(Result):
 def order_lines(
     recording: Recording | str | Path, *, scenario: Scenario | str | Path | None = None, motor: str | None = None,
     ratio: float | None = None, gearbox: str | None = None, mains: float = 50.0, harmonics: int = 4,
-    catalogs: Sequence[str | Path] = (),
+    channel: str | None = None, catalogs: Sequence[str | Path] = (),
 ) -> OrderLines:  # fmt: skip
     """Return the spectral lines of a recording, those of the shaft separated from fixed frequencies.
 
@@ -103,6 +103,8 @@ def order_lines(
         Frequency of the grid [Hz], > 0.
     harmonics : int
         Lines of each cause that are looked up.
+    channel : str, optional
+        Channel with the measured torque, where several have one and none has the role ``compared``.
     catalogs : sequence of path
         Further catalog folders.
 
@@ -131,6 +133,7 @@ def order_lines(
     True
     """
     read = recording_from(recording)
+    read = read if channel is None else read.comparing(channel)
     if scenario is not None:
         kinematics = kinematics_of(scenario_from(scenario, catalogs=catalogs).rig)
     else:

@@ -23,6 +23,11 @@ set_option = click.option(
     help="Change a value of the scenario, for example --set load.occupancy=21 --set gearbox.ratio=10.",
 )  # fmt: skip
 
+channel_option = click.option(
+    "--channel", default=None, metavar="NAME",
+    help="Channel with the measured torque, where several have one and the sidecar states none as compared.",
+)  # fmt: skip
+
 profile_option = click.option(
     "--profile", default=None, metavar="WORD|FILE",
     help="steady, ramp, reversal or duty_cycle, or a table file with time_s, speed_rpm and optionally torque_Nm.",

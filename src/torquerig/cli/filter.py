@@ -9,7 +9,7 @@ import click
 
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
-from torquerig.cli.common_options import catalog_option
+from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.filter_blocks import blocks_for, described, filter_long
 from torquerig.cli.filter_evaluation import evaluation_pictures, print_evaluations
 from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
@@ -69,11 +69,12 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
     help="Filter in blocks of this length, such as '60 s'. Default for a long recording: blocks of a fitting length.",
 )
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording or picture of that name.")
+@channel_option
 @catalog_option
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
     out: Path | None, picture: Path | None, evaluate: bool, judge: bool, block: str | None, force: bool,
-    catalogs: tuple[Path, ...],
+    channel: str | None, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Apply filter chains to RECORDING and show the change of standard deviation, mean, energy and order lines.
 
@@ -91,6 +92,7 @@ def command(
     names = names or ("report_filter_code", "report_filter_text")
     panels = evaluation_pictures(recording, names, picture, force=force) if evaluate else {}
     stream = open_stream(recording)
+    stream = stream if channel is None else stream.comparing(channel)
     sheet = described(stream)
     kinematics, assumed = kinematics_of_recording(sheet, catalog_for(None, catalogs), motor=motor, ratio=ratio)
     known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
@@ -99,7 +101,7 @@ def command(
         _refuse_picture_without_speed(sheet)
     blocking = blocks_for(stream, chains, block=None if block is None else _seconds(block))
     if blocking is None:
-        before_and_after = _filtered_whole(recording, chains, kinematics, out=out, force=force)
+        before_and_after = _filtered_whole(recording, chains, kinematics, channel=channel, out=out, force=force)
     else:
         before_and_after = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
     for sentence in assumed:
@@ -112,10 +114,11 @@ def command(
 
 
 def _filtered_whole(
-    path: Path, chains: Sequence[Chain], kinematics: Kinematics, *, out: Path | None, force: bool
+    path: Path, chains: Sequence[Chain], kinematics: Kinematics, *, channel: str | None, out: Path | None, force: bool
 ) -> tuple[Recording, Recording]:
     """Filter, print and write; return the recording before and after the first chain."""
     before = read_recording(path)
+    before = before if channel is None else before.comparing(channel)
     print_suspicions(recording_info(before), before, note=_AS_THEY_ARE)
     results = [chain.apply(before) for chain in chains]
     effects = [

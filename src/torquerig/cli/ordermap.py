@@ -9,7 +9,7 @@ import click
 import numpy as np
 
 from torquerig.catalog.search import catalog_for
-from torquerig.cli.common_options import catalog_option
+from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, UnitError
 from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
@@ -52,10 +52,11 @@ _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
               help="Draw order spectrum, order map and Campbell diagram: .svg or .png.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
+@channel_option
 @catalog_option
 def command(
     *, recording: Path, motor: str | None, ratio: float | None, gearbox: str | None, scenario: Path | None,
-    harmonics: int, mains: str, picture: Path | None, force: bool, catalogs: tuple[Path, ...],
+    harmonics: int, mains: str, picture: Path | None, force: bool, channel: str | None, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """List the spectral lines of RECORDING and decide for each whether its order or its frequency is constant.
 
@@ -68,6 +69,7 @@ def command(
         check_picture(picture, overwrite=force)
     grid_frequency = _hertz(mains)
     read = read_recording(recording)
+    read = read if channel is None else read.comparing(channel)
     kinematics, modes, assumed = _known_of(
         read, motor=motor, ratio=ratio, gearbox=gearbox, scenario=scenario, catalogs=catalogs
     )

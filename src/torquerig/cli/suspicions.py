@@ -74,9 +74,8 @@ def _choice(recording: Recording) -> list[str]:
             if one.quantity == quantity and one.role in (None, "compared") and not one.truth
         }  # fmt: skip
         if len(named) > 1 and "compared" not in named.values():
-            names, used = ", ".join(named), next(iter(named))
-            remedy = "write role: compared into the sidecar for the one that counts"
-            return [f"several channels are a {quantity}: {names}; {used} is used; {remedy}"]
+            remedy = "write role: compared into the sidecar for the one that counts, or name it with --channel"
+            return [f"several channels are a {quantity}: {', '.join(named)}; {remedy}"]
         if named:
             return []
     return []

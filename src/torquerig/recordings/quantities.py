@@ -19,7 +19,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "velocity": ("linear speed",),
     "temperature": ("temperature", "temperature difference"),
     "tacho": ("share",),
-    "acceleration": ("acceleration",),
+    "acceleration": ("acceleration", "angular acceleration"),
     "pressure": ("pressure",),
     "power": ("power",),
     "time": ("time",),

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+EFFORTS = ("torque", "force")
+"""Quantities of a measured torque, on a rig that moves in a line of a force."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Channel:
@@ -106,17 +109,46 @@ class Recording:
     def torque_name(self) -> str:
         """Return the name of the measured torque (or, on a rig that moves in a line, force) channel.
 
-        The one whose role is ``compared``, else the first that is neither an input nor context.
+        The one whose role is ``compared``, else the only one that is neither an input nor context. RecordingError where
+        there is none, and where there are several and nothing states which of them is meant.
         """
         for role in ("compared", None):
-            for quantity in ("torque", "force"):
+            for quantity in EFFORTS:
                 named = [
                     name for name, one in self.channels.items()
                     if one.quantity == quantity and one.role == role and not one.truth
                 ]  # fmt: skip
+                if len(named) > 1:
+                    raise RecordingError(self._several(named, quantity))
                 if named:
                     return named[0]
         raise RecordingError(self._no_torque())
+
+    def comparing(self, name: str) -> Recording:
+        """Return this recording with the channel ``name`` as the measured torque, and other measured ones as context.
+
+        RecordingError where there is no such channel, or it is no torque, force or torque of the motor.
+        """
+        chosen = self.channel(name)
+        if chosen.quantity not in (*EFFORTS, "motor_torque") or chosen.truth:
+            kind = "true channel" if chosen.truth else chosen.quantity
+            known = ", ".join(key for key, one in self.channels.items() if one.quantity in EFFORTS and not one.truth)
+            raise RecordingError(
+                f"{self.name}: {name} is a {kind}, not a measured torque or force; name one of {known or 'those'}"
+            )
+        quantity = "torque" if chosen.quantity == "motor_torque" else chosen.quantity
+        channels = {
+            key: replace(one, role="context") if one.quantity in EFFORTS and not one.truth else one
+            for key, one in self.channels.items()
+        }
+        return replace(self, channels={**channels, name: replace(chosen, quantity=quantity, role="compared")})
+
+    def _several(self, names: list[str], quantity: str) -> str:
+        """Return the sentence that several channels may be the measured torque, with the remedy."""
+        return (
+            f"{self.name}: several channels are a {quantity}: {', '.join(names)}; name the one that is meant with "
+            "--channel (in Python channel=), or write role: compared into its entry of the sidecar"
+        )
 
     def _no_torque(self) -> str:
         """Return the sentence that no channel is a measured torque, with the remedy for those that may be one."""

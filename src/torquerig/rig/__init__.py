@@ -13,7 +13,8 @@
 ``steady``        mean torques at the set-point
 ``phase_level``   torque lines of the motor's phases at the set-point
 ``leading_part``  the part that the set-point belongs to
-``reading_place`` the part whose torque is measured
+``reading_place`` the part at which a measured place reads
+``sensor_reading`` scale, zero and mounting of a sensor
 ``mean_by_occupancy`` mean load over the occupancy of the drum
 ================= ===============================================================================
 """

@@ -53,6 +53,9 @@ class Part:
     locks_shaft: ClassVar[bool] = False
     """True for what fixes its shaft to the frame: the node is then the ground, and nothing on it moves."""
 
+    is_sensor: ClassVar[bool] = False
+    """True for what has a measuring chain: its stages, and those of the effects in it, are of its reading alone."""
+
     in_a_line: ClassVar[bool] = False
     """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
 
@@ -92,12 +95,15 @@ class Rig:
     run : Run
         Set-points that the parts may depend on (speed, occupancy, particle size, profile).
     measured : str
-        Name of the part whose spring torque is the reading.
+        Name of the part whose spring torque is the reading; of several measured places the first torque or force.
+    also_measured : tuple of str
+        The further measured places, each with a channel of its own.
     """
 
     parts: tuple[Part, ...]
     run: Run = field(default_factory=Run)
     measured: str = "torque_sensor"
+    also_measured: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         seen: set[str] = set()
@@ -184,6 +190,11 @@ class Rig:
         """Return what all effects change inside the part ``host``, in the order of the effects."""
         return tuple(change for part in self.parts if part.host == host for change in self.changes_of(part))
 
+    @property
+    def places(self) -> tuple[str, ...]:
+        """The names of all measured places, first the one that is compared."""
+        return (self.measured, *self.also_measured)
+
     def terms(self) -> tuple[Term, ...]:
         """Return the physics of all parts.
 
@@ -219,14 +230,25 @@ class Rig:
     def _terms_by_part(self) -> dict[str, tuple[Term, ...]]:
         return {}
 
-    def stages(self) -> tuple[Stage, ...]:
-        """Return the measuring chain from the shaft to the file; parts at one position keep their order."""
-        return self._stages
+    def stages(self, place: str | None = None) -> tuple[Stage, ...]:
+        """Return the measuring chain of a measured place from the shaft to the file, by default of ``measured``.
+
+        Parts at one position keep their order. What no sensor has (an encoder, mains hum) is in the chain of
+        ``measured``.
+        """
+        return self._stages.get(self.measured if place is None else place, ())
 
     @cached_property
-    def _stages(self) -> tuple[Stage, ...]:
-        placed = [stage for part in self.parts for stage in part.stages(self)]
-        return tuple(item.stage for item in sorted(placed, key=lambda item: item.position))
+    def _stages(self) -> dict[str, tuple[Stage, ...]]:
+        sensors = {part.name for part in self.parts if part.is_sensor}
+        placed: dict[str, list[PlacedStage]] = {}
+        for part in self.parts:
+            of = next((name for name in (part.name, getattr(part, "sensor", "")) if name in sensors), self.measured)
+            placed.setdefault(of, []).extend(part.stages(self))
+        return {
+            of: tuple(item.stage for item in sorted(each, key=lambda item: item.position))
+            for of, each in placed.items()
+        }
 
     def speed_ratios(self, reference: str) -> dict[str, float]:
         """Return the turns of each node per turn of the node ``reference``, by the gears between them."""

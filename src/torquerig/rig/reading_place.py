@@ -1,12 +1,15 @@
-"""The part of a rig whose torque is measured."""
+"""The part of a rig at which a measured place reads."""
 
 from __future__ import annotations
 
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion
+from torquerig.rig.parts import AccelerationSensor, CurrentSensor, ImposedMotion, Probe, SpeedSensor
 
 
-def reading_place(rig: Rig) -> str:
-    """Return the part whose torque is measured: the sensor, or the part with an imposed motion."""
-    part = rig.part(rig.measured)
-    return part.at if isinstance(part, ImposedMotion) else rig.measured
+def reading_place(rig: Rig, place: str | None = None) -> str:
+    """Return the part at which ``place`` reads, by default ``measured``: the sensor, or what it is ``at``."""
+    name = rig.measured if place is None else place
+    part = rig.part(name)
+    if isinstance(part, ImposedMotion | Probe | SpeedSensor | AccelerationSensor | CurrentSensor):
+        return part.at
+    return name

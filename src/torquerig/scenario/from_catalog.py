@@ -50,6 +50,7 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("bandwidth", "bandwidth", "Hz"),
         ("noise_rms", "noise", "V"),
         ("converter_range", "adc.range", "V"),
+        ("gain_tolerance", "gain_tolerance", "1"),
     ),
     "coupling": (
         ("stiffness", "stiffness", "N*m/rad"),
@@ -58,8 +59,10 @@ FIELDS: dict[str, tuple[tuple[str, str, str], ...]] = {
     ),
 }
 
-RANGES = ("torque_limit", "rated_torque", "rated_speed", "breakdown_torque", "converter_range", "backlash")
-"""Limits of ranges, and the backlash: a reading within the range does not depend on them."""
+RANGES = (
+    "torque_limit", "rated_torque", "rated_speed", "breakdown_torque", "converter_range", "backlash", "gain_tolerance",
+)  # fmt: skip
+"""Limits of ranges, the backlash and tolerances: a reading within the range does not depend on them."""
 
 BOUGHT_AS = {"planetary_gear": "gear", "fixed_axis_gear": "gear"}  # kinds with the same catalog folder and fields
 

@@ -13,6 +13,7 @@ from torquerig.document import Document
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.filled import FromCatalog
+from torquerig.scenario.measured import written_measured
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.scenario.recording_settings import RecordingSettings
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
@@ -91,7 +92,7 @@ class Scenario:
         """Return the rig, its set-point and where it is read, in one sentence."""
         run = self.rig.run
         speed = "no set-point" if run.speed_rpm is None else f"motor at {run.speed_rpm:g} rpm"
-        return f"{self.title}: {len(self.rig.parts)} parts and effects, {speed}, read at {self.rig.measured}"
+        return f"{self.title}: {len(self.rig.parts)} parts and effects, {speed}, read at {', '.join(self.rig.places)}"
 
     def to_frame(self) -> pd.DataFrame:
         """Return one row per number of the rig: part, kind, parameter, value with unit, uncertainty, what was drawn."""
@@ -115,7 +116,7 @@ class Scenario:
     def to_json(self) -> str:
         """Return title, measured place and parts with their values as JSON."""
         parts = {part.name: written_part(part, in_a_line=self.rig.in_a_line(part)) for part in self.rig.parts}
-        data = {"scenario": self.title, "measured": self.rig.measured, "rig": parts}
+        data = {"scenario": self.title, "measured": written_measured(self.rig), "rig": parts}
         return json.dumps(data, indent=2, ensure_ascii=False, default=str) + "\n"
 
     def plot(self) -> Figure:

@@ -15,11 +15,11 @@ from torquerig.catalog.reading import Catalog
 from torquerig.document import Document, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
-from torquerig.rig import parts
 from torquerig.rig.assembly import HOST_FIELDS, Part, Rig
 from torquerig.scenario.filled import Filled, FromCatalog
 from torquerig.scenario.from_catalog import filled_from_catalog
 from torquerig.scenario.kinds import KINDS
+from torquerig.scenario.measured import with_measured
 from torquerig.scenario.misplaced import place_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.operating_point import OperatingPoint, run_at
@@ -66,18 +66,13 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
             assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
             taken.update({f"{part.name}.{key}": one for key, one in item.taken.items()})
             shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
-    rig = _runnable(document, Rig(tuple(found), measured=str(data.get("measured", "torque_sensor"))), point, owners)
+    rig = _runnable(document, with_measured(Rig(tuple(found)), document), point, owners)
     title = str(data.get("scenario", document.path.stem))
     return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded)
 
 
 def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:
     """Return the rig at its operating point, the terms of every part checked so that errors have a place."""
-    with _placed(document, "measured"):
-        measured = rig.part(rig.measured)
-        if not (measured.opens_node or isinstance(measured, parts.ImposedMotion)):
-            raise InputError(f"{rig.measured!r} has no spring whose torque could be read; name a sensor, gear or "
-                             "coupling, or an imposed_motion for what it takes")  # fmt: skip
     with _placed(document, "rig"):
         rig = rig.at(run_at(point, rig, folder=document.path.parent))
     for part in rig.parts:

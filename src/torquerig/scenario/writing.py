@@ -11,6 +11,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
+from torquerig.scenario.measured import written_measured
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_file
 
@@ -57,7 +58,8 @@ def scenario_text(
     }
     data = {
         "scenario": title, "operating_point": dict(operating_point),
-        **({} if recording is None else {"recording": dict(recording)}), "measured": rig.measured, "rig": parts,
+        **({} if recording is None else {"recording": dict(recording)}), "measured": written_measured(rig),
+        "rig": parts,
     }  # fmt: skip
     comment = "".join(f"# {line}\n" for line in head.splitlines())
     return comment + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=120)

@@ -2,6 +2,7 @@
 
 In the measuring body
     characteristic   gain error, nonlinearity      hysteresis   the reading lags behind a torque that turns back
+    scale_and_zero   true scale, constant zero
     crosstalk        bending read as torque               ringing      impacts of a bearing
 In the electronics
     amplifier        the analog low-pass                  tone         mains hum, pulse-width modulation

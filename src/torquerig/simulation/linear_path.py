@@ -15,7 +15,8 @@ from torquerig.simulation import kernel
 from torquerig.simulation.inputs import Span, filled
 from torquerig.simulation.linear_start import LinearPath, prepared, wanted_speed
 from torquerig.simulation.lower import Lowered
-from torquerig.simulation.outputs import Output, outputs_of
+from torquerig.simulation.measured_places import Output
+from torquerig.simulation.outputs import outputs_of
 from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, recorded
 from torquerig.simulation.twin.blocks import lifted, run
 from torquerig.simulation.twin.friction_slope import sliding

@@ -1,52 +1,29 @@
-"""The outputs of a run: the sensor's torque, the truth channels, and the probes of the rig."""
+"""The outputs of a run: what the measured places read, the truth channels, and the probes of the rig."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.recording import Channel
+from torquerig.recordings.recording import EFFORTS, Channel
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ForceSensor, ImposedMotion, Probe, TorqueSensor
+from torquerig.rig.parts import Probe
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import Load
 from torquerig.simulation import kernel
 from torquerig.simulation.arrays import Outputs
 from torquerig.simulation.lower import Lowered
-
-
-@dataclass(frozen=True)
-class Output:
-    """One row of the kernel's output and the channel that it becomes."""
-
-    name: str
-    kind: int
-    row: int
-    quantity: str
-    unit: str
-    truth: bool = True
-
-
-@dataclass(frozen=True)
-class Words:
-    """Outputs of a shaft or of a part in a line: (quantity, ending of a name, unit) of each thing kept."""
-
-    effort: tuple[str, str, str]
-    rate: tuple[str, str, str]
-    place: tuple[str, str, str]
-    motor: tuple[str, str, str]  # quantities of the driven side: effort, rate, place
-
-
-TURNING = Words(
-    ("torque", "Nm", "N*m"), ("speed", "rad_s", "rad/s"), ("angle", "rad", "rad"),
-    ("motor_torque", "motor_speed", "motor_angle"),
-)  # fmt: skip
-IN_A_LINE = Words(
-    ("force", "N", "N"), ("velocity", "m_s", "m/s"), ("position", "m", "m"), ("force", "velocity", "position")
+from torquerig.simulation.measured_places import (
+    Output,
+    channel_name,
+    place_output,
+    reading_channel,
+    role_of,
+    what_is_read,
+    words,
 )
-_KINDS = {"torque": kernel.SPRING_TORQUE, "speed": kernel.SPEED, "angle": kernel.ANGLE}
 
 
 def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
@@ -54,9 +31,9 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     motor, part = lowered.node(lowered.leader()), _worn(rig, lowered)
     here, driven = words(rig, reading_place(rig)), words(rig, lowered.leader())
     effort, rate = here.effort, here.rate
-    kind, row = _measured(rig, lowered)
+    quantity, ending, _ = what_is_read(rig, rig.measured)
     listed = [
-        Output(f"true_sensor_{effort[0]}_{effort[1]}", kind, row, effort[0], effort[2]),
+        place_output(rig, lowered, rig.measured, name=f"true_sensor_{quantity}_{ending}"),
         Output(f"true_load_{effort[1]}", kernel.OPPOSING_TORQUE, part, effort[0], effort[2]),
         Output(_named("motor", driven.place), kernel.ANGLE, motor, driven.motor[2], driven.place[2]),
         Output(_named("motor", driven.rate), kernel.SPEED, motor, driven.motor[1], driven.rate[2]),
@@ -70,18 +47,17 @@ def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
         if not term.released:
             name = _named(term.name, taken.effort)
             listed.append(Output(name, kernel.IMPOSING_TORQUE, row, taken.motor[0], taken.effort[2]))
-    return (*listed, *(_probed(rig, lowered, probe) for probe in rig.parts_of(Probe)))
+    return (*listed, *_at_further_places(rig, lowered), *(_probed(rig, lowered, each) for each in rig.parts_of(Probe)))
 
 
-def _measured(rig: Rig, lowered: Lowered) -> tuple[int, int]:
-    if isinstance(rig.part(rig.measured), ImposedMotion):
-        return kernel.IMPOSING_TORQUE, [term.name for term in lowered.imposed_terms].index(rig.measured)
-    return kernel.SPRING_TORQUE, lowered.spring_names.index(rig.measured)
-
-
-def words(rig: Rig, part: str) -> Words:
-    """Return the outputs at the node of a part."""
-    return IN_A_LINE if any(one.in_a_line for one in rig.parts if one.name == part) else TURNING
+def _at_further_places(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
+    """Return the truth of every further measured place; a probe writes what is true already."""
+    answer = []
+    for place in rig.also_measured:
+        if not isinstance(rig.part(place), Probe):
+            quantity, ending, _ = what_is_read(rig, place)
+            answer.append(place_output(rig, lowered, place, name=f"true_{quantity}_at_{place}_{ending}"))
+    return tuple(answer)
 
 
 def _named(what: str, quantity: tuple[str, str, str]) -> str:
@@ -89,10 +65,11 @@ def _named(what: str, quantity: tuple[str, str, str]) -> str:
 
 
 def _probed(rig: Rig, lowered: Lowered, probe: Probe) -> Output:
-    here, spring = words(rig, probe.at), probe.quantity == "torque"
-    quantity, ending, unit = {"torque": here.effort, "speed": here.rate, "angle": here.place}[probe.quantity]
-    row = lowered.spring_names.index(probe.at) if spring else lowered.node(rig.node(probe.at))
-    return Output(f"{probe.name}_{ending}", _KINDS[probe.quantity], row, quantity, unit, truth=False)
+    """Return the output of a probe; a torque that ``measured`` does not name is context, never the compared one."""
+    quantity, ending, _ = what_is_read(rig, probe.name)
+    aside = quantity in EFFORTS and probe.name not in rig.places
+    made = place_output(rig, lowered, probe.name, name=f"{probe.name}_{ending}", truth=False)
+    return replace(made, role="context" if aside else role_of(rig, probe.name))
 
 
 def as_arrays(outputs: tuple[Output, ...]) -> Outputs:
@@ -101,26 +78,31 @@ def as_arrays(outputs: tuple[Output, ...]) -> Outputs:
     return Outputs(np.array(kinds, dtype=np.uint64), np.array(rows, dtype=np.uint64))
 
 
-def channels_of(rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64]) -> dict[str, Channel]:
-    """Return the channels of a run: the sensor's voltage before its stages, and one per output.
+def channels_of(
+    rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float
+) -> dict[str, Channel]:  # fmt: skip
+    """Return the channels of a run: those of the measured places before their stages, and one per output.
 
     Parameters
     ----------
     kept : ndarray, shape (outputs, samples)
         In SI units.
+    rate : float
+        Samples per second [Hz].
     """
-    sensor = rig.part(rig.measured)
-    sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor | ForceSensor) else 1.0
-    quantity, ending, unit = words(rig, reading_place(rig)).effort
-    reading = Channel(values=kept[0] * sensitivity, quantity=quantity, unit="V", si_per_unit=1 / sensitivity)
-    if isinstance(sensor, ImposedMotion):
-        reading = replace(reading, unit=unit)
-    else:
-        ending = "V"
-    return {f"{quantity}_{ending}": reading} | {
-        output.name: Channel(values=values, quantity=output.quantity, unit=output.unit, truth=output.truth)
+    found = {
+        output.name: Channel(
+            values=output.values(values, rate), quantity=output.quantity, unit=output.unit, truth=output.truth,
+            of=output.of, role=output.role,
+        )
         for output, values in zip(outputs, kept, strict=True)
-    }
+    }  # fmt: skip
+    true = {one.of: one.values for one in found.values() if one.truth and one.of is not None}
+    readings = {
+        channel_name(rig, place): reading_channel(rig, place, true[place])
+        for place in rig.places if not isinstance(rig.part(place), Probe)
+    }  # fmt: skip
+    return {**readings, **found}
 
 
 def _worn(rig: Rig, lowered: Lowered) -> int:

@@ -13,7 +13,8 @@ from torquerig.simulation.effort import refuse_long, refuse_stiff
 from torquerig.simulation.failure import why_it_failed
 from torquerig.simulation.inputs import Span, filled, held_while_settling, start
 from torquerig.simulation.lower import Lowered, lower
-from torquerig.simulation.outputs import Output, outputs_of
+from torquerig.simulation.measured_places import Output
+from torquerig.simulation.outputs import outputs_of
 from torquerig.simulation.step_choice import step_choice
 from torquerig.simulation.term_kinds import Terms
 

@@ -13,7 +13,8 @@ from torquerig.rig.assembly import Rig
 from torquerig.simulation import kernel
 from torquerig.simulation.inputs import Span, filled, held_while_settling
 from torquerig.simulation.lower import lower
-from torquerig.simulation.outputs import Output, as_arrays, channels_of
+from torquerig.simulation.measured_places import Output, through_chains
+from torquerig.simulation.outputs import as_arrays, channels_of
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.step_choice import StepChoice, step_choice
 from torquerig.version import __version__
@@ -67,7 +68,7 @@ def stepped(run: Ready) -> Recording:
 def recorded(
     rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float, origin: Mapping[str, Any]
 ) -> Recording:
-    """Return the recording of a run: what was kept as channels, and the sensor's through its stages to the file.
+    """Return the recording of a run: what was kept as channels, and each sensor's through its stages to the file.
 
     Parameters
     ----------
@@ -78,14 +79,12 @@ def recorded(
     """
     recording = Recording(
         sample_rate=rate,
-        channels=channels_of(rig, outputs, kept),
+        channels=channels_of(rig, outputs, kept, rate=rate),
         run=rig.run,
         origin={"torquerig": __version__, **origin},
         name=str(origin.get("scenario") or "simulation"),
     )
-    for stage in rig.stages():
-        recording = stage.apply(recording)
-    return recording
+    return through_chains(rig, recording)
 
 
 def choice_for(

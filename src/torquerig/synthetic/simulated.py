@@ -9,9 +9,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.parts import TorqueSensor
+from torquerig.simulation.measured_places import reading_channel
 from torquerig.simulation.simulator import simulate
 from torquerig.synthetic.grid import on_grid
 from torquerig.synthetic.mixture import TRUE_LOAD, TRUE_NOISE, component_name, truth
@@ -78,10 +78,7 @@ def _is_effect(part: Part) -> bool:
 def _stage_shares(rig: Rig, full: Recording, torque: NDArray[np.float64]) -> Iterator[tuple[str, NDArray[np.float64]]]:
     """Yield the contribution of each stage to the torque [N m], in the order of the measuring chain."""
     name = full.torque_name()
-    sensor = rig.part(rig.measured)
-    sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor) else 1.0
-    values = full.channels[_SENSOR_TORQUE].values * sensitivity
-    volts = Channel(values=values, quantity="torque", unit="V", si_per_unit=1 / sensitivity)
+    volts = reading_channel(rig, rig.measured, full.channels[_SENSOR_TORQUE].values)
     # what stages add to the recording (an encoder) must not be there twice
     given = {key: one for key, one in full.channels.items() if one.truth} | {name: volts}
     recording, before = replace(full, channels=given), torque

@@ -87,6 +87,7 @@ UNITS: dict[str, dict[str, float]] = {
     "linear quadratic drag": {"N*s^2/m^2": 1},
     "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254, "m/min": 1 / 60, "km/h": 1 / 3.6},
     "acceleration": {"m/s^2": 1, "mm/s^2": 1e-3, "g0": 9.80665},
+    "angular acceleration": {"rad/s^2": 1, "deg/s^2": pi / 180, "rev/s^2": 2 * pi},
     "pressure": {"Pa": 1, "hPa": 100, "kPa": 1e3, "MPa": 1e6, "mbar": 100, "bar": 1e5, "psi": 6894.757293168361},
     "voltage": {"V": 1, "mV": 1e-3, "uV": 1e-6, "kV": 1e3},
     "current": {"A": 1, "mA": 1e-3},
@@ -115,6 +116,6 @@ UNITS: dict[str, dict[str, float]] = {
 
 IN_A_LINE = {
     "N*m": "N", "kg*m^2": "kg", "rad": "m", "rad/s": "m/s", "N*m/rad": "N/m", "N*m*s/rad": "N*s/m",
-    "N*m*s^2/rad^2": "N*s^2/m^2",
+    "N*m*s^2/rad^2": "N*s^2/m^2", "rad/s^2": "m/s^2",
 }  # fmt: skip
 """What stands for the unit of a shaft where the same equation holds of something that moves in a line."""

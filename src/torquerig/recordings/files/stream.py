@@ -87,6 +87,15 @@ class RecordingStream:
             sample_rate=self.sample_rate, channels=channels, run=self.run, origin=self.origin, name=self.path.name
         )
 
+    def comparing(self, name: str) -> RecordingStream:
+        """Return this recording with the channel ``name`` as the measured torque; errors as ``Recording.comparing``."""
+        chosen = self.of(dict.fromkeys(self.entries, np.empty(0))).comparing(name).channels
+        entries = {
+            key: replace(entry, quantity=chosen[key].quantity, role=chosen[key].role)
+            for key, entry in self.entries.items()
+        }
+        return replace(self, entries=entries)
+
     def columns(self) -> Iterator[Mapping[str, NDArray[np.float64]]]:
         """Yield the samples of the channels, and of the time column where there is one, piece by piece."""
         time = self.table.time_name()

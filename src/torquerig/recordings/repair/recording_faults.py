@@ -33,7 +33,7 @@ def recording_faults(recording: Recording) -> tuple[Fault, ...]:
         channel = recording.channels[name]
         if channel.values.size < 2 or not np.ptp(channel.values):
             continue
-        alone = replace(recording, run=run, channels={name: replace(channel, quantity="torque"), **angles})
+        alone = replace(recording, run=run, channels={name: replace(channel, quantity="torque", role=None), **angles})
         told += examined([alone]).faults
         angles = {}  # its jumps are found once
     return tuple(told)

@@ -8,13 +8,17 @@ encoder           counts of the motor angle            probe             torque,
 torque_controller torque mode, fed forward, replayed   replayed_torque   a measured torque on a shaft
 imposed_motion    a shaft that turns as measured       slide             a mass in a line (kg, N, m)
 link              spring in a line                     force_sensor      torque_sensor for motion in a line
+speed_sensor      of any shaft                         acceleration_sensor  of any shaft
+current_sensor    in the supply of a motor
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 ground            a locked end
 """
 
+from torquerig.rig.parts.acceleration_sensor import AccelerationSensor
 from torquerig.rig.parts.belt import BeltStage
 from torquerig.rig.parts.body import Body
 from torquerig.rig.parts.coupling import Coupling
+from torquerig.rig.parts.current_sensor import CurrentSensor
 from torquerig.rig.parts.encoder import MotorEncoder
 from torquerig.rig.parts.force_sensor import ForceSensor
 from torquerig.rig.parts.gear import Gear
@@ -28,13 +32,16 @@ from torquerig.rig.parts.probe import Probe
 from torquerig.rig.parts.replayed_torque import ReplayedTorque
 from torquerig.rig.parts.slide import Slide
 from torquerig.rig.parts.speed_controller import SpeedController
+from torquerig.rig.parts.speed_sensor import SpeedSensor
 from torquerig.rig.parts.torque_controller import TorqueController
 from torquerig.rig.parts.torque_sensor import TorqueSensor
 
 __all__ = [
+    "AccelerationSensor",
     "BeltStage",
     "Body",
     "Coupling",
+    "CurrentSensor",
     "ForceSensor",
     "Gear",
     "Ground",
@@ -48,6 +55,7 @@ __all__ = [
     "ReplayedTorque",
     "Slide",
     "SpeedController",
+    "SpeedSensor",
     "TorqueController",
     "TorqueSensor",
 ]

@@ -10,6 +10,7 @@ from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.bearing import bearing_friction
 from torquerig.rig.host_changes import IN_A_SENSOR, IN_A_SPRING, HostChange, lowest_cutoff
 from torquerig.rig.placed_stage import PlacedStage
+from torquerig.rig.sensor_reading import Mounting, refuse_zero_of_tared, scale_and_zero
 from torquerig.rig.stage_spring import stage_spring
 from torquerig.rig.terms import Inertia, Term
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
@@ -19,8 +20,12 @@ from torquerig.sensor_stages.noise import WhiteNoise
 
 @dataclass(frozen=True, kw_only=True)
 class ForceSensor(Part):
-    """The torque sensor for motion in a line: force of spring and damper, low-pass, noise, codes."""
+    """The torque sensor for motion in a line: force of spring and damper, low-pass, noise, codes.
 
+    ``scale``, ``zero``, their tolerances, ``tare`` and ``mounting`` are those of a torque_sensor.
+    """
+
+    is_sensor: ClassVar[bool] = True
     on_shaft: ClassVar[bool] = True
     opens_node: ClassVar[bool] = True
     in_a_line: ClassVar[bool] = True
@@ -38,6 +43,15 @@ class ForceSensor(Part):
     viscous: Annotated[float, Parameter("N*s/m", "viscous friction of the far side against the frame", low=0)] = 0.0
     coulomb: Annotated[float, Parameter("N", "Coulomb friction of the far side against the frame", low=0)] = 0.0
     smoothing: Annotated[float, Parameter("m/s", "speed over which the sign is smoothed", above=0)] = 1e-3
+    scale: Annotated[float, Parameter("1", "true sensitivity over the stated one", above=0)] = 1.0
+    gain_tolerance: Annotated[float, Parameter("1", "largest relative error of the sensitivity", low=0, high=1)] = 0.0
+    zero: Annotated[float, Parameter("N", "reading without a load")] = 0.0
+    zero_tolerance: Annotated[float, Parameter("N", "largest error of the zero", low=0)] | None = None
+    tare: bool = False
+    mounting: Mounting = "forward"
+
+    def __post_init__(self) -> None:
+        refuse_zero_of_tared(tare=self.tare, zero=self.zero, name=self.name)
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the spring, and mass and friction of its far side."""
@@ -48,10 +62,11 @@ class ForceSensor(Part):
         return Inertia(node=spring.b, inertia=self.mass), spring, *friction
 
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
-        """Return amplifier, noise and converter."""
+        """Return scale and zero, amplifier, noise and converter."""
         cutoff = lowest_cutoff(self.bandwidth, rig.changes_in(self.name))
         converter = Converter(range_V=self.converter_range, bits=self.converter_bits)
         return (
+            *scale_and_zero(scale=self.scale, zero=self.zero),
             PlacedStage(position=PlacedStage.AMPLIFIER, stage=AmplifierLowPass(cutoff=cutoff)),
             PlacedStage(position=PlacedStage.NOISE, stage=WhiteNoise(rms=self.noise_rms)),
             PlacedStage(position=PlacedStage.CONVERTER, stage=converter),

@@ -1,4 +1,4 @@
-"""A further measured channel: the torque in any spring, the speed or the angle of any shaft."""
+"""A further measured channel: the torque in any spring; speed, angle or acceleration of any shaft."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ class Probe(Part):
 
     Parameters
     ----------
-    quantity : {"torque", "speed", "angle"}
-        Torque in the spring of ``at`` [N m], or speed [rad/s] or angle [rad] of its shaft.
+    quantity : {"torque", "speed", "angle", "acceleration"}
+        Torque in the spring of ``at`` [N m], or speed [rad/s], angle [rad] or acceleration [rad/s^2] of its shaft.
     at : str
-        A gear, sensor or coupling for a torque; any part on a shaft for speed and angle.
+        A gear, sensor or coupling for a torque; any part on a shaft for the others.
     """
 
     kind: Literal["probe"] = "probe"
-    quantity: Literal["torque", "speed", "angle"]
+    quantity: Literal["torque", "speed", "angle", "acceleration"]
     at: str
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
