@@ -17,6 +17,10 @@ from torquerig.units.sensible import beyond_sense
 from torquerig.units.table import UNITS
 
 _NUMBER = re.compile(r"^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+_POWER_OF_TEN = re.compile(
+    r"^(\s*[+-]?(?:\d+\.?\d*|\.\d+))\s*[x×·*]\s*10((?:\s*(?:\^|\*\*)\s*[+−-]?|[+−-])\d+|[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)(?![\d.])"
+)
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻−", "0123456789+--", "^* ")
 
 
 def parse_quantity(text: str, unit: str) -> float:
@@ -30,7 +34,7 @@ def parse_quantity(text: str, unit: str) -> float:
     problem = separated_number(text)
     if problem:
         raise UnitError(problem)
-    match = _NUMBER.match(text)
+    match = _NUMBER.match(_POWER_OF_TEN.sub(_as_exponent, text))
     if match is None:
         raise UnitError(f"{text!r} does not start with a number; write for example {_example('1.5', unit)}")
     number, written = float(match[1]), plain_unit(match[2])
@@ -51,6 +55,11 @@ def parse_quantity(text: str, unit: str) -> float:
     if other is None:
         raise UnitError(f"{text!r} has an unknown unit; {did_you_mean(match[2], factors)}")
     raise UnitError(_of_another_kind(text, match[1], unit, number * UNITS[other][written], other))
+
+
+def _as_exponent(found: re.Match[str]) -> str:
+    """Return ``0.28 x 10^-4`` as ``0.28e-4``."""
+    return f"{found[1]}e{int(found[2].translate(_RAISED))}"
 
 
 def unreasonable(value: float, unit: str) -> str | None:

@@ -24,7 +24,7 @@ _SYMBOLS: dict[str, tuple[str, ...]] = {
             "rev", "s", "ms", "us", "ns", "min", "h", "V", "mV", "uV", "kV", "A", "mA", "uA", "W", "mW", "kW", "MW",
             "hp", "Pa", "hPa", "kPa", "MPa", "GPa", "bar", "mbar", "psi", "Hz", "kHz", "MHz", "K", "J", "kJ", "Wh",
             "ohm", "Ohm", "mohm", "kohm", "H", "mH", "uH", "Wb", "mWb", "rpm", "arcmin", "arcsec", "kip", "lbf",
-            "ozf", "kgf", "gf", "dyn", "bit", "Arms", "mArms", "percent", "ppm", "degC", "degF", "EUR",
+            "lbm", "ozf", "ozm", "kgf", "gf", "PS", "dyn", "bit", "Arms", "mArms", "percent", "ppm", "degC", "degF", "EUR",
         )
     },
     "g": ("g", "gf", "g0"),
@@ -93,7 +93,7 @@ _WORDS: dict[str, str] = {
     **dict.fromkeys(("watt", "watts"), "W"),
     **dict.fromkeys(("kilowatt", "kilowatts", "kw"), "kW"),
     **dict.fromkeys(("psi",), "psi"),
-    **dict.fromkeys(("horsepower",), "hp"),
+    **dict.fromkeys(("horsepower", "hp"), "hp"),
     **dict.fromkeys(("pascal", "pascals"), "Pa"),
     **dict.fromkeys(("bar", "bars"), "bar"),
     **dict.fromkeys(("hertz", "hz"), "Hz"),
