@@ -71,8 +71,11 @@ class Estimate:
         """Relative standard deviation of a real part around the value of the scenario [1]; 0 if unknown.
 
         ``rel_sd`` where stated; for an interval, from which that value is sampled, the rms of ``ln(one / other)`` of
-        two log-uniform samples: ``ln(high / low) / sqrt(6)``.
+        two log-uniform samples: ``ln(high / low) / sqrt(6)``. An interval from 0 is uniform: sqrt(2/3), the standard
+        deviation of the difference of two samples over their mean.
         """
+        if self.low == 0 and self.high is not None and self.high > 0:
+            return sqrt(2 / 3)
         if self.low is None or self.high is None or not 0 < self.low < self.high:
             return self.rel_sd
         return log(self.high / self.low) / sqrt(6)

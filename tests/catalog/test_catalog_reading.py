@@ -134,7 +134,7 @@ BROKEN = {
     "a constant per peak ampere": (
         "low: 0.5 N*m/Arms, high: 0.55 N*m/Arms",
         "low: 0.35 N*m/Arms, high: 0.38 N*m/Arms",
-        "torque_constant: ? (0.35..0.38 N*m/Arms) does not agree within 10 %",
+        "torque_constant: ? (0.35..0.38 N*m/Arms) does not agree within 10 % below",
     ),
     "a quoted yes": ("servo: {value: true", "servo: {value: 'yes'", "servo.value: input should be a valid boolean"),
 }

@@ -57,6 +57,18 @@ def test_motor_of_howto_add_a_motor_is_read(tmp_path: Path) -> None:
     assert motor.drive_price.unknown
 
 
+def test_figures_as_printed_of_howto_add_a_motor_are_converted(tmp_path: Path) -> None:
+    page, doubled = "howto-add-a-motor.md", ("coulomb_friction", "viscous_friction", "  cogging")
+    lines = example(page, "catalogs/motors/servo-300W.yaml").splitlines()
+    text = "\n".join(line for line in lines if not line.startswith(doubled))
+    file = tmp_path / "servo-300W.yaml"
+    file.write_text(f"{text}\n{example(page, 'as_printed')}", encoding="utf-8")
+    motor = read_entry(file, Motor)
+    assert motor.torque_constant.value == pytest.approx(0.39)
+    assert "taken as rms, the reading that agrees with the other value" in motor.torque_constant.note
+    assert motor.phase_resistance.bounds == pytest.approx((2.565, 3.135))
+
+
 def test_two_stage_branch_turns_and_sounds_as_its_page_says() -> None:
     made = scenario("two_stage_branch.yaml")
     assert made.rig.speed_ratios("motor") == pytest.approx(

@@ -14,8 +14,10 @@ from torquerig.catalog.coupling import Coupling
 from torquerig.catalog.entry import Entry
 from torquerig.catalog.gearbox import Gearbox
 from torquerig.catalog.motor import Alias, Motor
+from torquerig.catalog.printed.conversion import converted
+from torquerig.catalog.printed.sheet import MotorSheet
 from torquerig.catalog.sensor import Sensor
-from torquerig.document import read_document, validated
+from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
@@ -85,7 +87,20 @@ def load_catalog(*folders: Path) -> Catalog:
 def read_entry(path: Path, kind: type[AnyEntry]) -> AnyEntry:
     """Read one catalog file as an entry of ``kind``; InputError with file, line and key."""
     adapter: TypeAdapter[AnyEntry] = _adapter(kind)
-    return validated(read_document(path), adapter)
+    return validated(_completed(read_document(path), kind), adapter)
+
+
+def _completed(document: Document, kind: type[Entry]) -> Document:
+    """Return a file with what is printed on a data sheet converted to the fields of the entry."""
+    data = document.data
+    if kind is not Motor or not isinstance(data, dict):
+        return document
+    for key in data:
+        if key in MotorSheet.model_fields and key not in Motor.model_fields:
+            raise InputError(f"{document.place((key,))}: is a figure of a data sheet; write it under as_printed:")
+    if "as_printed" not in data:
+        return document
+    return converted(document, validated(document, TypeAdapter(MotorSheet), within=("as_printed",)))
 
 
 def _check_folder(folder: Path) -> None:

@@ -69,6 +69,7 @@ def sample_entry(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
         field: estimate.draw(random_for(seed, f"{_origin(entry)}.{_draw_name(field)}"))
         for field, estimate in _known(entry)
     }
+    values |= _divided_friction(entry, values)
     if pairs := _pairs(entry):
         at = int(random_for(seed, f"{_origin(entry)}.winding").integers(len(pairs)))
         values |= _as_values(pairs[at])
@@ -78,6 +79,7 @@ def sample_entry(entry: AnyEntry, seed: int) -> Sample[AnyEntry]:
 def nominal(entry: AnyEntry) -> Sample[AnyEntry]:
     """Return the stated or middle value of every field, and the first pole pairs and slots that have a winding."""
     values = {field: estimate.nominal() for field, estimate in _known(entry)}
+    values |= _divided_friction(entry, values)
     if pairs := _pairs(entry):
         values |= _as_values(pairs[0])
     return Sample(entry, values, _assumed(entry, values))
@@ -106,6 +108,18 @@ def _draw_name(field: str) -> str:
 
 def _pairs(entry: Entry) -> list[tuple[int, int]]:
     return winding_pairs(counts_of(entry.pole_pairs), counts_of(entry.slots)) if isinstance(entry, Motor) else []
+
+
+def _divided_friction(entry: Entry, values: Mapping[str, float]) -> dict[str, float]:
+    """Return dry and viscous friction whose sum at the no-load speed is the no-load torque; empty where it is unknown.
+
+    The sampled dry friction, over the largest possible, is the share of the dry friction.
+    """
+    if not isinstance(entry, Motor) or not {"no_load_torque", "no_load_speed"} <= values.keys():
+        return {}
+    torque, largest = values["no_load_torque"], entry.coulomb_friction.bounds[1]
+    dry = torque * values["coulomb_friction"] / largest if largest > 0 else 0.0
+    return {"coulomb_friction": dry, "viscous_friction": (torque - dry) / values["no_load_speed"]}
 
 
 def _as_values(pair: tuple[int, int]) -> dict[str, float]:

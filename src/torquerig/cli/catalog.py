@@ -1,13 +1,18 @@
-"""``torquerig catalog``: motors, gearboxes, sensors and couplings with their known values."""
+"""``torquerig catalog``: what can be bought, with its known values; conversions of data sheets, drafts and checks.
+
+catalog [NAME]  catalog show NAME  catalog new FILE  catalog check [PATH]
+"""
 
 from __future__ import annotations
 
+from importlib import import_module
 from pathlib import Path
 
 import click
 
 from torquerig.catalog.entry import Entry, estimates
 from torquerig.catalog.motor import Motor
+from torquerig.catalog.printed.converted import MARK
 from torquerig.catalog.reading import Catalog
 from torquerig.catalog.search import catalog_for
 from torquerig.catalog.table import catalog_tables
@@ -15,34 +20,71 @@ from torquerig.cli.common_options import catalog_option
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
 
+BELOW = {"show": ""}
 
-@click.command("catalog")
-@click.argument("name", required=False)
+
+class _Below(click.Group):
+    """A group whose first word is a command, or the name of an entry to show."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [name for name in BELOW if self.get_command(ctx, name) is not None]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in BELOW:
+            return None
+        found: click.Command = import_module(BELOW[cmd_name]).command if BELOW[cmd_name] else show
+        return found
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        return super().resolve_command(ctx, args if args[0] in BELOW else ["show", *args])
+
+
+@click.command(
+    "catalog",
+    cls=_Below,
+    invoke_without_command=True,
+    subcommand_metavar="[NAME | show NAME | new FILE | check [PATH]]",
+)
 @catalog_option
-def command(name: str | None, catalogs: tuple[Path, ...]) -> None:
+@click.pass_context
+def command(context: click.Context, catalogs: tuple[Path, ...]) -> None:
     """List all motors, gearboxes, sensors and couplings, or all values of NAME (an alias is accepted).
 
-    A ? marks an unknown value. The interval after it is the range that a simulation draws from.
+    A ? marks an unknown value. The interval after it is the range that a simulation draws from. A name that is also a
+    command: torquerig catalog show NAME.
     """
-    catalog = catalog_for(None, catalogs)
-    if name is not None:
-        click.echo(_details(catalog, name))
+    context.obj = catalogs
+    if context.invoked_subcommand is not None:
         return
-    for heading, rows in catalog_tables(catalog).items():
+    for heading, rows in catalog_tables(catalog_for(None, catalogs)).items():
         columns = list(rows[0]) if rows else []
         click.echo(f"{heading}\n" + grid([columns, *([str(row[key]) for key in columns] for row in rows)]) + "\n")
 
 
+@click.command("show")
+@click.argument("name")
+@catalog_option
+@click.pass_context
+def show(context: click.Context, name: str, catalogs: tuple[Path, ...]) -> None:
+    """Show all values of NAME with evidence and source, and how printed figures were converted."""
+    click.echo(_details(catalog_for(None, (*(context.obj or ()), *catalogs)), name))
+
+
 def _details(catalog: Catalog, name: str) -> str:
     entry = _find(catalog, name)
+    known = [(key, value) for key, value in estimates(entry) if value.source]
     rows = [["value", "known", "evidence", "source"]]
-    rows += [[key, value.shown(), value.evidence, value.source] for key, value in estimates(entry) if value.source]
+    rows += [[key, value.shown(), value.evidence, value.source] for key, value in known]
     words = [f"{entry.name}: {entry.title}"]
     if isinstance(entry, Motor):
         alias = catalog.resolved(name)
         words += [f"stands for {entry.stands_for} ({alias.table}): {alias.reason}"] if alias else []
         words += [f"note: {warning}" for warning in entry.warnings]
-    return "\n".join([*words, grid(rows)])
+    printed = [f"{key} {value.shown()} from {value.note.removeprefix(MARK)}"
+               for key, value in known if value.note.startswith(MARK)]  # fmt: skip
+    return "\n".join([*words, grid(rows), *(["", "converted from the data sheet:", *printed] if printed else [])])
 
 
 def _find(catalog: Catalog, name: str) -> Entry:

@@ -24,7 +24,8 @@ _SYMBOLS: dict[str, tuple[str, ...]] = {
             "rev", "s", "ms", "us", "ns", "min", "h", "V", "mV", "uV", "kV", "A", "mA", "uA", "W", "mW", "kW", "MW",
             "hp", "Pa", "hPa", "kPa", "MPa", "GPa", "bar", "mbar", "psi", "Hz", "kHz", "MHz", "K", "J", "kJ", "Wh",
             "ohm", "Ohm", "mohm", "kohm", "H", "mH", "uH", "Wb", "mWb", "rpm", "arcmin", "arcsec", "kip", "lbf",
-            "lbm", "ozf", "ozm", "kgf", "gf", "PS", "dyn", "bit", "Arms", "mArms", "percent", "ppm", "degC", "degF", "EUR",
+            "lbm", "ozf", "ozm", "kgf", "gf", "PS", "dyn", "bit", "Arms", "mArms", "percent", "ppm",
+            "degC", "degF", "EUR",
         )
     },
     "g": ("g", "gf", "g0"),
@@ -80,6 +81,7 @@ _WORDS: dict[str, str] = {
                      "umdr.", "tr", "obr"), "rev"),
     **dict.fromkeys(("mn",), "min"),
     **dict.fromkeys(("rpm", "upm", "u/min", "umin", "r.p.m.", "r.p.m"), "rpm"),
+    **dict.fromkeys(("krpm",), "krpm"),
     **dict.fromkeys(("rps",), "rev/s"),
     **dict.fromkeys(("sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden"), "s"),
     **dict.fromkeys(("msec", "msecs", "millisecond", "milliseconds", "millisekunden"), "ms"),
