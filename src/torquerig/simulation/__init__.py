@@ -6,6 +6,7 @@
 ``lower``           from a rig to flat arrays; ``arrays``: the arrays; ``term_kinds/``: each kind of term
 ``ready``           a rig prepared for integration; ``inputs``: set-points and loads at every sample
 ``profile``         set-point over time; ``waves``: cosines of a rig; ``outputs``: outputs of a run
+``condensation/``   modes far above the recorded band left out, with the error in the band
 ``kernel/``         the compiled loop
 ``step_choice``     integration steps per sample; ``step_proof``: check by halving the step; ``effort``: limits
 ``failure``         the cause of a failed integration

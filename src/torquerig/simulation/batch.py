@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
+from torquerig.simulation.condensation.lowered_for import lower_for
 from torquerig.simulation.inputs import Span, held_while_settling
 from torquerig.simulation.kernel.lanes import LANES
 from torquerig.simulation.kernel.side_by_side import integrate_together
-from torquerig.simulation.lower import lower
 from torquerig.simulation.outputs import as_arrays, outputs_of
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, recorded, stepped
@@ -76,7 +76,7 @@ def simulate_batch(
 
 def _likeness(rig: Rig, span: Span) -> Hashable:
     """Return the structure that rigs must share to be integrated together: all whole numbers and kinds of laws."""
-    lowered = held_while_settling(lower(rig, span.seed), span)
+    lowered = held_while_settling(lower_for(rig, span.seed, rate=span.rate), span)
     arrays = [(array, False) for array in lowered.arrays.waves]
     for kind in KINDS:
         rows = getattr(lowered.arrays, kind.field)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,14 @@ from torquerig.simulation.term_kinds.imposed import IMPOSED
 from torquerig.simulation.waves import WaveTable
 
 __all__ = ["Lowered", "lower", "lower_terms"]
+
+
+class Condensed(Protocol):
+    """What is said of a condensed rig; made by ``condensation/``."""
+
+    def sentence(self) -> str:
+        """Return what was condensed and the error in the band."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -33,12 +41,19 @@ class Lowered:
         By the field of each kind in ``Terms``, the terms that its rows stand for.
     arrays : Terms
         Set-points, demands, samples and motions are still empty: the run fills them.
+    joined, series : mapping of str to str
+        Of a condensed rig: nodes that turn with another, and springs that carry the torque of another, by that other.
+    condensation : Condensation or None
+        What was condensed, and what that changes; None for the whole rig.
     """
 
     nodes: tuple[str, ...]
     inertia: NDArray[np.float64]
     rows_of: Mapping[str, tuple[Any, ...]]
     arrays: Terms
+    joined: Mapping[str, str] = field(default_factory=dict)
+    series: Mapping[str, str] = field(default_factory=dict)
+    condensation: Condensed | None = None
 
     @property
     def spring_names(self) -> tuple[str, ...]:
@@ -72,7 +87,11 @@ class Lowered:
 
     def node(self, name: str) -> int:
         """Return the row of a node; the ground is the last."""
-        return len(self.nodes) if name == GROUND else self.nodes.index(name)
+        return len(self.nodes) if name == GROUND else self.nodes.index(self.joined.get(name, name))
+
+    def spring(self, name: str) -> int:
+        """Return the row of the spring whose torque is that of ``name``."""
+        return self.spring_names.index(self.series.get(name, name))
 
     def leader(self) -> str:
         """Return the node that the run's speed belongs to: the first driven, else the first imposed, else the first."""

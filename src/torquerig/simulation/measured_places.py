@@ -103,7 +103,7 @@ def place_output(rig: Rig, lowered: Lowered, place: str, *, name: str, truth: bo
         row = [term.name for term in lowered.imposed_terms].index(place)
         return replace(made, kind=kernel.IMPOSING_TORQUE, row=row)
     if isinstance(part, CurrentSensor):
-        row = [term.on for term in lowered.drive_terms].index(rig.node(part.at))
+        row = [lowered.node(term.on) for term in lowered.drive_terms].index(lowered.node(rig.node(part.at)))
         return replace(made, kind=kernel.DRIVE_TORQUE, row=row, factor=1 / part.newton_metres_per_ampere(rig))
     if isinstance(part, Probe | SpeedSensor | AccelerationSensor) and quantity not in EFFORTS:
         turned = quantity in ("angle", "position")
@@ -111,7 +111,7 @@ def place_output(rig: Rig, lowered: Lowered, place: str, *, name: str, truth: bo
             made, kind=kernel.ANGLE if turned else kernel.SPEED, row=lowered.node(rig.node(part.at)),
             derived=quantity == "acceleration",
         )  # fmt: skip
-    return replace(made, row=lowered.spring_names.index(part.at if isinstance(part, Probe) else place))
+    return replace(made, row=lowered.spring(part.at if isinstance(part, Probe) else place))
 
 
 def channel_name(rig: Rig, place: str) -> str:

@@ -9,10 +9,11 @@ from typing import Any
 from torquerig.errors import InputError, SimulationError
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.arrays import Floats
+from torquerig.simulation.condensation.lowered_for import lower_for
 from torquerig.simulation.effort import refuse_long, refuse_stiff
 from torquerig.simulation.failure import why_it_failed
 from torquerig.simulation.inputs import Span, filled, held_while_settling, start
-from torquerig.simulation.lower import Lowered, lower
+from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import outputs_of
 from torquerig.simulation.step_choice import step_choice
@@ -62,7 +63,7 @@ def ready(
 
     SimulationError where it needs more than ``most_steps`` integration steps a sample, or more than any run may take.
     """
-    lowered = lower(rig, span.seed)
+    lowered = lower_for(rig, span.seed, rate=span.rate)
     if span.samples < 2:
         length = span.samples / span.rate
         raise InputError(f"a recording of {length:g} s at {span.rate:g} Hz has {span.samples} samples; ask for more")
@@ -78,4 +79,6 @@ def ready(
     if most_steps is not None and steps > most_steps:
         raise SimulationError(f"the rig needs {steps} integration steps a sample, more than the {most_steps} allowed")
     origin = {"scenario": scenario, "seed": span.seed, "substeps": steps}
+    if lowered.condensation is not None:
+        origin["condensed"] = lowered.condensation.sentence()
     return Ready(rig, span, lowered, terms, outputs_of(rig, lowered), steps, origin)

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.simulation import kernel
+from torquerig.simulation.condensation.lowered_for import lower_for
 from torquerig.simulation.inputs import Span, filled, held_while_settling
-from torquerig.simulation.lower import lower
 from torquerig.simulation.measured_places import Output, through_chains
 from torquerig.simulation.outputs import as_arrays, channels_of
 from torquerig.simulation.ready import Ready, ready
@@ -93,6 +93,6 @@ def choice_for(
 ) -> StepChoice:  # fmt: skip
     """Return the steps that ``simulate`` takes and their reason; or the accuracy of given ``substeps``."""
     span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
-    lowered = held_while_settling(lower(rig, seed), span)
+    lowered = held_while_settling(lower_for(rig, seed, rate=sample_rate), span)
     chosen = step_choice(lowered, filled(rig, lowered, span), sample_rate)
     return chosen if substeps is None else StepChoice(substeps, 1 / sample_rate / substeps, chosen.fixed_by)
