@@ -17,6 +17,7 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
+from torquerig.simulation.condensation.beforehand import said_beforehand
 
 _HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]
 
@@ -39,8 +40,16 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
         for each in recordings
         for sentence in angle_sentences(each, ratio=ratio)
     ]
+    rates = dict.fromkeys(each.sample_rate for each in recordings)
+    said = [text for rate in rates if (text := said_beforehand(scenario.rig, rate=rate))]
     return "\n".join(
-        [grid([_HEAD, *rows]), *suspicious, wrapped(fitted), "scenario and recordings match; no diagnosis was made"]
+        [
+            grid([_HEAD, *rows]),
+            *suspicious,
+            *map(wrapped, said),
+            wrapped(fitted),
+            "scenario and recordings match; no diagnosis was made",
+        ]
     )
 
 

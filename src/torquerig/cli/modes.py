@@ -15,6 +15,7 @@ from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
+from torquerig.simulation.condensation.beforehand import said_beforehand
 from torquerig.simulation.twin.crossings import Crossing, nearest_to
 from torquerig.simulation.twin.linear_twin import Twin, twin_of
 from torquerig.simulation.twin.margins import Margins
@@ -74,6 +75,8 @@ def command(
     lines = twin.order_lines(kinematics_of(made.rig).lines())
     click.echo(f"{made.title}: {_about(twin)}\n")
     click.echo(modes_text(twin))
+    if said := said_beforehand(made.rig, rate=twin.rate, seed=seed):
+        click.echo(wrapped(f"in a simulation, {said}") + "\n")
     if not twin.reads_a_spring:
         click.echo(wrapped(_IMPOSED.format(made.rig.measured)))
         return

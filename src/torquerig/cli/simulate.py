@@ -89,6 +89,8 @@ def command(
         f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
         f"mean {torque.mean():.4f} {unit}, std {torque.std():.4f} {unit}"
     )
+    if "condensed" in recording.origin:
+        click.echo(wrapped(recording.origin["condensed"]))
     if prove_step:
         click.echo(wrapped(_proof(made, duration=seconds, seed=seed, sample_rate=sample_rate)))
     for flag in flags:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, pi
+from math import ceil, floor, log10, pi
 
 from torquerig.errors import InputError, SimulationError
 from torquerig.simulation.inputs import Span
@@ -48,8 +48,14 @@ def _remedy(fixed: Rate, lowered: Lowered, factor: float) -> str:
     if fixed.spring is None:
         return f"lower what drives it (damping, gain, torque), or raise the inertia there, by a factor of {factor:.2g}"
     place = lowered.spring_names.index(fixed.spring)
-    stiffness = float(lowered.arrays.springs.stiffness[place])
+    highest = _not_above(float(lowered.arrays.springs.stiffness[place]) / factor**2)
     return (
-        f"lower the stiffness of {fixed.spring!r} to at most {stiffness / factor**2:.2g} N*m/rad, or raise the inertia "
+        f"lower the stiffness of {fixed.spring!r} to at most {highest:.2g} N*m/rad, or raise the inertia "
         f"beside it by a factor of {factor**2:.2g}"
     )
+
+
+def _not_above(value: float) -> float:
+    """Return a value > 0 rounded down to two digits, so that what is printed can be followed."""
+    digit = 10.0 ** (floor(log10(value)) - 1)
+    return floor(value / digit) * digit

@@ -20,6 +20,6 @@ def said_beforehand(rig: Rig, *, rate: float, seed: int = 0) -> str:
         return ""
     steps = ceil(2 * pi * fastest / rate / STEP_ANGLE)
     return (
-        f"at {rate:g} Hz motions up to {fastest:.4g} Hz are far above the recorded band, but cannot be condensed within "
-        f"{100 * TOLERANCE:g} % of the response; a simulation takes some {steps} integration steps a sample for them"
+        f"at {rate:g} Hz motions up to {fastest:.4g} Hz are far above the recorded band, but cannot be condensed "
+        f"within {100 * TOLERANCE:g} % of the response; a simulation takes some {steps} integration steps a sample"
     )
