@@ -14,6 +14,7 @@ from torquerig.recordings.profiles.steady import Steady
 
 Profile = Literal["steady", "ramp", "reversal", "duty_cycle", "csv"]
 PROFILES: tuple[Profile, ...] = ("steady", "ramp", "reversal", "duty_cycle", "csv")
+WANDER_CUTOFF = 0.3  # [Hz] of the reference rig; slower than its speed loop by two decades
 _BY_NAME: dict[str, SpeedProfile] = {one.name: one for one in (Steady(), Ramp(), Reversal())}
 
 
@@ -39,6 +40,8 @@ class Run:
         Filling of the wear rig [%]; 0 is idle.
     particle_size : float or None
         Particle diameter [m].
+    wander_cutoff : float
+        Bandwidth of the slow wander of a simulated steady speed [Hz]: a second-order low-pass.
     others : dict
         Further conditions, unchanged: ``pole_pairs``, ``slots``, ``tacho_pulses_per_motor_turn`` and ``notes`` of the
         sidecar's ``run``, and what it has under ``others``.
@@ -51,6 +54,7 @@ class Run:
     set_points: SpeedProfile | None = None
     occupancy_percent: float | None = None
     particle_size: float | None = None
+    wander_cutoff: float = WANDER_CUTOFF
     others: dict[str, Any] = field(default_factory=dict)
 
     @property

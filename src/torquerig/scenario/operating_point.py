@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, model_validator
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
-from torquerig.recordings.run import Profile, Run
+from torquerig.recordings.run import WANDER_CUTOFF, Profile, Run
 from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.reading_place import reading_place
@@ -47,6 +47,7 @@ class OperatingPoint(BaseModel):
     load: Load = Load()
     speed_set_point_error_max: Annotated[float, Parameter("1", "largest error of the set-point", low=0)] = 0.0
     slow_speed_wander: Annotated[float, Parameter("1", "relative rms of the slow wander", low=0)] = 0.0
+    slow_speed_wander_cutoff: Annotated[float, Parameter("Hz", "bandwidth of the slow wander", above=0)] = WANDER_CUTOFF
 
     @model_validator(mode="after")
     def _one_speed(self) -> OperatingPoint:
@@ -65,6 +66,10 @@ class OperatingPoint(BaseModel):
 
 def run_at(point: OperatingPoint, rig: Rig, *, folder: Path = Path()) -> Run:
     """Return the conditions of the run on this rig; the file of a profile's table is relative to ``folder``."""
+    return replace(_run_at(point, rig, folder), wander_cutoff=point.slow_speed_wander_cutoff)
+
+
+def _run_at(point: OperatingPoint, rig: Rig, folder: Path) -> Run:
     motor = leading_motor(rig)
     leader = leading_part(rig)
     if leader is None:

@@ -19,13 +19,13 @@ def set_point(
     """Return the set-point [rad/s] at every sample of settling and recording and one more, shape (settling+samples+1,).
 
     While settling, the profile stands at its first value. A steady run wanders slowly: noise through a low-pass of
-    0.3 Hz, of relative rms ``wander``.
+    the run's ``wander_cutoff``, of relative rms ``wander``.
     """
     time = _time(settling, samples, rate)
     planned = run.speed_profile().speed(time, top=run.speed or 0.0, duration=samples / rate)
     if run.profile != "steady" or wander == 0:
         return planned
-    return np.asarray(planned * (1 + wander * low_passed_noise(time.size, rate, 0.3, rng)))
+    return np.asarray(planned * (1 + wander * low_passed_noise(time.size, rate, run.wander_cutoff, rng)))
 
 
 def loads_as_planned(

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 from torquerig.recordings.recording import random_for
+from torquerig.recordings.run import WANDER_CUTOFF
 from torquerig.sensor_stages.coloured_noise import low_passed_noise
-
-WANDER_CUTOFF = 0.3  # [Hz] bandwidth of the speed variation; as in the simulated rig
 
 MOST_SAMPLES = 10_000_000  # with ten components they take about 1 GB
 
