@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from math import floor, isfinite, log10
 from textwrap import fill
 
+import numpy as np
+
 WIDTH = 120
+_MOST_DECIMALS = 15  # a double has no more
 
 
 def grid(rows: Sequence[Sequence[str]], *, right: Collection[int] | None = None) -> str:
@@ -34,6 +38,22 @@ def wrapped(text: str, *, first: str = "", rest: str = "  ") -> str:
     return fill(
         text, WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
     )
+
+
+def fixed(value: float, *, scale: float, digits: int) -> str:
+    """Return a number with the decimals at which one of the size ``scale`` has ``digits`` significant digits.
+
+    So all numbers of a table end at the same place, and a rig of micronewton metres shows as many digits as one of
+    kilonewton metres.
+    """
+    places = digits - 1 - floor(log10(abs(scale))) if scale and isfinite(scale) else digits - 1
+    return f"{value:.{min(max(places, 0), _MOST_DECIMALS)}f}"
+
+
+def rms_size(values: np.ndarray) -> float:
+    """Return the root mean square of ``values``, shape (samples,), as the size of their quantity; NaN left out."""
+    known = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(np.square(known)))) if known.size else 0.0
 
 
 def cut(text: str, width: int) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from math import hypot
 from pathlib import Path
 
 import click
@@ -21,7 +22,7 @@ from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.orders.angle.measured_angle import SOURCES
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.plain_table import grid, wrapped
+from torquerig.plain_table import fixed, grid, wrapped
 from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
@@ -158,19 +159,24 @@ def _print_effects(
     errors: Sequence[float] | None, *, samples: int,
 ) -> None:  # fmt: skip
     first = effects[0]
+    size = hypot(first.mean_before, first.std_before)
+
+    def number(value: float) -> str:
+        return fixed(value, scale=size, digits=6)
+
     if first.std_before <= _ROUNDING * abs(first.mean_before):
         click.echo(
             f"torquerig: warning: {path}: {before.torque_name()} is constant in all its {samples} samples; "
             "is the sensor connected?",
             err=True,
         )
-    click.echo(f"{path}: std {first.std_before:.5f} N*m, mean {first.mean_before:.5f} N*m")
-    rows = [_row(chain, effect) for chain, effect in zip(chains, effects, strict=True)]
+    click.echo(f"{path}: std {number(first.std_before)} N*m, mean {number(first.mean_before)} N*m")
+    rows = [_row(chain, effect, number) for chain, effect in zip(chains, effects, strict=True)]
     if errors is not None:
-        rows = [[*row, f"{error:.5f}"] for row, error in zip(rows, errors, strict=True)]
+        rows = [[*row, number(error)] for row, error in zip(rows, errors, strict=True)]
     click.echo(grid([[*_HEAD, *([] if errors is None else ["error to true load N*m"])], *rows]) + "\n")
     for chain, effect in zip(chains, effects, strict=True):
-        _print_families(chain, effect)
+        _print_families(chain, effect, number)
     click.echo(f"speed for energy and lines: {first.speed_origin}")
 
 
@@ -204,19 +210,19 @@ def _seconds(written: str) -> float:
     return seconds
 
 
-def _row(chain: Chain, effect: FilterEffect) -> list[str]:
+def _row(chain: Chain, effect: FilterEffect, number: Callable[[float], str]) -> list[str]:
     energy = effect.energy_change_percent
     return [
-        chain.name, f"{effect.std_after:.5f}", f"{effect.std_reduction_percent:.1f}",
+        chain.name, number(effect.std_after), f"{effect.std_reduction_percent:.1f}",
         f"{effect.variance_reduction_percent:.1f}", f"{effect.mean_change_percent:.4f}",
         "-" if energy is None else f"{energy:.4f}",
     ]  # fmt: skip
 
 
-def _print_families(chain: Chain, effect: FilterEffect) -> None:
+def _print_families(chain: Chain, effect: FilterEffect, number: Callable[[float], str]) -> None:
     levels = effect.family_levels()
     if levels:
-        rows = [[family, f"{was:.5f}", f"{now:.5f}"] for family, (was, now) in levels.items()]
+        rows = [[family, number(was), number(now)] for family, (was, now) in levels.items()]
         click.echo(grid([[f"{chain.name}: lines", "before N*m", "after N*m"], *rows]) + "\n")
     for reason in chain.left_out:
         click.echo(f"{chain.name}: not removed: {reason}")

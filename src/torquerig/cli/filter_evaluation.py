@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import hypot
 from pathlib import Path
 
 import click
@@ -14,7 +15,7 @@ from torquerig.filters.evaluation.step_response import HIT_DECAY, StepResponse
 from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.metrics.load_error import LoadError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.plain_table import grid, wrapped
+from torquerig.plain_table import fixed, grid, wrapped
 from torquerig.recordings.recording import Recording
 
 KNOWN_HARMONICS = 30  # harmonics of each family that a placebo must not touch
@@ -105,13 +106,16 @@ def truth_text(made: FilterEvaluation) -> str:
     errors = (before, after) if perfect is None else (before, after, perfect)
     head = ["error to the true load", "before", "after", *(["perfect line removal"] if perfect else [])]
     rows = [[*head, "true load"]]
-    rows.append(["rms N*m", *(f"{one.rms:.5f}" for one in errors), ""])
-    rows.append(["mean N*m", *(f"{one.mean:.5f}" for one in errors), ""])
+    size = hypot(*before.load_in_band)
+
+    def number(value: float) -> str:
+        return fixed(value, scale=size, digits=6)
+
+    rows.append(["rms N*m", *(number(one.rms) for one in errors), ""])
+    rows.append(["mean N*m", *(number(one.mean) for one in errors), ""])
     for place, (low, high) in enumerate(before.bands):
         figures = (one.in_band[place] for one in errors)
-        rows.append(
-            [f"{low:g}-{high:g} Hz N*m", *(f"{one:.5f}" for one in figures), f"{before.load_in_band[place]:.5f}"]
-        )
+        rows.append([f"{low:g}-{high:g} Hz N*m", *(number(one) for one in figures), number(before.load_in_band[place])])
     rows.append(["energy %", *(_percent(one.energy_percent) for one in errors), ""])
     rows.append(["delay ms", *(_delay(one) for one in errors), ""])
     rows += _hits(errors)

@@ -22,7 +22,7 @@ from torquerig.orders.analysis.peaks import floor_of
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.angle.measured_angle import MotorAngle
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
-from torquerig.plain_table import cut, grid, wrapped
+from torquerig.plain_table import cut, fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
@@ -85,7 +85,7 @@ def command(
     found = detected_lines(read, turns, lines, mains=grid_frequency)
     click.echo(_about(read, angle, turns, kinematics.ratio))
     click.echo(_known_table(read, turns, lines) + "\n")
-    click.echo(_found_table(found))
+    click.echo(_found_table(found, size=rms_size(read.torque())))
     for sentence in (*assumed, *_sentences(found, kinematics)):
         click.echo(wrapped(sentence))
     print_suspicions(recording_info(read), read, note="the lines are those of the samples as they are")
@@ -102,11 +102,13 @@ def _print_frequencies(read: Recording, *, mains: float, reason: str) -> None:
     """Print the lines over frequency alone, and why there are no orders."""
     found = frequency_lines(read, mains=mains)
     click.echo(f"{read.name}: {read.duration:.4g} s; one bin is {1 / read.duration:.3g} Hz")
+    size = rms_size(read.torque())
     if found:
         rows = [["at Hz", "amplitude N*m", "above floor dB", "cause"]]
         for one in found:
             multiple = f"{one.mains_multiple} x mains" if one.mains_multiple else "no known cause"
-            rows.append([f"{one.frequency:.6g}", f"{one.amplitude:.5f}", f"{one.above_dB:.1f}", multiple])
+            amplitude = fixed(one.amplitude, scale=size, digits=6)
+            rows.append([f"{one.frequency:.6g}", amplitude, f"{one.above_dB:.1f}", multiple])
         click.echo(grid(rows))
     else:
         click.echo("no line exceeds the noise floor")
@@ -155,7 +157,7 @@ def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLi
     torque = read.torque()
     top = 0.4 * read.sample_rate / float(np.max(np.diff(turns)) * read.sample_rate)
     spectrum = order_spectrum(over_angle(read, turns), highest=top)
-    floor = floor_of(spectrum.amplitudes)
+    floor, size = floor_of(spectrum.amplitudes), rms_size(torque)
     places: dict[float, list[KinematicLine]] = {}
     for line in sorted(lines, key=lambda line: line.output_order):
         places.setdefault(float(f"{line.output_order:.9g}"), []).append(line)
@@ -165,12 +167,13 @@ def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLi
             continue
         amplitude = line_amplitude(torque, turns, order)
         above = 20 * np.log10(max(amplitude, 1e-300) / floor[round(order / spectrum.width)])
-        rows.append([f"{order:.6g}", f"{causes[0].motor_order:.6g}", f"{amplitude:.5f}", f"{above:.1f}",
+        shown = fixed(amplitude, scale=size, digits=6)
+        rows.append([f"{order:.6g}", f"{causes[0].motor_order:.6g}", shown, f"{above:.1f}",
                      cut(label_of(causes), 70)])  # fmt: skip
     return grid(rows)
 
 
-def _found_table(found: Sequence[DetectedLine]) -> str:
+def _found_table(found: Sequence[DetectedLine], *, size: float) -> str:
     if not found:
         return "no line exceeds the noise floor"
     rows = [["constant", "at", "amplitude N*m", "line power over order %", "over Hz %", "order/Hz dB", "cause"]]
@@ -178,7 +181,8 @@ def _found_table(found: Sequence[DetectedLine]) -> str:
         unit = "order" if one.detected_over == "order" else "Hz"
         rows.append([
             "undecided" if one.axis == "either" else one.axis, f"{one.place:.6g} {unit}",
-            f"{one.amplitude:.5f}", f"{100 * one.domain.by_order:.1f}", f"{100 * one.domain.by_frequency:.1f}",
+            fixed(one.amplitude, scale=size, digits=6), f"{100 * one.domain.by_order:.1f}",
+            f"{100 * one.domain.by_frequency:.1f}",
             f"{one.domain.contrast_dB:+.1f}", cut(one.label or "no known cause", 60),
         ])  # fmt: skip
     return grid(rows)

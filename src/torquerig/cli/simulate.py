@@ -17,7 +17,7 @@ from torquerig.cli.common_options import (
     set_option,
 )
 from torquerig.errors import InputError, UnitError
-from torquerig.plain_table import grid, wrapped
+from torquerig.plain_table import fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import check_target, write_recording
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
@@ -83,11 +83,13 @@ def command(
     )
     written = write_recording(kept, out, overwrite=force)
     torque, unit = recording.torque(), IN_A_LINE["N*m"] if recording.find("torque") is None else "N*m"
+    size = rms_size(torque)
+    mean, spread = (fixed(float(one), scale=size, digits=5) for one in (torque.mean(), torque.std()))
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     click.echo(
         f"{made.rig.run.motor or made.title} at {made.rig.run.speed_rpm or 0.0:.6g} rpm, "
         f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
-        f"mean {torque.mean():.4f} {unit}, std {torque.std():.4f} {unit}"
+        f"mean {mean} {unit}, std {spread} {unit}"
     )
     if "condensed" in recording.origin:
         click.echo(wrapped(recording.origin["condensed"]))

@@ -125,7 +125,7 @@ def effects(
     """
     from torquerig.catalog.search import catalog_for
     from torquerig.cli.common_options import edited
-    from torquerig.plain_table import grid
+    from torquerig.plain_table import fixed, grid, rms_size
     from torquerig.scenario.reading import read_scenario
     from torquerig.synthetic.mixture import components_of
     from torquerig.synthetic.simulated import separated_contributions
@@ -137,8 +137,11 @@ def effects(
     recording = separated_contributions(made.rig, duration=duration, seed=number, wander=wander, scenario=made.title)
     _write(recording, out, force=force)
     labels = recording.origin["components"]
-    rows = [[name, f"{values.mean():.5f}", f"{values.std():.5f}", labels[name]]
-            for name, values in components_of(recording).items()]  # fmt: skip
+    size = rms_size(recording.torque())
+    rows = [
+        [name, *(fixed(float(one), scale=size, digits=6) for one in (values.mean(), values.std())), labels[name]]
+        for name, values in components_of(recording).items()
+    ]
     click.echo(grid([["component", "mean N*m", "std N*m", "what it is"], *rows]))
 
 
@@ -176,8 +179,11 @@ def _write(recording: Recording, out: Path, *, force: bool) -> None:
     from torquerig.synthetic.writing import write_synthetic
 
     written = write_synthetic(recording, out, overwrite=force)
+    from torquerig.plain_table import fixed, rms_size
+
     torque = recording.torque()
+    mean, spread = (fixed(float(one), scale=rms_size(torque), digits=6) for one in (torque.mean(), torque.std()))
     click.echo(
         f"wrote {' and '.join(str(path) for path in written)}: {recording.samples} samples at "
-        f"{recording.sample_rate:g} Hz, mean {torque.mean():.5f} N*m, std {torque.std():.5f} N*m"
+        f"{recording.sample_rate:g} Hz, mean {mean} N*m, std {spread} N*m"
     )
