@@ -59,7 +59,7 @@ def test_a_sum_adds_values_and_intervals() -> None:
 def test_margins_of_the_present_drive_cost_nothing() -> None:
     catalog = load_catalog(shipped_folder())
     made = drive_margins(
-        catalog.motor("bldc-12n14p"), catalog.gearbox("reference-5-1"), DUTY, new_motor=False, new_gearbox=False
+        catalog.motor("bldc-12n14p"), catalog.gearbox("reference-5-1"), DUTY, new_motor=False, new_stage=False
     )
     assert made["price"].value == 0.0
     assert made["new_parts"].value == 0.0
@@ -69,7 +69,7 @@ def test_margins_of_the_present_drive_cost_nothing() -> None:
 def test_margins_of_a_documented_motor_are_its_ratings_over_the_duty() -> None:
     catalog = load_catalog(shipped_folder())
     motor = catalog.motor("HDS6A-0104A")
-    made = drive_margins(motor, catalog.gearbox("reference-5-1"), DUTY, new_motor=True, new_gearbox=True)
+    made = drive_margins(motor, catalog.gearbox("reference-5-1"), DUTY, new_motor=True, new_stage=True)
     assert motor.rated_torque.value is not None
     assert made["continuous_output_torque"].value == pytest.approx(motor.rated_torque.value * 5 * 0.97)
     assert made["torque_reserve"].value == pytest.approx(motor.rated_torque.value * 5 * 0.97 / 1.0)
@@ -77,7 +77,7 @@ def test_margins_of_a_documented_motor_are_its_ratings_over_the_duty() -> None:
     assert made["speed_use"].value == pytest.approx(1000 * pi / 30 / motor.rated_speed.value)
     assert made["new_parts"].value == 4.0
     idle = drive_margins(
-        motor, catalog.gearbox("reference-5-1"), replace(DUTY, mean_torque=0.0), new_motor=True, new_gearbox=True
+        motor, catalog.gearbox("reference-5-1"), replace(DUTY, mean_torque=0.0), new_motor=True, new_stage=True
     )
     assert idle["torque_reserve"].unknown, "a reserve over no load is no number"
 

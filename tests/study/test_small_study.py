@@ -333,5 +333,6 @@ def test_a_study_that_cannot_be_decided_is_refused_before_it_runs(setting: str, 
 
 def test_a_rig_of_two_gears_is_told_that_a_study_exchanges_one() -> None:
     second = "rig.belt={kind: gear, ratio: 2, stiffness: 900 N*m/rad, damping: 1 N*m*s/rad, output_inertia: 1 kg*cm^2}"
-    with pytest.raises(InputError, match="a study exchanges one gear, but the rig has 2; keep one"):
+    told = r"the rig has 2 parts that the study could exchange as its stage \(gearbox, belt\); name one with exchange"
+    with pytest.raises(InputError, match=told):
         candidates(study_with((*TINY, second)))

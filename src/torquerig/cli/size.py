@@ -16,7 +16,7 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.scenario.requirement_check import check_requirement
 from torquerig.study.definition import Study, open_study
 from torquerig.study.one_drive import scenario_or_candidate
-from torquerig.study.ratio_sweep import RatioSweep, ratio_sweep
+from torquerig.study.ratio_sweep import RatioSweep, can_sweep, ratio_sweep
 from torquerig.study.sized_candidates import with_cycle
 
 SAMPLES = 3  # Monte Carlo samples of the drive whose disturbance is simulated
@@ -70,7 +70,7 @@ def command(
     drive = sized_drive(made, catalog)
     flags = check_requirement(made, catalog, duration=float(drive.requirement().duration.sum()))
     study = open_study(document, catalog) if "study" in document.data else None
-    sweep = ratio_sweep(drive, study) if study is not None and not _states_ratio(document) else None
+    sweep = ratio_sweep(drive, study) if study is not None and can_sweep(study) else None
     title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
     _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
     if study is not None:
@@ -145,9 +145,3 @@ def _draw(drive: SizedDrive, sweep: RatioSweep | None, path: Path, *, title: str
 
     write_picture(sizing_figure(drive, sweep, title=title), path, overwrite=force)
     click.echo(f"wrote {path}")
-
-
-def _states_ratio(document: Document) -> bool:
-    """Return whether the scenario states a gear ratio, which replaces that of every gearbox."""
-    gears = [part for part in document.data["rig"].values() if isinstance(part, dict) and part.get("kind") == "gear"]
-    return len(gears) != 1 or "ratio" in gears[0]

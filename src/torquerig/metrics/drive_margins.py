@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from torquerig.catalog.gearbox import Gearbox
+from torquerig.catalog.entry import UNKNOWN
 from torquerig.catalog.motor import Motor
 from torquerig.metrics.figure import Figure, scaled, total, yes_no
+from torquerig.parameter import Estimate
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,7 +22,7 @@ class Duty:
     mean_torque : float
         Mean torque at the output [N m].
     ratio, efficiency : float
-        Of the gearbox as simulated [1].
+        Of the whole chain from the motor to the measured part, as simulated [1].
     torque_limit : float
         Of the drive as set [N m].
     """
@@ -33,15 +34,33 @@ class Duty:
     torque_limit: float
 
 
+@dataclass(frozen=True, kw_only=True)
+class ExchangedStage:
+    """The stage that a study exchanges.
+
+    Parameters
+    ----------
+    name : str
+    price : Estimate
+        [EUR]; unknown where nothing states it.
+    efficiency : Estimate
+        Of the catalog [1]; unknown where the scenario states the stage.
+    """
+
+    name: str
+    price: Estimate = UNKNOWN
+    efficiency: Estimate = UNKNOWN
+
+
 def drive_margins(
-    motor: Motor, gearbox: Gearbox, duty: Duty, *, new_motor: bool, new_gearbox: bool
+    motor: Motor, stage: ExchangedStage | None, duty: Duty, *, new_motor: bool, new_stage: bool
 ) -> Mapping[str, Figure]:
     """Return the figures of a drive by the names that a study's criteria use.
 
     ``speed_reserve`` max. speed / needed speed; ``speed_use`` needed / rated speed; ``continuous_output_torque`` rated
     torque x ratio x efficiency [N m]; ``torque_reserve`` that over the mean torque; ``sensor_peak`` the drive's limit
     at the sensor [N m]; ``servo`` 1 or 0; ``new_parts`` how many of motor, drive, gearbox, adapter must be changed
-    (present parts are not new); ``price`` of the new parts [EUR].
+    (present parts are not new); ``price`` of the new parts [EUR]. ``stage`` is None where only the motor is exchanged.
     """
     name = motor.stands_for or motor.name
     needed = duty.output_speed * duty.ratio
@@ -50,8 +69,11 @@ def drive_margins(
     if new_motor:
         prices += [scaled(motor.price, 1.0, unit="EUR", missing=f"price of {name}"),
                    scaled(motor.drive_price, 1.0, unit="EUR", missing=f"price of the drive of {name}")]  # fmt: skip
-    if new_gearbox:
-        prices.append(scaled(gearbox.price, 1.0, unit="EUR", missing=f"price of {gearbox.name}"))
+    if stage is not None and new_stage:
+        prices.append(scaled(stage.price, 1.0, unit="EUR", missing=f"price of {stage.name}"))
+    efficiency = () if stage is None or stage.efficiency.unknown else (
+        (f"efficiency of {stage.name}", stage.efficiency),
+    )  # fmt: skip
     return {
         "speed_reserve": scaled(motor.max_speed, 1 / needed, unit="1", missing=f"maximum speed of {name}"),
         "speed_use": scaled(motor.rated_speed, needed, unit="1", inverse=True, missing=f"rated speed of {name}"),
@@ -65,13 +87,10 @@ def drive_margins(
             value=duty.torque_limit * gain,
             unit="N*m",
             source="drive's limit x ratio x efficiency",
-            rests_on=(
-                (f"peak torque of {name}", motor.peak_torque),
-                (f"efficiency of {gearbox.name}", gearbox.efficiency),
-            ),
+            rests_on=((f"peak torque of {name}", motor.peak_torque), *efficiency),
         ),
         "servo": yes_no(motor.servo, f"whether {name} is a servo motor"),
         # a new motor brings its drive and an adapter plate with it
-        "new_parts": Figure(value=float(3 * new_motor + new_gearbox), source="motor, drive and adapter; gearbox"),
+        "new_parts": Figure(value=float(3 * new_motor + new_stage), source="motor, drive and adapter; gearbox"),
         "price": total(prices, unit="EUR"),
     }

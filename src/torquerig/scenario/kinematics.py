@@ -34,6 +34,11 @@ class CrossedStage:
         """Turns of the shaft before it per turn of the shaft behind it, with sign [1]."""
         return 1 / self.part.ratio if self.backwards else self.part.ratio
 
+    @property
+    def efficiency(self) -> float:
+        """Share of the power that arrives behind it [1]."""
+        return self.part.efficiency
+
     def teeth(self) -> tuple[ChainStage, ...]:
         """Return its sets of teeth in the order of the way; its ratio alone where none is known."""
         if not self.part.teeth:
@@ -93,7 +98,7 @@ def turns_to(rig: Rig, last: str) -> float:
 
 def torque_gain(rig: Rig) -> float:
     """Return the steady torque at the measured part per torque of the motor: the gears' ratios times efficiencies."""
-    return prod(abs(stage.turns) * stage.part.efficiency for stage in stages_to(rig, reading_place(rig)))
+    return prod(abs(stage.turns) * stage.efficiency for stage in stages_to(rig, reading_place(rig)))
 
 
 def _ancestors(rig: Rig, name: str | None) -> Iterator[str]:

@@ -48,12 +48,29 @@ class _Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
+class Exchange(_Section):
+    """The parts of the rig that the candidates replace, by name; the only ones of the rig where nothing is stated."""
+
+    motor: str | None = None
+    stage: str | None = None
+
+
 class Present(_Section):
-    """The present drive of the rig; the baseline of the Pugh matrix."""
+    """The present drive of the rig; the baseline of the Pugh matrix.
+
+    ``gearbox`` is a name of the catalog, or the name of the stage in the rig for the stage as the rig states it.
+    """
 
     motor: str
-    gearbox: str
+    gearbox: str | None = None
     filter: ChainName = "none"
+
+
+class StatedStage(_Section):
+    """A stage that the catalog does not have: the part as a rig would state it, and its price where it is known."""
+
+    part: dict[str, Any]
+    price: Annotated[float, Parameter("EUR", "price", low=0)] | None = None
 
 
 class Filters(_Section):
@@ -115,14 +132,19 @@ class CriterionRow(_Section):
 
 
 class Settings(_Section):
-    """Everything under ``study:``."""
+    """Everything under ``study:``.
+
+    Without ``gearboxes`` the stages stay as the rig states them, without ``motors`` the motor stays the present one.
+    """
 
     duration: Annotated[float, Parameter("s", "length of a run", above=0)] = 10.0
     seed: int = Field(default=1, ge=0)
     draws: int = Field(default=0, ge=0, le=1000)  # each is a run of every drive
     present: Present
-    motors: Literal["all"] | tuple[str, ...]
-    gearboxes: tuple[str, ...]
+    exchange: Exchange = Exchange()
+    motors: Literal["all"] | tuple[str, ...] = ()
+    gearboxes: tuple[str, ...] = ()
+    stages: dict[str, StatedStage] = Field(default_factory=dict)
     filters: Filters
     speed_loop: SpeedLoopRule
     sensor_limit: Annotated[float, Parameter("N*m", "largest torque at the sensor", above=0)]

@@ -1,132 +1,164 @@
-"""Each motor on each gearbox as a rig: catalog values inserted, speed loop tuned, drive limited."""
+"""Each motor on each stage as a rig: catalog values inserted, speed loop tuned, drive limited."""
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from math import pi
-from typing import Any
+from dataclasses import dataclass, field, replace
+from math import isclose, pi
 
-from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.assembly import Rig
+from torquerig.rig.leading_part import leading_part
 from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.rig.terms import Inertia
-from torquerig.scenario.kinematics import torque_gain
+from torquerig.scenario.kinematics import kinematics_of, torque_gain
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.study.definition import Study
+from torquerig.study.exchange import ExchangedParts, pinned_ratio
+from torquerig.study.exchanged_data import document_of, look_up_stage
 from torquerig.study.settings import SpeedLoopRule
 
 
 @dataclass(frozen=True, kw_only=True)
 class Candidate:
-    """A motor on a gearbox.
+    """A motor on a stage of the chain.
 
     Parameters
     ----------
-    motor, gearbox : str
-        Names in the catalog (an alias stays an alias).
+    motor : str
+        Name in the catalog (an alias stays an alias).
+    gearbox : str
+        Name of the exchanged stage: in the catalog, of ``study: stages:``, or in the rig (the stage as stated); empty
+        where the study exchanges the motor only.
     ratio : float
-        Motor turns per output turn [1].
+        Input turns per output turn of the exchanged stage [1]; of the whole chain where no stage is exchanged.
+    whole_ratio : float or None
+        Motor turns per turn of the measured shaft [1]; None where it is that of the stage.
+    told_apart : str
+        Name of the stage, in the candidate's name where another candidate has the same motor and ratio.
+    parts : ExchangedParts
+        Names of the exchanged parts in the rig.
     """
 
     motor: str
     gearbox: str
     ratio: float
+    whole_ratio: float | None = None
+    told_apart: str = ""
+    parts: ExchangedParts = field(default_factory=ExchangedParts)
+
+    @property
+    def ratio_text(self) -> str:
+        """The ratio for tables: ``5:1``, or ``5:1 of 12.5:1`` for a stage of a chain; ``1:1`` without a gear."""
+        whole = self.ratio if self.whole_ratio is None else self.whole_ratio
+        chain = "" if isclose(whole, self.ratio, rel_tol=1e-9) else f" of {whole:.5g}:1"
+        return f"{self.ratio:.5g}:1{chain}"
 
     @property
     def name(self) -> str:
-        """The name in tables: ``HDS6A-0104A 5:1``."""
-        return f"{self.motor} {self.ratio:g}:1"
+        """The name in tables: ``HDS6A-0104A 5:1``; the motor alone where nothing turns at another speed."""
+        direct = not self.gearbox and self.ratio == 1
+        return " ".join(word for word in (self.motor, self.told_apart, "" if direct else self.ratio_text) if word)
 
 
 def candidates(study: Study) -> tuple[Candidate, ...]:
-    """Return all motors on all gearboxes; a ratio in the rig's gear fixes the gearbox."""
-    settings, catalog = study.settings, study.catalog
-    _, gear_part = drive_parts(study.document)
-    motors = tuple(catalog.motors) if settings.motors == "all" else settings.motors
-    _refuse_unknown(study, motors)
-    written = study.document.data["rig"][gear_part]
-    if "ratio" in written:
-        pinned, place = str(written.get("catalog", gear_part)), study.document.place(("rig", gear_part, "ratio"))
-        ratio = written["ratio"]
-        if isinstance(ratio, bool) or not isinstance(ratio, int | float) or ratio == 0:
-            raise InputError(f"{place}: {ratio!r} is no ratio; write the motor turns per output turn, such as 5")
-        return tuple(Candidate(motor=m, gearbox=pinned, ratio=float(ratio)) for m in motors)
+    """Return all motors on all stages; a ratio beside the catalog entry of the rig's gear fixes the gearbox."""
+    _refuse_unknown(study)
+    stage = study.exchanged.stage
+    fixed = pinned_ratio(study.document, stage) if stage else None
+    boxes = study.gearboxes or ("",)
+    if fixed is not None:
+        boxes = (str(study.document.data["rig"][stage]["catalog"]),)
+    made = {box: candidate_of(study, motor=study.settings.present.motor, gearbox=box) for box in boxes}
+    texts = [one.ratio_text for one in made.values()]
+    told = {box: box if texts.count(one.ratio_text) > 1 else "" for box, one in made.items()}
     return tuple(
-        Candidate(motor=motor, gearbox=gearbox, ratio=catalog.gearbox(gearbox).ratio)
-        for motor in motors
-        for gearbox in settings.gearboxes
-    )
+        replace(made[box], motor=motor, told_apart=told[box]) for motor in study.motors for box in boxes
+    )  # fmt: skip
 
 
-def _refuse_unknown(study: Study, motors: tuple[str, ...]) -> None:
-    present, catalog = study.settings.present, study.catalog
-    boxes = study.settings.gearboxes
-    named: tuple[tuple[tuple[str, ...], tuple[str, ...], Callable[[str], object]], ...] = (
-        (("motors",), motors, catalog.motor),
-        (("gearboxes",), boxes, catalog.gearbox),
-        (("present", "motor"), (present.motor,), catalog.motor),
-        (("present", "gearbox"), (present.gearbox,), catalog.gearbox),
-    )
-    for key, names, look_up in named:
-        for name in names:
-            try:
-                look_up(name)
-            except UnknownNameError as error:
-                raise UnknownNameError(f"{study.document.place(('study', *key))}: {error}") from None
-
-
-def drive_parts(document: Document) -> tuple[str, str]:
-    """Return the names of the motor and the gear that candidates take the place of."""
-    rig: Mapping[str, Any] = document.data.get("rig", {})
-    if not isinstance(rig, dict):
-        raise InputError(f"{document.place(('rig',))}: a scenario needs a mapping named rig: with one entry per part")
-    found = []
-    for kind in ("motor", "gear"):
-        names = [name for name, part in rig.items() if isinstance(part, dict) and part.get("kind") == kind]
-        if len(names) != 1:
-            raise InputError(f"{document.path}: a study exchanges one {kind}, but the rig has {len(names)}; keep one")
-        found.append(str(names[0]))
-    return found[0], found[1]
+def candidate_of(study: Study, *, motor: str, gearbox: str) -> Candidate:
+    """Return the candidate with the ratios of its chain, as it is read with the seed of the study."""
+    parts = study.exchanged
+    asked = Candidate(motor=motor, gearbox=gearbox, ratio=1.0, parts=parts)
+    rig = candidate_scenario(asked, study, seed=study.settings.seed).rig
+    whole = kinematics_of(rig).ratio
+    if not gearbox:
+        return replace(asked, ratio=whole)
+    part = rig.part(parts.stage)
+    assert isinstance(part, GearStage)
+    return replace(asked, ratio=abs(part.ratio), whole_ratio=whole)
 
 
 def scenario_of(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
-    """Return the scenario with the candidate's motor and gearbox, its loop tuned by the rule, its drive limited.
+    """Return the scenario with the candidate's motor and stage, its loop tuned by the rule, its drive limited.
 
     ``seed`` determines the values drawn from the catalog's intervals.
     """
-    document, catalog = study.document, study.catalog
-    motor_part, gear_part = drive_parts(document)
-    data = copy.deepcopy(document.data)
-    written = data["rig"][motor_part]
-    if written.get("catalog") != candidate.motor:
-        ripple = {key: written[key] for key in ("ripple",) if key in written}  # the study chooses the ripple model
-        data["rig"][motor_part] = {"kind": "motor", "catalog": candidate.motor, **ripple}
-    if candidate.gearbox in catalog.gearboxes:
-        data["rig"][gear_part]["catalog"] = candidate.gearbox
-    scenario = read_scenario(replace(document, data=data), catalog, seed=seed)
-    limited = drive_limited(scenario.rig, study.settings.sensor_limit)
-    return replace(scenario, rig=loop_tuned(limited, study.settings.speed_loop))
+    scenario = candidate_scenario(candidate, study, seed=seed)
+    motor = study.exchanged.motor
+    limited = drive_limited(scenario.rig, study.settings.sensor_limit, motor=motor)
+    return replace(scenario, rig=loop_tuned(limited, study.settings.speed_loop, motor=motor))
 
 
-def drive_limited(rig: Rig, sensor_limit: float) -> Rig:
+def candidate_scenario(candidate: Candidate, study: Study, *, seed: int) -> Scenario:
+    """Return the scenario with the candidate's parts, loop and limit as the scenario states them.
+
+    Raises
+    ------
+    InputError
+        Where the motor does not follow the set-point under a speed_controller, which the study tunes.
+    """
+    document, motor = document_of(candidate.motor, candidate.gearbox, study), study.exchanged.motor
+    scenario = read_scenario(document, study.catalog, seed=seed)
+    tuned = [one.name for one in scenario.rig.parts_of(SpeedController) if one.motor == motor]
+    if not tuned or leading_part(scenario.rig) != motor:
+        raise InputError(
+            f"{study.document.place(('rig', motor))}: a study tunes the speed loop of the motor that it exchanges, and "
+            f"{motor!r} does not follow the set-point; add a speed_controller with motor: {motor}, or name the driven "
+            "motor with study: exchange: {motor: NAME}"
+        )
+    return scenario
+
+
+def drive_limited(rig: Rig, sensor_limit: float, *, motor: str) -> Rig:
     """Return the rig with the drive's torque limit lowered to at most ``sensor_limit`` [N m] at the sensor."""
-    motor = rig.parts_of(Motor)[0]
-    return rig.changed(replace(motor, torque_limit=min(motor.torque_limit, sensor_limit / torque_gain(rig))))
+    part = rig.part(motor)
+    assert isinstance(part, Motor)
+    return rig.changed(replace(part, torque_limit=min(part.torque_limit, sensor_limit / torque_gain(rig))))
 
 
-def loop_tuned(rig: Rig, rule: SpeedLoopRule) -> Rig:
+def loop_tuned(rig: Rig, rule: SpeedLoopRule, *, motor: str) -> Rig:
     """Return the rig with ``kp = 2 pi crossover J`` and ``ki = kp 2 pi corner``, J all inertia seen by the motor.
 
     The crossover of the open loop ``kp / (J s)``; it must stay well below the first torsional mode, which is not
     checked here (the drives of the study have theirs at 100 to 210 Hz).
     """
-    controller = rig.parts_of(SpeedController)[0]
+    controller = next(one for one in rig.parts_of(SpeedController) if one.motor == motor)
     ratios = rig.speed_ratios(rig.node(controller.motor))
     inertias = [term for part in rig.parts for term in part.terms(rig) if isinstance(term, Inertia)]
     seen = sum(term.inertia * ratios.get(term.node, 0.0) ** 2 for term in inertias)
     kp = 2 * pi * rule.crossover * seen
     return rig.changed(replace(controller, kp=kp, ki=kp * 2 * pi * rule.integral_corner))
+
+
+def _refuse_unknown(study: Study) -> None:
+    present, catalog = study.settings.present, study.catalog
+
+    def stage(name: str) -> object:
+        return look_up_stage(name, study)
+
+    named: Mapping[tuple[str, ...], tuple[tuple[str, ...], Callable[[str], object]]] = {
+        ("motors",): (study.motors, catalog.motor),
+        ("gearboxes",): (study.gearboxes, stage),
+        ("present", "motor"): ((present.motor,), catalog.motor),
+        ("present", "gearbox"): ((study.present_gearbox,) if study.present_gearbox else (), stage),
+    }
+    for key, (names, look_up) in named.items():
+        for name in names:
+            try:
+                look_up(name)
+            except UnknownNameError as error:
+                raise UnknownNameError(f"{study.document.place(('study', *key))}: {error}") from None

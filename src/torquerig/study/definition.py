@@ -15,6 +15,7 @@ from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.sections import with_current_names
+from torquerig.study.exchange import ExchangedParts, exchanged_parts, present_stage
 from torquerig.study.settings import Settings, read_settings
 
 
@@ -26,6 +27,27 @@ class Study:
     settings: Settings
     catalog: Catalog
     filters: Document
+
+    @property
+    def exchanged(self) -> ExchangedParts:
+        """The parts of the rig that the candidates replace."""
+        return exchanged_parts(self.document, self.settings)
+
+    @property
+    def present_gearbox(self) -> str:
+        """The present stage by the name that candidates use; empty where the study exchanges none."""
+        return present_stage(self.document, self.settings)
+
+    @property
+    def motors(self) -> tuple[str, ...]:
+        """The motors to be compared; the present one where the study lists none."""
+        stated = self.settings.motors
+        return tuple(self.catalog.motors) if stated == "all" else stated or (self.settings.present.motor,)
+
+    @property
+    def gearboxes(self) -> tuple[str, ...]:
+        """The stages to be compared; the present one where the study lists none, empty where it exchanges none."""
+        return self.settings.gearboxes or ((self.present_gearbox,) if self.present_gearbox else ())
 
     def chains(self, scenario: Scenario) -> Mapping[str, Chain]:
         """Return the study's filter chains and the present one, made for the kinematics of one scenario.

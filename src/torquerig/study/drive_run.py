@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from math import pi, prod
 
-from torquerig.errors import InputError
 from torquerig.filters.filter_effect import chain_effect
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
@@ -14,14 +13,15 @@ from torquerig.metrics.omitted_ripple import omitted_six_pulse
 from torquerig.metrics.residual_disturbance import simulated_reading_pair
 from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
-from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import Motor, SpeedController
-from torquerig.rig.terms import Friction, Load
-from torquerig.scenario.kinematics import gears_to_sensor, kinematics_of, torque_gain
+from torquerig.rig.reading_place import reading_place
+from torquerig.scenario.kinematics import kinematics_of, stages_to, torque_gain
+from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import SETTLING, simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import Study
+from torquerig.study.exchanged_data import is_new_stage, look_up_stage
 from torquerig.study.preflight import out_of_reach
 from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
@@ -35,8 +35,9 @@ TIME_CONSTANTS = 7.5  # [1] settling time over that of the slowest pole; 0.06 % 
 def run_drive(candidate: Candidate, study: Study) -> DriveResult:
     """Return the results of one motor on one gearbox: margins, shares of the reading, and every filter."""
     scenario = scenario_of(candidate, study, seed=study.settings.seed)
-    motor = scenario.rig.parts_of(Motor)[0]
-    controller = scenario.rig.parts_of(SpeedController)[0]
+    motor = scenario.rig.part(study.exchanged.motor)
+    assert isinstance(motor, Motor)
+    controller = next(one for one in scenario.rig.parts_of(SpeedController) if one.motor == motor.name)
     speed = scenario.rig.run.speed or 0.0
     reason = out_of_reach(candidate, scenario, study)
     unsimulated = DriveResult(
@@ -70,24 +71,22 @@ def _omitted(candidate: Candidate, scenario: Scenario, study: Study) -> Figure:
 
 def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_limit: float) -> Mapping[str, Figure]:
     rig, present = scenario.rig, study.settings.present
-    entry, gearbox = study.catalog.motor(candidate.motor), study.catalog.gearboxes.get(candidate.gearbox)
-    if gearbox is None:
-        raise InputError(f"{study.document.path}: the gear has no catalog entry; state one to give it a price")
-    gears = gears_to_sensor(rig)
+    entry = study.catalog.motor(candidate.motor)
+    stage = look_up_stage(candidate.gearbox, study) if candidate.gearbox else None
     ratio = kinematics_of(rig).ratio
     duty = Duty(
         output_speed=(rig.run.speed or 0.0) / ratio,
         mean_torque=mean_load(rig),
         ratio=ratio,
-        efficiency=prod(gear.efficiency for gear in gears),
+        efficiency=prod(crossed.efficiency for crossed in stages_to(rig, reading_place(rig))),
         torque_limit=torque_limit,
     )
     margins = drive_margins(
         entry,
-        gearbox,
+        stage,
         duty,
         new_motor=(entry.stands_for or entry.name) != present.motor,
-        new_gearbox=gearbox.name != present.gearbox or gearbox.ratio != candidate.ratio,
+        new_stage=stage is not None and is_new_stage(candidate.gearbox, candidate.ratio, study),
     )
     return {**margins, **sizing_figures(candidate, study, metrics_of(study.settings))}
 
@@ -153,13 +152,3 @@ def _figure(value: float, others: list[float], assumed: Mapping[str, str]) -> Fi
     low, high = min([value, *others]), max([value, *others])
     return Figure(value=value, low=low, high=high, unit="N*m", source=f"simulated, {1 + len(others)} samples",
                   missing=missing)  # fmt: skip
-
-
-def mean_load(rig: Rig) -> float:
-    """Return the mean torque at the wear part at the operating point: its loads and its viscous drag [N m]."""
-    terms = rig.terms()
-    loads = [term for term in terms if isinstance(term, Load)]
-    nodes = {term.on for term in loads}
-    speed = (rig.run.speed or 0.0) / (rig.run.gear_ratio or 1.0)
-    drag = sum(term.viscous * speed for term in terms if isinstance(term, Friction) and term.on in nodes)
-    return sum(term.process.mean for term in loads) + drag

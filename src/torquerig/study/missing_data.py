@@ -11,12 +11,13 @@ def missing_data_text(missing: str, candidate: Candidate) -> str:
     The lines of a simulated motor depend on many values, which one measurement gives; they get one common name. Motor
     and gearbox are named, so that equal texts mean the same value everywhere.
     """
-    if "motor.ripple." in missing:
+    motor, stage = candidate.parts.motor, candidate.parts.stage
+    if f"{motor}.ripple." in missing:
         return f"measured cogging and ripple of {candidate.motor}"
     fields: dict[str, list[str]] = {}
     for one in missing.split(", "):
         part, _, field = one.partition(".")
-        owner = {"motor": candidate.motor, "gear": candidate.gearbox, "gearbox": candidate.gearbox}.get(part, "")
+        owner = {motor: candidate.motor, stage: candidate.gearbox}.get(part, "")
         fields.setdefault(owner, []).append(field.replace("_", " ") if owner else one)
     texts = [f"{', '.join(names)} of {owner}" if owner else ", ".join(names) for owner, names in fields.items()]
     return ", ".join(texts)

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
 
-from torquerig.catalog.entry import Entry
 from torquerig.catalog.reading import Catalog
 from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.parts import SpeedController
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
-from torquerig.study.candidates import Candidate, scenario_of
+from torquerig.study.candidates import candidate_of, scenario_of
 from torquerig.study.definition import open_study
-
-AnyEntry = TypeVar("AnyEntry", bound=Entry)
+from torquerig.study.exchanged_data import look_up_stage
 
 
 def scenario_or_candidate(
@@ -38,14 +35,21 @@ def scenario_or_candidate(
             )
         return made
     study = open_study(document, catalog)
-    box = _looked_up("--gearbox", gearbox or study.settings.present.gearbox, catalog.gearbox)
+    if gearbox is not None and not study.exchanged.stage:
+        raise InputError(
+            f"--gearbox {gearbox}: the study of {document.path.name} exchanges no stage; name one with study: "
+            "exchange: {stage: PART}, or list gearboxes there"
+        )
+    box = gearbox or study.present_gearbox
+    if box:
+        _looked_up("--gearbox", box, lambda name: look_up_stage(name, study))
     name = motor or study.settings.present.motor
     _looked_up("--motor", name, catalog.motor)
-    return scenario_of(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study, seed=seed)
+    return scenario_of(candidate_of(study, motor=name, gearbox=box), study, seed=seed)
 
 
-def _looked_up(option: str, name: str, look_up: Callable[[str], AnyEntry]) -> AnyEntry:
+def _looked_up(option: str, name: str, look_up: Callable[[str], object]) -> None:
     try:
-        return look_up(name)
+        look_up(name)
     except UnknownNameError as error:
         raise UnknownNameError(f"{option} {name}: {error}") from None

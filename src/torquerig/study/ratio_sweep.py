@@ -8,8 +8,9 @@ from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.best_ratio import AlphaBeta, alpha_beta
 from torquerig.metrics.sizing.drive_sizing import EXCEEDS, Sizing, sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive
-from torquerig.study.candidates import Candidate
+from torquerig.study.candidates import candidate_of
 from torquerig.study.definition import Study
+from torquerig.study.exchange import pinned_ratio
 from torquerig.study.sized_candidates import sized_candidate
 
 SHOWN = ("rms_torque", "rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_use", "gearbox_peak_use",
@@ -19,11 +20,15 @@ LIMITS = ("rms_torque_use", "peak_torque_use", "speed_limit_use", "gearbox_life_
 
 @dataclass(frozen=True, kw_only=True)
 class SweptGearbox:
-    """The motor on one gearbox, and the limits that it exceeds for all values of the intervals."""
+    """The motor on one gearbox, and the limits that it exceeds for all values of the intervals.
+
+    ``ratio`` is that of the whole chain to the measured shaft [1], ``ratio_text`` names the stage's too.
+    """
 
     gearbox: str
     ratio: float
     sized: Sizing
+    ratio_text: str = ""
 
     @property
     def rms_torque(self) -> Figure:
@@ -61,23 +66,33 @@ class RatioSweep:
         why = "limited by the motor speed" if known < self.ideal.best * 0.999 else "the unconstrained minimum"
         return (
             f"Alpha-beta: {reached.shown()}:1, {why}, {by_form:.3g} N*m rms without gearbox inertia and motor "
-            f"friction. Catalog: {self.best.gearbox} with {self.best.ratio:g}:1, {least:.3g} N*m rms with both, "
+            f"friction. Catalog: {self.best.gearbox} with {self.best.ratio_text}, {least:.3g} N*m rms with both, "
             f"{100 * (least / by_form - 1):+.0f} %."
         )
 
 
 def ratio_sweep(drive: SizedDrive, study: Study) -> RatioSweep:
     """Return a drive's motor on every gearbox of the study's catalog, over the same cycle."""
-    name = drive.motor.name
-    found = [
-        SweptGearbox(
-            gearbox=box.name,
-            ratio=box.ratio,
-            sized=sizing(sized_candidate(Candidate(motor=name, gearbox=box.name, ratio=box.ratio), study), names=SHOWN),
-        )
+    made = [
+        candidate_of(study, motor=drive.motor.name, gearbox=box.name)
         for box in sorted(study.catalog.gearboxes.values(), key=lambda box: (box.ratio, box.name))
     ]
+    found = [
+        SweptGearbox(
+            gearbox=one.gearbox,
+            ratio=one.ratio if one.whole_ratio is None else one.whole_ratio,
+            sized=sizing(sized_candidate(one, study), names=SHOWN),
+            ratio_text=one.ratio_text,
+        )
+        for one in made
+    ]
     return RatioSweep(motor=drive.motor_name, drive=drive, ideal=alpha_beta(drive), swept=tuple(found))
+
+
+def can_sweep(study: Study) -> bool:
+    """Return whether the gearboxes of the catalog can take a place in the chain: no ratio is fixed there."""
+    stage = study.exchanged.stage
+    return bool(stage) and pinned_ratio(study.document, stage) is None
 
 
 def middle(figure: Figure) -> float:

@@ -6,9 +6,10 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
+from torquerig.scenario.mean_load import mean_load
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study
-from torquerig.study.drive_run import mean_load, run_drive
+from torquerig.study.drive_run import run_drive
 from torquerig.study.preflight import check_study
 from torquerig.study.results import DriveResult, StudyRuns
 

@@ -123,7 +123,8 @@ def _present(runs: StudyRuns) -> DriveResult:
             "among the simulated drives, and the Pugh matrix needs it as its baseline; list it under motors, or name "
             "another present drive that reaches the speed"
         )
-    return next((drive for drive in same if drive.candidate.gearbox == present.gearbox), same[0])
+    here = runs.study.present_gearbox
+    return next((drive for drive in same if drive.candidate.gearbox == here), same[0])
 
 
 def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Settings) -> Cell:

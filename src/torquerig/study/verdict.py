@@ -111,7 +111,10 @@ def _change(chosen: DriveResult, now: DriveResult) -> str:
     if chosen.margins["new_parts"].value == 0:
         return "keep {} and add"
     if chosen.candidate.motor == now.candidate.motor:
-        return f"keep the motor {now.candidate.motor}, use a gearbox of {chosen.candidate.ratio:g}:1 and add"
+        stage = f"a gearbox of {chosen.candidate.ratio_text}"
+        if chosen.candidate.parts.stage != "gearbox":
+            stage = f"{chosen.candidate.gearbox} as {chosen.candidate.parts.stage} ({chosen.candidate.ratio_text})"
+        return f"keep the motor {now.candidate.motor}, use {stage} and add"
     return "buy {} with"
 
 

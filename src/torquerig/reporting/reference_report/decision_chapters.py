@@ -181,7 +181,7 @@ def _named(decision: ReferenceDecision, name: str) -> str:
 
 def _gearbox(decision: ReferenceDecision, one: ComparedTable, name: str) -> str:
     if name == one.table.sheet.baseline:
-        return decision.plan.study.settings.present.gearbox
+        return decision.plan.study.present_gearbox
     return one.table.planned.gearbox_of(name)
 
 

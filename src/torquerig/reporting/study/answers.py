@@ -11,6 +11,7 @@ from torquerig.metrics.figure import Figure
 from torquerig.parameter import EVIDENCE
 from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
+from torquerig.study.exchanged_data import left_out_effects
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
 from torquerig.study.settings import SpeedLoopRule
@@ -27,15 +28,35 @@ CLASS = (
 def question(runs: StudyRuns) -> str:
     """Return the question of the study."""
     settings = runs.study.settings
-    motors = len({drive.candidate.motor for drive in runs.drives})
-    gearboxes = len({drive.candidate.gearbox for drive in runs.drives})
+    motors, present = len({drive.candidate.motor for drive in runs.drives}), settings.present.motor
+    stages = len({drive.candidate.gearbox for drive in runs.drives if drive.candidate.gearbox})
+    part = runs.drives[0].candidate.parts.stage
+    on, asked = (f" on {stages} {_plural(part, stages)}", f"motor, {part}") if stages else ("", "motor")
+    here = f"{present} on {runs.study.present_gearbox}" if stages else present
     return (
-        f"Which motor, gearbox and filter give the smallest error of the torque reading, and at what price? The study "
-        f"compares {motors} motors on {gearboxes} gearboxes with {len(settings.filters.names)} filters "
+        f"Which {asked} and filter give the smallest error of the torque reading, and at what price? The study "
+        f"compares {motors} motors{on} with {len(settings.filters.names)} filters "
         f"({listed(settings.filters.names)}): {len(runs.drives) * len(settings.filters.names)} combinations. The "
         f"baseline "
-        f"is the present {settings.present.motor} on {settings.present.gearbox} with the filter "
-        f"{settings.present.filter}."
+        f"is the present {here} with the filter "
+        f"{settings.present.filter}.{_of_a_chain(runs)}"
+    )
+
+
+def _plural(stage: str, count: int) -> str:
+    """Return the word for the stages: gearboxes, or what the rig calls the exchanged one."""
+    return ("gearboxes" if count != 1 else stage) if stage == "gearbox" else f"choices of {stage}"
+
+
+def _of_a_chain(runs: StudyRuns) -> str:
+    """Return what the ratios in the tables are; empty where the chain is the exchanged stage alone."""
+    first = runs.drives[0].candidate
+    whole = first.ratio if first.whole_ratio is None else first.whole_ratio
+    if not first.gearbox or whole == first.ratio:
+        return ""
+    return (
+        f" The exchanged stage is {first.parts.stage}. A ratio such as {first.ratio_text} is that of this stage, in "
+        "a chain of the second ratio from the motor to the measured part."
     )
 
 
@@ -85,7 +106,17 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
     )
     rig = runs.study.document.data.get("rig", {})
     mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
-    return (simulated, *omitted_ripple(runs), *mesh, samples, CLASS, shares)
+    return (simulated, *omitted_ripple(runs), *mesh, *_left_out(runs), samples, CLASS, shares)
+
+
+def _left_out(runs: StudyRuns) -> tuple[str, ...]:
+    """Return the effects of the present stage that some candidates cannot have."""
+    boxes = dict.fromkeys(drive.candidate.gearbox for drive in runs.drives)
+    without = {box: left_out_effects(box, runs.study) for box in boxes}
+    return tuple(
+        f"{listed(effects)} of the scenario has no place on {box} and is left out there." for box, effects in
+        without.items() if effects
+    )  # fmt: skip
 
 
 def omitted_ripple(runs: StudyRuns) -> tuple[str, ...]:
@@ -93,7 +124,7 @@ def omitted_ripple(runs: StudyRuns) -> tuple[str, ...]:
     sentences = []
     for motor in dict.fromkeys(drive.candidate.motor for drive in runs.drives if not drive.omitted.unknown):
         drives = [drive for drive in runs.drives if drive.candidate.motor == motor]
-        added = "; ".join(f"{_millinewtonmetres(drive.omitted)} at {drive.candidate.ratio:g}:1" for drive in drives)
+        added = "; ".join(f"{_millinewtonmetres(drive.omitted)} at {drive.candidate.ratio_text}" for drive in drives)
         sentences.append(
             f"The known lines of {motor} contain no six-step commutation ripple. If its drive commutates in six steps, "
             f"the reading has an additional ripple (by its class and the linearised rig): {added}."
@@ -112,8 +143,8 @@ def assumptions(runs: StudyRuns) -> tuple[tuple[str, Facts], ...]:
     for drive in runs.drives:
         for key, text in drive.assumed.items():
             part, _, field = key.partition(".")
-            of_motor, of_gear = part.startswith("motor"), part.startswith("gear")
-            owner = drive.candidate.motor if of_motor else drive.candidate.gearbox if of_gear else part
+            parts = drive.candidate.parts
+            owner = {parts.motor: drive.candidate.motor, parts.stage: drive.candidate.gearbox}.get(part, part)
             found.setdefault(owner, {}).setdefault(field.replace("_", " ").replace(".", ": "), text)
     owners = [*dict.fromkeys(drive.candidate.motor for drive in runs.drives)]
     rest = [owner for owner in found if owner not in owners]

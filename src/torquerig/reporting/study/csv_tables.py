@@ -96,7 +96,9 @@ def _shares(drive: DriveResult) -> Fields:
 
 def _identity(drive: DriveResult) -> Fields:
     made = drive.candidate
-    return [("motor", made.motor), ("gearbox", made.gearbox), ("ratio", f"{made.ratio:g}")]
+    whole = made.ratio if made.whole_ratio is None else made.whole_ratio
+    return [("motor", made.motor), ("gearbox", made.gearbox), ("ratio", f"{made.ratio:g}"),
+            ("whole ratio", f"{whole:g}")]  # fmt: skip
 
 
 def _figure(name: str, figure: Figure) -> Fields:

@@ -117,14 +117,14 @@ def shares_table(motor: str, drives: Sequence[DriveResult]) -> Table:
     for drive in drives:
         if drive.shares is None:
             blank = (Cell(text="-", word="number", title=drive.out_of_reach) for _ in range(1 + 2 * len(SHARES)))
-            rows.append((*words(f"{drive.candidate.ratio:g}:1"), *blank))
+            rows.append((*words(drive.candidate.ratio_text), *blank))
             continue
         percent = drive.shares.percent()
         cells = [number(plain(drive.shares.mean, 4))]
         for name in SHARES:
             value = float(getattr(drive.shares, name))
             cells += [number(f"{value:.4f}"), number(f"{percent[name]:.1f}")]
-        rows.append((*words(f"{drive.candidate.ratio:g}:1"), *cells))
+        rows.append((*words(drive.candidate.ratio_text), *cells))
     head = [text for name in SHARES for text in (f"{name} [N m]", "[%]")]
     return Table(caption=motor, head=("ratio", "mean [N m]", *head), rows=tuple(rows))
 

@@ -58,19 +58,21 @@ def write_ranking(sheet: Any, looks: Looks, decided: Decided) -> None:
 
 def write_shares(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
     """Write mean, rms and percent of the shares, a row per drive."""
-    head = ["motor", "gearbox", "ratio", "mean [N*m]", *(f"{name} rms [N*m]" for name in SHARES),
+    head = ["motor", "gearbox", "ratio", "whole ratio", "mean [N*m]", *(f"{name} rms [N*m]" for name in SHARES),
             *(f"{name} [% of power]" for name in SHARES), "out of reach"]  # fmt: skip
     write_head(sheet, looks, head, wide={0: 20, 1: 18})
     for row, drive in enumerate(runs.drives, start=1):
-        sheet.write_row(row, 0, [drive.candidate.motor, drive.candidate.gearbox, drive.candidate.ratio])
+        made = drive.candidate
+        whole = made.ratio if made.whole_ratio is None else made.whole_ratio
+        sheet.write_row(row, 0, [made.motor, made.gearbox, made.ratio, whole])
         if drive.shares is None:
-            for column in range(3, 4 + 2 * len(SHARES)):
+            for column in range(4, 5 + 2 * len(SHARES)):
                 sheet.write_string(row, column, "?", looks["unknown"])
-            sheet.write_string(row, 4 + 2 * len(SHARES), drive.out_of_reach)
+            sheet.write_string(row, 5 + 2 * len(SHARES), drive.out_of_reach)
             continue
         percent = drive.shares.percent()
-        sheet.write_row(row, 3, [drive.shares.mean, *(getattr(drive.shares, name) for name in SHARES)], looks["four"])
-        sheet.write_row(row, 4 + len(SHARES), [percent[name] for name in SHARES], looks["one"])
+        sheet.write_row(row, 4, [drive.shares.mean, *(getattr(drive.shares, name) for name in SHARES)], looks["four"])
+        sheet.write_row(row, 5 + len(SHARES), [percent[name] for name in SHARES], looks["one"])
 
 
 def write_elimination(

@@ -48,10 +48,9 @@ class ComputedTable:
 def computed_table(plan: Plan, name: str, known: Known) -> ComputedTable:
     """Return one published table with every cell computed."""
     sheet, planned = plan.book.table(name), plan.tables[name]
-    present = plan.study.settings.present
     boxes = {one: planned.gearbox_of(one) for one in (*sheet.alternatives, *planned.also)}
     if sheet.method is Method.PUGH:
-        boxes = {sheet.baseline: present.gearbox, **boxes}
+        boxes = {sheet.baseline: plan.study.present_gearbox, **boxes}
     readings: dict[str, Reading] = {**planned.rows, **planned.missing}
     criteria = [criterion_of(one, readings[one], _printed(sheet, one)) for one in readings]
     if planned.missing:

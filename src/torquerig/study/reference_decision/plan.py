@@ -124,9 +124,7 @@ def read_plan(document: Document, catalog: Catalog, *, draws: int | None = None)
     motors = [study.settings.present.motor]
     motors += [name for table in simulated for name in (*book.table(table).alternatives, *text.tables[table].also)]
     real = dict.fromkeys(real_name(catalog, name) for name in motors)
-    boxes = dict.fromkeys(
-        (study.settings.present.gearbox, *(box for table in simulated for box in _boxes(text.tables[table])))
-    )
+    boxes = dict.fromkeys((study.present_gearbox, *(box for table in simulated for box in _boxes(text.tables[table]))))
     update = {"motors": tuple(real), "gearboxes": tuple(boxes), "duration": text.duration,
               "draws": text.draws if draws is None else draws}  # fmt: skip
     study = Study(study.document, study.settings.model_copy(update=update), catalog, study.filters)
