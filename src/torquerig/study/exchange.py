@@ -9,7 +9,7 @@ from typing import Any, get_args
 from torquerig.document import Document
 from torquerig.errors import InputError, did_you_mean
 from torquerig.rig.parts.gear_stage import GearStage
-from torquerig.scenario.reading import KINDS
+from torquerig.scenario.kinds import KINDS
 from torquerig.study.settings import Settings
 
 STAGE_KINDS = tuple(word for word, kind in KINDS.items() if issubclass(kind, get_args(GearStage)))
