@@ -15,8 +15,10 @@ from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.compared_channel import as_measured, what_is_compared
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.sensor_priors import sensor_priors
 from torquerig.simulation.condensation.beforehand import said_beforehand
 
 _HEAD = ["recording", "samples", "per second", "compared channel", "rms", "motion"]
@@ -30,6 +32,9 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
     InputError, RecordingError
         If a diagnosis would reject the scenario or a recording before any computation.
     """
+    recordings = as_measured(recordings, scenario.rig)
+    compared = [wrapped(said) for one in recordings if (said := what_is_compared(one, scenario.rig)) is not None]
+    sensors = [wrapped(prior.sentence()) for prior in sensor_priors(scenario, recordings) if prior.states_something]
     is_moved = under_measured_motion(scenario.rig)
     rows = _of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings)
     names = sorted(scenario.uncertainties)
@@ -42,14 +47,9 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
     ]
     rates = dict.fromkeys(each.sample_rate for each in recordings)
     said = [text for rate in rates if (text := said_beforehand(scenario.rig, rate=rate))]
+    last = "scenario and recordings match; no diagnosis was made"
     return "\n".join(
-        [
-            grid([_HEAD, *rows]),
-            *suspicious,
-            *map(wrapped, said),
-            wrapped(fitted),
-            "scenario and recordings match; no diagnosis was made",
-        ]
+        [grid([_HEAD, *rows]), *compared, *sensors, *suspicious, *map(wrapped, said), wrapped(fitted), last]
     )
 
 

@@ -6,6 +6,7 @@ import json
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -77,6 +78,8 @@ class Recording:
         For a simulated recording ``scenario``, ``seed`` and ``torquerig`` version; empty for a measured one.
     name : str
         The file name, for messages.
+    path : Path or None
+        The file that it was read from; None for a simulated one.
     """
 
     sample_rate: float
@@ -84,6 +87,7 @@ class Recording:
     run: Run = field(default_factory=Run)
     origin: Mapping[str, Any] = field(default_factory=dict)
     name: str = "recording"
+    path: Path | None = field(default=None, compare=False, repr=False)
 
     @property
     def samples(self) -> int:

@@ -88,7 +88,7 @@ def shares_at_sensor(twin: Twin) -> dict[str, float]:
     the motor.
     """
     read, efficiency = twin.springs[twin.rig.measured].b, _efficiency(twin)
-    way = 1.0 if twin.forward else -1.0
+    way = twin.scale if twin.forward else -twin.scale
     return {
         node: way * twin.turns[node] / twin.turns[read] * efficiency[read] / efficiency[node]
         for node in behind_sensor(twin) & twin.turns.keys()

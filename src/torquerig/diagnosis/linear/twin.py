@@ -122,15 +122,21 @@ class Twin:
             return float("inf")
         return lowest_cutoff(sensor.bandwidth, self.rig.changes_in(sensor.name))
 
+    @cached_property
+    def scale(self) -> float:
+        """True over stated sensitivity of the sensor [1]."""
+        sensor = self.rig.part(self.rig.measured)
+        return float(getattr(sensor, "scale", 1.0)) if sensor.is_sensor else 1.0
+
     def amplifier(self, frequencies: Floats) -> Response:
-        """Return the sensor's second-order Butterworth low-pass [1]."""
+        """Return the sensor's scale times its second-order Butterworth low-pass [1]."""
         ratio = frequencies / self.cutoff
         square = ratio**2
-        return np.asarray((1 - square - 1j * sqrt(2) * ratio) / (1 + square**2))
+        return np.asarray(self.scale * (1 - square - 1j * sqrt(2) * ratio) / (1 + square**2))
 
     def amplifier_power(self, frequencies: Floats) -> Floats:
-        """Return what that low-pass leaves of a density [1]."""
-        return np.asarray(1 / (1 + (frequencies / self.cutoff) ** 4))
+        """Return what scale and low-pass leave of a density [1]."""
+        return np.asarray(self.scale**2 / (1 + (frequencies / self.cutoff) ** 4))
 
     def torque_on(self, node: str, against: str = GROUND) -> Passage:
         """Return the transfer of a torque between two nodes to the reading [N m per N m]."""

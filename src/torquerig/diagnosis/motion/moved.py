@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -173,11 +173,8 @@ def low_passed(values: Floats, band: float = BAND) -> Floats:
 
 def effort_of(recording: Recording) -> Channel:
     """Return the channel that is compared; RecordingError where there is none, or one with gaps."""
-    for quantity in EFFORTS:
-        name = recording.find(quantity)
-        if name is not None:
-            break
-    else:
+    name = next(_efforts_in(recording), None)
+    if name is None:
         raise RecordingError(
             f"{recording.name}: there is no torque, force or motor_torque channel among "
             f"{', '.join(recording.channels)}; a current is one with its constant: {{quantity: motor_torque, unit: A, "
@@ -187,6 +184,15 @@ def effort_of(recording: Recording) -> Channel:
     if not np.isfinite(channel.values).all():
         raise RecordingError(f"{recording.name}: {name} has gaps; cut the recording to a span without gaps")
     return channel
+
+
+def _efforts_in(recording: Recording) -> Iterator[str]:
+    """Yield the channels of effort: first the compared ones, and none that is an input or context."""
+    for role in ("compared", None):
+        for quantity in EFFORTS:
+            for name, one in recording.channels.items():
+                if one.quantity == quantity and one.role == role and not one.truth:
+                    yield name
 
 
 def _parted(samples: int) -> Mask:

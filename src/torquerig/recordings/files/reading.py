@@ -88,6 +88,7 @@ def read_recording(path: Path) -> Recording:
             run=sidecar.run if sidecar else Run(),
             origin=sidecar.origin if sidecar else {},
             name=path.name,
+            path=path,
         )
     )
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from pathlib import Path
 
-from torquerig.document import parse_document
+from torquerig.document import parse_document, read_document
 from torquerig.recordings.files.sidecar import Sidecar, read_sidecar, sidecar_from, sidecar_path
 from torquerig.recordings.names.header import split_header
+from torquerig.recordings.recording import Recording
 
 _NO_RECORDINGS = (".yaml", ".yml", ".json", ".svg", ".png", ".pdf", ".html", ".md", ".partial")
 
@@ -70,6 +71,15 @@ def sidecar_of(
         f"a sidecar for {recording.name} alone is called {own_sidecar_path(recording).name}"
     )
     return None, (note,)
+
+
+def place_in_sidecar(recording: Recording, *keys: str) -> str:
+    """Return file, line and keys of an entry in the sidecar of a recording; its name where there is no such file."""
+    path = None if recording.path is None else find_sidecar(recording.path)
+    written = ".".join(keys)
+    if path is None:
+        return f"{recording.name}: {written}"
+    return read_document(path).place(keys)
 
 
 def _embedded(recording: Path, text: str) -> tuple[Sidecar | None, tuple[str, ...]]:

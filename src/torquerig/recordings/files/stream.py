@@ -84,8 +84,9 @@ class RecordingStream:
         """Return a recording with these samples of each channel."""
         channels = {name: entry.channel(columns[name]) for name, entry in self.entries.items()}
         return Recording(
-            sample_rate=self.sample_rate, channels=channels, run=self.run, origin=self.origin, name=self.path.name
-        )
+            sample_rate=self.sample_rate, channels=channels, run=self.run, origin=self.origin, name=self.path.name,
+            path=self.path,
+        )  # fmt: skip
 
     def comparing(self, name: str) -> RecordingStream:
         """Return this recording with the channel ``name`` as the measured torque; errors as ``Recording.comparing``."""
