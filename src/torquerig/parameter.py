@@ -23,6 +23,7 @@ EVIDENCE = {
     "CALC": "computed from tagged numbers",
     "REF": "the nominal reference rig",
     "FIT": "fitted to recordings",
+    "CLASS": "not stated by the maker; the interval of the class that the entry names",
 }
 
 

@@ -69,6 +69,14 @@ def test_figures_as_printed_of_howto_add_a_motor_are_converted(tmp_path: Path) -
     assert motor.phase_resistance.bounds == pytest.approx((2.565, 3.135))
 
 
+def test_the_short_motor_of_howto_add_a_motor_is_filled_by_its_class(tmp_path: Path) -> None:
+    file = tmp_path / "servo-400W.yaml"
+    file.write_text(example("howto-add-a-motor.md", "like"), encoding="utf-8")
+    motor = read_entry(file, Motor, load_catalog(ROOT / "catalogs").classes)
+    assert motor.coulomb_friction.evidence == "CLASS"
+    assert motor.rated_torque.value == 1.27
+
+
 def test_two_stage_branch_turns_and_sounds_as_its_page_says() -> None:
     made = scenario("two_stage_branch.yaml")
     assert made.rig.speed_ratios("motor") == pytest.approx(

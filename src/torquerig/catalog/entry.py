@@ -58,11 +58,14 @@ class Entry(Record):
         One line of description.
     note : str
         Remarks on the reliability of the values.
+    like : str
+        The class from which values that the file does not state are filled; empty where none.
     """
 
     name: Text
     title: Text
     note: str = ""
+    like: str = ""
 
 
 def whole_choices(estimate: Estimate) -> Estimate:

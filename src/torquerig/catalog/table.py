@@ -17,7 +17,20 @@ def catalog_tables(catalog: Catalog) -> dict[str, list[Row]]:
         "gearboxes": gearbox_rows(catalog),
         "sensors": sensor_rows(catalog),
         "couplings": coupling_rows(catalog),
+        "classes": class_rows(catalog),
     }
+
+
+def class_rows(catalog: Catalog) -> list[Row]:
+    """Return one row per class."""
+    return [
+        {
+            "name": part.name,
+            "of": f"{part.of} ({', '.join(part.kinds)})" if part.kinds else part.of,
+            "title": part.title,
+        }
+        for part in catalog.classes.values()
+    ]
 
 
 def motor_rows(catalog: Catalog) -> list[Row]:

@@ -50,7 +50,7 @@ class _Below(click.Group):
 @catalog_option
 @click.pass_context
 def command(context: click.Context, catalogs: tuple[Path, ...]) -> None:
-    """List all motors, gearboxes, sensors and couplings, or all values of NAME (an alias is accepted).
+    """List all motors, gearboxes, sensors, couplings and classes, or all values of NAME (an alias is accepted).
 
     A ? marks an unknown value. The interval after it is the range that a simulation draws from. A name that is also a
     command: torquerig catalog show NAME.
@@ -73,6 +73,10 @@ def show(context: click.Context, name: str, catalogs: tuple[Path, ...]) -> None:
 
 
 def _details(catalog: Catalog, name: str) -> str:
+    if name in catalog.classes:
+        part = catalog.classes[name]
+        rows = [[key, value.shown(), value.evidence, value.source] for key, value in part.known().items()]
+        return "\n".join([f"{name}: {part.title}", grid([["value", "known", "evidence", "source"], *rows])])
     entry = _find(catalog, name)
     known = [(key, value) for key, value in estimates(entry) if value.source]
     rows = [["value", "known", "evidence", "source"]]
@@ -94,7 +98,7 @@ def _find(catalog: Catalog, name: str) -> Entry:
     try:
         return catalog.motor(name)
     except UnknownNameError:
-        known = [*catalog.motors, *catalog.gearboxes, *catalog.sensors, *catalog.couplings]
+        known = [*catalog.motors, *catalog.gearboxes, *catalog.sensors, *catalog.couplings, *catalog.classes]
         aliases = [alias.name for motor in catalog.motors.values() for alias in motor.aliases]
         hint = did_you_mean(name, [*known, *aliases])
         raise UnknownNameError(f"there is nothing named {name!r} in the catalog; {hint}") from None

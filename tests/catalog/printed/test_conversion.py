@@ -63,6 +63,16 @@ def test_a_makers_table_as_printed(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("kt", "ke"), [(0.35, 21.0), (0.39, 23.7), (0.41, 25.0), (0.52, 31.6), (0.51, 31.1), (0.54, 32.5)]
+)
+def test_six_motors_of_a_table_agree_as_printed(tmp_path, kt, ke):
+    """Wittenstein premo 320 V, p. 30 [W1]: Kt in Nm/A_eff, Ke in V_eff/krpm without a word on phase or line."""
+    head = HEAD.replace("2.84 N*m", "20 N*m") + TORQUE + FRICTION + RIPPLE
+    motor = read(tmp_path, f"torque_constant: {kt} Nm/A_eff", f"voltage_constant: {ke} V_eff/krpm", head=head)
+    assert motor.torque_constant.value == pytest.approx(kt)
+
+
+@pytest.mark.parametrize(
     ("kind", "torque", "current", "constant"),
     [("SGM7J-01A", 0.318, 0.85, 0.413), ("SGM7J-02A", 0.637, 1.6, 0.444), ("SGM7J-04A", 1.27, 2.5, 0.544),
      ("SGM7J-08A", 2.39, 4.4, 0.584), ("SGMAH-01A", 0.318, 0.91, 0.378), ("SGMSH-15A", 4.90, 9.7, 0.561)],
