@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from torquerig.api.inputs import recording_from
-from torquerig.api.values import folders
-from torquerig.catalog.search import catalog_for
+from torquerig.api.inputs import drive_from, recording_from
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.errors import InputError, did_you_mean
-from torquerig.filters.chains.chain_file import read_chains
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.recording_lines import kinematics_of_recording
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded_drive import chains_for
 
 
 def filter(  # noqa: A001 (the public name; this module does not use the built-in)
     recording: Recording | str | Path, chain: str = "order_lines", *, filters: str | Path | None = None,
-    motor: str | None = None, ratio: float | None = None, channel: str | None = None,
-    catalogs: Sequence[str | Path] = (),
+    motor: str | None = None, ratio: float | None = None, gearbox: str | None = None,
+    scenario: Scenario | str | Path | None = None, channel: str | None = None, catalogs: Sequence[str | Path] = (),
 ) -> Recording:  # fmt: skip
     """Return a recording after a filter chain.
 
@@ -33,6 +31,10 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
         Motor of the catalog whose order lines are removed, where the run does not name it.
     ratio : float, optional
         Motor turns per output turn [1], where the run does not state it.
+    gearbox : str, optional
+        Gearbox of the catalog, for its ratio and its gear mesh lines.
+    scenario : Scenario or path, optional
+        The rig, instead of the three above: the lines of all its shafts, meshes, belts and bearings.
     channel : str, optional
         Channel with the measured torque, where several have one and none has the role ``compared``.
     catalogs : sequence of path
@@ -46,7 +48,7 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
     Raises
     ------
     InputError
-        For an unknown chain.
+        For an unknown chain, or a scenario together with motor, ratio or gearbox.
     RecordingError
         Where the recording does not tell the speed or angle that the chain needs.
 
@@ -60,10 +62,8 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
     """
     read = recording_from(recording)
     read = read if channel is None else read.comparing(channel)
-    kinematics, _ = kinematics_of_recording(
-        read, catalog_for(None, folders(catalogs)), motor=motor, ratio=ratio, remedies=("motor=NAME", "ratio=N")
-    )
-    known = read_chains(Path(filters) if filters else shipped_scenarios() / "filters.yaml", kinematics=kinematics)
+    drive = drive_from(read, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs)
+    known = chains_for(drive, Path(filters) if filters else shipped_scenarios() / "filters.yaml", (chain,))
     if chain not in known:
         raise InputError(f"there is no filter chain {chain!r}; {did_you_mean(chain, known)}")
     return known[chain].apply(read)

@@ -8,9 +8,12 @@ from typing import Any
 
 from torquerig.api.recording_files import read
 from torquerig.api.scenarios import read_scenario
+from torquerig.api.values import folders
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
+from torquerig.scenario.recorded_drive import RecordedDrive, at_stated_ratio, recorded_drive
 
 
 def scenario_from(
@@ -30,3 +33,25 @@ def scenario_from(
 def recording_from(given: Recording | str | Path) -> Recording:
     """Return a recording as it is, or read it from its file."""
     return given if isinstance(given, Recording) else read(given)
+
+
+def drive_from(
+    recording: Recording, *, scenario: Scenario | str | Path | None, motor: str | None, ratio: float | None,
+    gearbox: str | None, catalogs: Sequence[str | Path],
+) -> RecordedDrive:  # fmt: skip
+    """Return the drive that made a recording: of a scenario, else as given or stated by the recording.
+
+    Raises
+    ------
+    InputError
+        For a scenario together with motor, ratio or gearbox, or one whose gears contradict the recording.
+    """
+    if scenario is None:
+        return recorded_drive(
+            recording, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=folders(catalogs),
+            remedies=("motor=NAME", "ratio=N"),
+        )  # fmt: skip
+    if motor is not None or ratio is not None or gearbox is not None:
+        raise InputError("the scenario states motor and gearbox; remove motor, ratio and gearbox")
+    made = scenario_from(scenario, catalogs=catalogs)
+    return RecordedDrive(kinematics=at_stated_ratio(kinematics_of(made.rig), recording, made.title), rig=made.rig)

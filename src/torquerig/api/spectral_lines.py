@@ -7,18 +7,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from torquerig.api.inputs import recording_from, scenario_from
+from torquerig.api.inputs import drive_from, recording_from
 from torquerig.api.result import Result
-from torquerig.api.values import folders
-from torquerig.catalog.search import catalog_for
 from torquerig.orders.analysis.angle_resampling import output_turns
 from torquerig.orders.analysis.line_detection import DetectedLine, detected_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.recording_lines import kinematics_of_recording
 
 if TYPE_CHECKING:
     import numpy as np
@@ -134,15 +130,11 @@ def order_lines(
     """
     read = recording_from(recording)
     read = read if channel is None else read.comparing(channel)
-    if scenario is not None:
-        kinematics = kinematics_of(scenario_from(scenario, catalogs=catalogs).rig)
-    else:
-        kinematics, _ = kinematics_of_recording(
-            read, catalog_for(None, folders(catalogs)), motor=motor, ratio=ratio, gearbox=gearbox,
-            remedies=("motor=NAME", "ratio=N"),
-        )  # fmt: skip
+    kinematics = drive_from(
+        read, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs
+    ).kinematics
     lines = kinematics.lines(harmonics)
     angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
     turns = output_turns(angle.values, ratio=kinematics.ratio)
-    found = detected_lines(read, turns, lines, mains=mains)
+    found = detected_lines(read, turns, kinematics, harmonics=harmonics, mains=mains)
     return OrderLines(recording=read, kinematics=kinematics, lines=found, angle_origin=angle.origin, turns=turns)

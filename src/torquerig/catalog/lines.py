@@ -8,7 +8,7 @@ from math import lcm
 
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.sampling import Sample
-from torquerig.orders.kinematics.kinematic_lines import Family
+from torquerig.orders.kinematics.line_families import Family
 
 KNOWN_FAMILIES: dict[str, Family] = {
     "mechanical": "motor",
@@ -24,7 +24,7 @@ class RippleLine:
     Parameters
     ----------
     family : Family
-        Its cause, in the vocabulary of ``torquerig.orders.kinematics.kinematic_lines``.
+        Its cause, in the vocabulary of ``torquerig.orders.kinematics.line_families``.
     order : int
         Periods per turn of the motor [1/rev].
     torque : float

@@ -8,14 +8,12 @@ from pathlib import Path
 
 import click
 
-from torquerig.catalog.search import catalog_for
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.filter_blocks import blocks_for, described, filter_long
 from torquerig.cli.filter_evaluation import evaluation_pictures, print_evaluations
 from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
 from torquerig.errors import InputError, UnitError, did_you_mean
-from torquerig.filters.chains.chain_file import read_chains
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
@@ -30,7 +28,7 @@ from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.set_point import set_point_speed
 from torquerig.renamed import current_name
-from torquerig.scenario.recording_lines import kinematics_of_recording
+from torquerig.scenario.recorded_drive import chains_for, recorded_drive
 from torquerig.units import parse_quantity
 
 # rounding error of the mean of equal numbers
@@ -57,6 +55,13 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
 @click.option(
     "--ratio", type=float, default=None, help="Motor turns per output turn, if the sidecar has no gear_ratio."
 )
+@click.option("--gearbox", default=None, help="Gearbox of the catalog, for its ratio and its gear mesh lines.")
+@click.option(
+    "--scenario",
+    type=click.Path(path_type=Path),
+    default=None,
+    help="Scenario of the rig: the lines of all its shafts, meshes, belts and bearings.",
+)
 @click.option("--out", type=click.Path(path_type=Path), default=None, help="Write the filtered recording (one chain).")
 @click.option("--picture", type=click.Path(path_type=Path), default=None, help="Draw the spectrum before and after.")
 @click.option(
@@ -74,8 +79,8 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
 @catalog_option
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
-    out: Path | None, picture: Path | None, evaluate: bool, judge: bool, block: str | None, force: bool,
-    channel: str | None, catalogs: tuple[Path, ...],
+    gearbox: str | None, scenario: Path | None, out: Path | None, picture: Path | None, evaluate: bool, judge: bool,
+    block: str | None, force: bool, channel: str | None, catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Apply filter chains to RECORDING and show the change of standard deviation, mean, energy and order lines.
 
@@ -95,8 +100,9 @@ def command(
     stream = open_stream(recording)
     stream = stream if channel is None else stream.comparing(channel)
     sheet = described(stream)
-    kinematics, assumed = kinematics_of_recording(sheet, catalog_for(None, catalogs), motor=motor, ratio=ratio)
-    known = read_chains(filters or shipped_scenarios() / "filters.yaml", kinematics=kinematics)
+    drive = recorded_drive(sheet, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs)
+    kinematics = drive.kinematics
+    known = chains_for(drive, filters or shipped_scenarios() / "filters.yaml", names)
     chains = [_chain(name, known) for name in names]
     if picture is not None and not evaluate:
         _refuse_picture_without_speed(sheet)
@@ -105,7 +111,7 @@ def command(
         before_and_after = _filtered_whole(recording, chains, kinematics, channel=channel, out=out, force=force)
     else:
         before_and_after = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
-    for sentence in assumed:
+    for sentence in drive.assumed:
         click.echo(wrapped(sentence))
     if evaluate:
         where = "" if blocking is None else ", a section from the middle"

@@ -8,7 +8,6 @@ from pathlib import Path
 import click
 import numpy as np
 
-from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, UnitError
@@ -26,7 +25,8 @@ from torquerig.plain_table import cut, fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
-from torquerig.scenario.recording_lines import kinematics_of_recording
+from torquerig.rig.assembly import Rig
+from torquerig.scenario.recorded_drive import recorded_drive
 from torquerig.units import parse_quantity
 
 _ENDS = (1, 99)  # [%] quantiles of the speed that are printed as its range
@@ -70,9 +70,8 @@ def command(
     grid_frequency = _hertz(mains)
     read = read_recording(recording)
     read = read if channel is None else read.comparing(channel)
-    kinematics, modes, assumed = _known_of(
-        read, motor=motor, ratio=ratio, gearbox=gearbox, scenario=scenario, catalogs=catalogs
-    )
+    drive = recorded_drive(read, motor=motor, ratio=ratio, gearbox=gearbox, scenario=scenario, catalogs=catalogs)
+    kinematics = drive.kinematics
     lines = kinematics.lines(harmonics)
     try:
         angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
@@ -82,18 +81,19 @@ def command(
         _print_frequencies(read, mains=grid_frequency, reason=str(error))
         return
     turns = output_turns(angle.values, ratio=kinematics.ratio)
-    found = detected_lines(read, turns, lines, mains=grid_frequency)
-    click.echo(_about(read, angle, turns, kinematics.ratio))
+    found = detected_lines(read, turns, kinematics, harmonics=harmonics, mains=grid_frequency)
+    click.echo(_about(read, angle, turns, kinematics))
     click.echo(_known_table(read, turns, lines) + "\n")
     click.echo(_found_table(found, size=rms_size(read.torque())))
-    for sentence in (*assumed, *_sentences(found, kinematics)):
+    for sentence in (*drive.assumed, *_sentences(found, kinematics)):
         click.echo(wrapped(sentence))
     print_suspicions(recording_info(read), read, note="the lines are those of the samples as they are")
     if picture is not None:
         from torquerig.reporting.figures.order_figure import order_figure, order_picture
         from torquerig.reporting.figures.picture import write_picture
 
-        shown = order_picture(read, turns, lines=lines, found=found, ratio=kinematics.ratio, modes=modes)
+        shown = order_picture(read, turns, lines=lines, found=found, ratio=kinematics.ratio,
+                              modes=_modes_of(drive.rig))  # fmt: skip
         write_picture(order_figure(shown, title=f"{read.name}: orders of the torque"), picture, overwrite=force)
         click.echo(f"wrote {picture}")
 
@@ -115,41 +115,33 @@ def _print_frequencies(read: Recording, *, mains: float, reason: str) -> None:
     click.echo(wrapped(f"no orders: {reason}"))
 
 
-def _known_of(
-    read: Recording, *, motor: str | None, ratio: float | None, gearbox: str | None, scenario: Path | None,
-    catalogs: Sequence[Path],
-) -> tuple[Kinematics, dict[str, float], tuple[str, ...]]:  # fmt: skip
-    """Return the kinematics of the lines, the modes of the scenario's rig by name, and what is not stated."""
-    if scenario is not None:
-        if motor is not None or ratio is not None or gearbox is not None:
-            raise InputError("--scenario states motor and gearbox; remove --motor, --ratio and --gearbox")
-        return *_of_scenario(scenario, catalogs), ()
-    catalog = catalog_for(None, catalogs)
-    kinematics, assumed = kinematics_of_recording(read, catalog, motor=motor, ratio=ratio, gearbox=gearbox)
-    return kinematics, {}, assumed
-
-
-def _of_scenario(scenario: Path, catalogs: Sequence[Path]) -> tuple[Kinematics, dict[str, float]]:
-    from torquerig.document import read_document
-    from torquerig.scenario.kinematics import kinematics_of
-    from torquerig.scenario.reading import read_scenario
+def _modes_of(rig: Rig | None) -> dict[str, float]:
+    """Return the modes of the scenario's rig by name [Hz]; empty without one."""
+    if rig is None:
+        return {}
     from torquerig.simulation.twin.linear_twin import twin_of
 
-    made = read_scenario(read_document(scenario), catalog_for(scenario, catalogs), seed=1)
-    modes = {
-        f"mode {number}": mode.damped for number, mode in enumerate(twin_of(made.rig).modes(), start=1) if mode.damped
-    }
-    return kinematics_of(made.rig), modes
+    modes = enumerate(twin_of(rig).modes(), start=1)
+    return {f"mode {number}": mode.damped for number, mode in modes if mode.damped}
 
 
-def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, ratio: float) -> str:
+def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, kinematics: Kinematics) -> str:
     step = max(round(0.05 * read.sample_rate), 1)
-    speeds = np.diff(turns[::step]) * read.sample_rate / step * ratio * 60
+    speeds = np.diff(turns[::step]) * read.sample_rate / step * kinematics.ratio * 60
     low, high = np.percentile(speeds, _ENDS) if speeds.size else (0.0, 0.0)
     return wrapped(
-        f"{read.name}: {read.duration:.4g} s, {turns[-1]:.4g} turns of the output shaft, motor at {low:.5g} to "
-        f"{high:.5g} rpm, {angle.origin}; one bin is {1 / turns[-1]:.3g} orders or {1 / read.duration:.3g} Hz"
+        f"{read.name}: {read.duration:.4g} s, {turns[-1]:.4g} turns of the output shaft, {kinematics.input_name} at "
+        f"{low:.5g} to {high:.5g} rpm, {angle.origin}; one bin is {1 / turns[-1]:.3g} orders or "
+        f"{1 / read.duration:.3g} Hz{_shafts(kinematics)}"
     )
+
+
+def _shafts(kinematics: Kinematics) -> str:
+    """Return the turns of the shafts between motor and output, and of branches, where there are some."""
+    others = kinematics.shaft_turns
+    if len(others) <= 2:
+        return ""
+    return "; turns per output turn: " + ", ".join(f"{name} {turns:.6g}" for name, turns in others.items())
 
 
 def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLine]) -> str:
@@ -183,7 +175,7 @@ def _found_table(found: Sequence[DetectedLine], *, size: float) -> str:
             "undecided" if one.axis == "either" else one.axis, f"{one.place:.6g} {unit}",
             fixed(one.amplitude, scale=size, digits=6), f"{100 * one.domain.by_order:.1f}",
             f"{100 * one.domain.by_frequency:.1f}",
-            f"{one.domain.contrast_dB:+.1f}", cut(one.label or "no known cause", 60),
+            f"{one.domain.contrast_dB:+.1f}", cut(one.label or "no known cause", 110),
         ])  # fmt: skip
     return grid(rows)
 

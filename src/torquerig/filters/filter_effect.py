@@ -16,7 +16,7 @@ from torquerig.recordings.set_point import set_point_profile
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
     from torquerig.recordings.recording import Recording
 
 LINE_HALF_WIDTH = 0.5  # Hz, as wide as the reference report's band-stops
@@ -81,16 +81,17 @@ class FilterEffect:
             return None
         return _reduction(self.energy_after, self.energy_before, of=self.energy_before)
 
-    def family_levels(self) -> dict[Family, tuple[float, float]]:
-        """Return the amplitude of each family before and after: root of the summed squares of its lines [N m]."""
-        families = dict.fromkeys(level.line.family for level in self.levels)
-        return {
-            family: (
-                float(np.sqrt(sum(level.before**2 for level in self.levels if level.line.family == family))),
-                float(np.sqrt(sum(level.after**2 for level in self.levels if level.line.family == family))),
-            )
-            for family in families
-        }
+    def family_levels(self) -> dict[str, tuple[float, float]]:
+        """Return the amplitude of each cause before and after: root of the summed squares of its lines [N m].
+
+        A cause is the family of its lines, or their name where they are named by a part of the rig.
+        """
+        sums: dict[str, tuple[float, float]] = {}
+        for level in self.levels:
+            cause = level.line.name or level.line.family
+            was, now = sums.get(cause, (0.0, 0.0))
+            sums[cause] = (was + level.before**2, now + level.after**2)
+        return {cause: (float(np.sqrt(was)), float(np.sqrt(now))) for cause, (was, now) in sums.items()}
 
 
 def chain_effect(

@@ -12,6 +12,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.parts.gear_stage import GearStage
 from torquerig.rig.reading_place import reading_place
+from torquerig.scenario.shafts import shafts_of
 
 
 @dataclass(frozen=True)
@@ -47,18 +48,23 @@ class CrossedStage:
 
 
 def kinematics_of(rig: Rig) -> Kinematics:
-    """Return poles and slots of the rig's driven or first motor, and ratio and teeth up to the measured part.
+    """Return poles and slots of the rig's driven or first motor, ratio and teeth up to the measured part, all shafts.
 
-    A stage without known teeth counts by its ratio, so that the mesh orders of the other stages are right.
+    A stage without known teeth counts by its ratio, so that the mesh orders of the other stages are right. On a rig
+    without a motor the part whose motion is imposed takes the motor's place.
     """
     motor, read = leading_motor(rig), reading_place(rig)
     crossed = stages_to(rig, read)
     known = any(stage.part.teeth for stage in crossed)
+    leader, ratio = leading_part(rig), turns_to(rig, read)
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
         slots=None if motor is None else motor.slots,
-        ratio=turns_to(rig, read),
+        ratio=ratio,
         teeth=tuple(teeth for stage in crossed for teeth in stage.teeth()) if known else (),
+        shafts=shafts_of(rig, turns=lambda name: turns_to(rig, name), to_output=ratio),
+        input_name="motor" if motor is not None or leader is None else leader,
+        has_motor=motor is not None,
     )
 
 

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 
+SAME_RATIO = 0.02  # [1] relative deviation of a nominal ratio (5:1) from that of its teeth, as catalogs print it
+
+
 def kinematics_of_recording(
     recording: Recording, catalog: Catalog, *, motor: str | None = None, ratio: float | None = None,
     gearbox: str | None = None, remedies: tuple[str, str] = ("--motor NAME", "--ratio N"),
@@ -43,22 +46,10 @@ def kinematics_of_recording(
     """
     box = catalog.gearbox(gearbox) if gearbox else None
     turns = ratio if ratio is not None else box.ratio if box else recording.run.gear_ratio
-    name = motor or recording.run.motor
-    said = []
-    pole_pairs, slots = None, None
-    if name is not None:
-        pole_pairs, slots, assumed = winding_of(catalog.motor(name))
-        said += [f"assumed of {name}: {assumed}"] if assumed else []
-    stated = recording.run.others
-    if motor is None and isinstance(stated.get("pole_pairs"), int):
-        pole_pairs, slots = stated["pole_pairs"], stated.get("slots")
-        said = []
-    elif name is None:
-        said.append(
-            f"the motor is not stated, so the lines of its poles and slots are not known; add {remedies[0]}, or run: "
-            "{motor: NAME} to the sidecar"
-        )
-    teeth = box.tooth_sets()[:1] if box else _stated_teeth(recording)
+    pole_pairs, slots, said = _winding(recording, catalog, motor, remedies[0])
+    sets = box.tooth_sets() if box else _stated_teeth(recording)
+    possible = sets if box and len(sets) > 1 else ()
+    teeth = () if possible else sets
     if turns is None and teeth:
         turns = prod(stage.ratio for stage in teeth)
     if turns is None:
@@ -66,7 +57,34 @@ def kinematics_of_recording(
             f"no gear ratio is stated, so the output shaft is taken to turn with the motor; add {remedies[1]}, or run: "
             "{gear_ratio: NUMBER} to the sidecar"
         )
-    return Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=turns or 1.0, teeth=teeth), tuple(said)
+    stated = recording.run.gear_ratio
+    if box and stated is not None and turns is not None and abs(turns / stated - 1) > SAME_RATIO:
+        said.append(
+            f"the sidecar states a gear ratio of {stated:g}; the lines are those of {turns:g}:1 ({gearbox}), as given"
+        )
+    kinematics = Kinematics(
+        pole_pairs=pole_pairs, slots=slots, ratio=turns or 1.0, teeth=teeth, possible_teeth=possible,
+        gear_unknown=turns is None,
+    )  # fmt: skip
+    return kinematics, tuple(said)
+
+
+def _winding(
+    recording: Recording, catalog: Catalog, motor: str | None, remedy: str
+) -> tuple[int | None, int | None, list[str]]:
+    """Return pole pairs and slots as given, else as the run states them, and what was assumed or is not known."""
+    name = motor or recording.run.motor
+    stated = recording.run.others
+    if motor is None and isinstance(stated.get("pole_pairs"), int):
+        return stated["pole_pairs"], stated.get("slots"), []
+    if name is None:
+        unknown = (
+            f"the motor is not stated, so the lines of its poles and slots are not known; add {remedy}, or run: "
+            "{motor: NAME} to the sidecar"
+        )
+        return None, None, [unknown]
+    pole_pairs, slots, assumed = winding_of(catalog.motor(name))
+    return pole_pairs, slots, [f"assumed of {name}: {assumed}"] if assumed else []
 
 
 def _stated_teeth(recording: Recording) -> tuple[Teeth, ...]:

@@ -27,9 +27,9 @@ def made(frequency: float, *, rate: float = 1000.0, seconds: float = 10.0) -> Re
 
 
 def test_cogging_above_half_the_rate_is_listed_as_a_possible_alias() -> None:
-    lines = Kinematics(pole_pairs=7, slots=12, ratio=1.0).lines()  # cogging at 84 a turn: 840 Hz at 10 turns a second
+    drive = Kinematics(pole_pairs=7, slots=12, ratio=1.0)  # cogging at 84 a turn: 840 Hz at 10 turns a second
     recording = made(840.0)
-    found = detected_lines(recording, 10.0 * recording.time(), lines)
+    found = detected_lines(recording, 10.0 * recording.time(), drive)
     (line,) = [one for one in found if one.amplitude > 0.5]
     assert "alias of cogging x1 at 840 Hz" in line.label
 

@@ -73,7 +73,7 @@ def test_a_cubic_keeps_cubics_and_loses_what_it_says():
 
 def test_on_a_ramp_the_lines_of_the_shaft_are_told_from_the_fixed_one():
     recording = made(ramp_angle(), fixed=[(150.37, 0.03), (50.0, 0.02)])
-    found = detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4))
+    found = detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE)
     shaft = {round(one.place, 1): one for one in found if one.axis == "order"}
     fixed = {round(one.place, 1): one for one in found if one.axis == "frequency"}
     assert set(shaft) == set(LINES)
@@ -86,13 +86,13 @@ def test_on_a_ramp_the_lines_of_the_shaft_are_told_from_the_fixed_one():
     assert fixed[150.4].label == ""
     assert fixed[50.0].label == "1 x mains"
     assert "electrical x1" in shaft[35.0].label
-    assert shaft[84.0].label == "slots times pole pairs x1"
+    assert shaft[84.0].label == "slots times pole pairs x1 or mesh with 84 teeth"
 
 
 def test_one_order_line_and_one_fixed_line_at_the_same_place_of_the_top_speed_are_told_apart():
     # order 84 passes 280 Hz at the top speed, where a fixed line stands as well
     recording = made(ramp_angle(), fixed=[(280.0, 0.02)])
-    found = detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4))
+    found = detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE)
     told = {(one.axis, round(one.place)) for one in found}
     assert ("order", 84) in told
     assert ("frequency", 280) in told
@@ -101,16 +101,31 @@ def test_one_order_line_and_one_fixed_line_at_the_same_place_of_the_top_speed_ar
 
 def test_a_steady_run_cannot_tell_and_says_so():
     recording = made(steady_angle(), fixed=[(150.37, 0.03)])
-    found = detected_lines(recording, output_turns(steady_angle(), ratio=5.0), DRIVE.lines(4))
+    found = detected_lines(recording, output_turns(steady_angle(), ratio=5.0), DRIVE)
     assert {one.axis for one in found} == {"either"}
     assert len(found) == len(LINES) + 1
+
+
+def test_at_one_speed_a_line_at_an_order_of_a_shaft_is_no_fixed_frequency():
+    # an angle that wanders by the error of its source smears the lines of the shaft, not those of a clock
+    random = np.random.default_rng(4)
+    wander = np.cumsum(random.normal(size=TIME.size)) * 0.003
+    wander -= np.linspace(0, wander[-1], TIME.size)
+    recording = made(steady_angle(), fixed=[(33 * TOP / (2 * pi), 0.05), (241.7, 0.05)])
+    found = detected_lines(recording, output_turns(steady_angle() + wander, ratio=5.0), DRIVE)
+    at = {round(one.place, 1): one for one in found if one.detected_over == "frequency" and one.amplitude > 0.03}
+    assert at[550.0].axis == "either"
+    assert at[550.0].domain.domain == "frequency"
+    assert at[241.7].axis == "frequency"
+    shaft = next(one for one in found if "electrical x1" in one.label)
+    assert shaft.axis == "either"
 
 
 def test_noise_alone_shows_no_line():
     torque = np.random.default_rng(3).normal(size=TIME.size)
     channel = Channel(values=torque, quantity="torque", unit="V")
     recording = Recording(sample_rate=RATE, channels={"torque_V": channel}, run=Run(speed=TOP))
-    assert detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE.lines(4)) == ()
+    assert detected_lines(recording, output_turns(ramp_angle(), ratio=5.0), DRIVE) == ()
 
 
 def test_the_contrast_of_a_pure_sine_is_what_the_sweep_makes_it():

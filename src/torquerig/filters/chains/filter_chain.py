@@ -10,7 +10,8 @@ from torquerig.filters.ideal_bandstop import IdealBandstop
 from torquerig.filters.moving_mean import MovingMeanKept
 
 if TYPE_CHECKING:
-    from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine, Kinematics
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
+    from torquerig.orders.kinematics.line_families import Family
     from torquerig.recordings.recording import Recording
     from torquerig.recordings.stage import Stage
 

@@ -11,7 +11,8 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict
 from torquerig.errors import did_you_mean
 from torquerig.filters.chains.renamed_chains import current_family
 from torquerig.filters.load_response import LoadResponse
-from torquerig.orders.kinematics.kinematic_lines import FAMILIES, Family, Kinematics
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.orders.kinematics.line_families import FAMILIES, Family
 from torquerig.recordings.stage import Stage
 
 _HIGHEST_HARMONIC = 100

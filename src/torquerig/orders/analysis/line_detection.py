@@ -10,7 +10,7 @@ import numpy as np
 
 from torquerig.orders.analysis.aliases import alias_of
 from torquerig.orders.analysis.angle_resampling import over_angle
-from torquerig.orders.analysis.labels import causes_of, label_of, mains_multiple
+from torquerig.orders.analysis.labels import LineNames, label_of
 from torquerig.orders.analysis.line_domain import Domain, DomainTest, LineDomain
 from torquerig.orders.analysis.order_envelope import (
     HOPS_PER_TURN,
@@ -26,7 +26,7 @@ from torquerig.orders.analysis.peaks import NEIGHBOURS, Peak, peaks_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+    from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
     from torquerig.recordings.recording import Recording
 
     Floats = NDArray[np.float64]
@@ -36,6 +36,8 @@ _LOWEST_BINS = 8  # periods of a line in the recording, at least, to be distingu
 _ENVELOPE = 6.0  # [turns or periods of _SECONDS] over which an amplitude is averaged when a line is subtracted
 _SECONDS = 1.0  # [s] the period of time that corresponds to one turn
 _HUMS = 20  # multiples of the mains that are expected
+_ONE_SPEED = 0.02  # [1] largest relative change of one speed: that of a speed channel's or an estimated angle's error
+_WINDOWS = 20  # pieces of the recording whose mean speeds are compared: noise of the angle averages out in each
 _HIGHEST_SHARE = 0.4  # highest order of a line, as a share of the sample rate: above it the resampled angle smears it
 
 
@@ -59,6 +61,8 @@ class DetectedLine:
         The kinematic lines of its order.
     label : str
         Its causes or its multiple of the mains in words; empty where neither is known.
+    at_one_speed : bool
+        True for a line at an order of a shaft in a run whose speed changes too little to separate the two.
     """
 
     detected_over: Literal["order", "frequency"]
@@ -68,16 +72,18 @@ class DetectedLine:
     domain: LineDomain
     causes: tuple[KinematicLine, ...] = ()
     label: str = ""
+    at_one_speed: bool = False
 
     @property
     def axis(self) -> Domain:
         """The axis on which it is narrower, or ``either`` where that is undecided."""
-        return self.domain.domain
+        return "either" if self.at_one_speed else self.domain.domain
 
 
 def detected_lines(
-    recording: Recording, turns: Floats, lines: Sequence[KinematicLine], *, mains: float = 50.0, passes: int = PASSES
-) -> tuple[DetectedLine, ...]:
+    recording: Recording, turns: Floats, kinematics: Kinematics, *, harmonics: int = 4, mains: float = 50.0,
+    passes: int = PASSES,
+) -> tuple[DetectedLine, ...]:  # fmt: skip
     """Return the lines of the torque above the noise floor: orders, then fixed frequencies, then undecided ones.
 
     In each pass the peaks over order and over frequency are tested (``line_domain``). A line that belongs to the axis
@@ -88,21 +94,27 @@ def detected_lines(
     ----------
     turns : ndarray, shape (samples,)
         Of the output shaft.
-    lines : sequence of KinematicLine
-        The kinematic lines, for the names of the orders.
+    kinematics : Kinematics
+        The shafts and lines of the rig, for the names of the orders.
+    harmonics : int
+        Lines of each cause that are looked up.
     mains : float
         [Hz].
 
     Notes
     -----
     In a run at nearly constant speed every line is undecided, because order and frequency are proportional (handbook,
-    signatures 0, "speed rule"). Source for the need of the angle: Fyfe & Munck 1997, MSSP 11(2).
+    signatures 0, "speed rule"). A line that is sharper over time is undecided too where it is at an order of a shaft
+    in a run at one speed (less than 2 % change): an error of the angle smears an order as well. Source for the need of
+    the angle: Fyfe & Munck 1997, MSSP 11(2).
     """
+    lines = kinematics.lines(harmonics)
+    names = LineNames(kinematics=kinematics, lines=lines, turned=float(turns[-1] - turns[0]), mains=mains)
     values = recording.torque()
     kept: list[DetectedLine] = []
     open_: list[DetectedLine] = []
     for _ in range(passes):
-        seen = _tested_peaks(recording, turns, values, lines, mains)
+        seen = [_at_one_speed(one, recording, turns, names) for one in _tested_peaks(recording, turns, values, names)]
         seen = [one for one in seen if not any(_residual_of(one, other, turns, recording.duration) for other in kept)]
         decided = [one for one in seen if one.axis == one.detected_over]
         open_ = [one for one in seen if one.axis == "either"]
@@ -110,7 +122,7 @@ def detected_lines(
         if not decided:
             break
         values = _without(values, turns, recording.sample_rate, decided)
-    named = [_named(one, recording, turns, lines, mains) for one in (*kept, *_once(open_, recording, turns))]
+    named = [_named(one, recording, turns, names) for one in (*kept, *_once(open_, recording, turns))]
     rank = {"order": 0, "frequency": 1, "either": 2}
     return tuple(sorted(named, key=lambda one: (rank[one.axis], one.place)))
 
@@ -123,9 +135,21 @@ def _residual_of(one: DetectedLine, other: DetectedLine, turns: Floats, duration
     return abs(one.place - other.place) <= max(NEIGHBOURS / length, 1.5 / _ENVELOPE)
 
 
-def _tested_peaks(
-    recording: Recording, turns: Floats, values: Floats, lines: Sequence[KinematicLine], mains: float
-) -> list[DetectedLine]:
+def _at_one_speed(one: DetectedLine, recording: Recording, turns: Floats, names: LineNames) -> DetectedLine:
+    """Return the line, marked where it is at an order of a shaft at the only speed of the run."""
+    if one.axis != "frequency":
+        return one
+    ends = turns[np.linspace(0, turns.size - 1, min(_WINDOWS, turns.size - 1) + 1).astype(np.intp)]
+    speeds = np.diff(ends)  # equal times: in proportion to the mean speed of each window
+    moved = float(np.ptp(speeds) / np.mean(speeds))
+    mean_speed = names.turned * recording.sample_rate / (recording.samples - 1)
+    frequency = one.place if one.detected_over == "frequency" else one.place * mean_speed
+    return (
+        one if moved > _ONE_SPEED or not names.is_an_order(frequency / mean_speed) else replace(one, at_one_speed=True)
+    )
+
+
+def _tested_peaks(recording: Recording, turns: Floats, values: Floats, names: LineNames) -> list[DetectedLine]:
     rate = recording.sample_rate
     even = over_angle(recording, turns, values)
     top = _HIGHEST_SHARE * rate
@@ -133,8 +157,8 @@ def _tested_peaks(
     by_frequency = frequency_spectrum(values, rate)
     test = DomainTest(values, turns, even.values)
     seconds = values.size / rate
-    orders = sorted({line.output_order for line in lines})
-    hum = [multiple * mains for multiple in range(1, _HUMS + 1)]
+    orders = sorted({line.output_order for line in names.lines})
+    hum = [multiple * names.mains for multiple in range(1, _HUMS + 1)]
     return [
         *(_found("order", one, test.of_order(one.place))
           for one in peaks_of(by_order, lowest=_LOWEST_BINS * by_order.width, expected=orders)),
@@ -192,27 +216,21 @@ def _once(found: Sequence[DetectedLine], recording: Recording, turns: Floats) ->
     return [*orders, *others]
 
 
-def _named(
-    one: DetectedLine, recording: Recording, turns: Floats, lines: Sequence[KinematicLine], mains: float
-) -> DetectedLine:
-    turned = float(turns[-1] - turns[0])
-    mean_speed = turned * recording.sample_rate / (recording.samples - 1)
-    if one.detected_over == "frequency":
-        amplitude = line_amplitude(recording.torque(), recording.time(), one.place)
-        causes = causes_of(one.place / mean_speed, lines, width=1.5 / turned) if one.axis == "either" else ()
-        frequency = one.place
-    else:
-        amplitude = line_amplitude(recording.torque(), turns, one.place)
-        causes = causes_of(one.place, lines, width=1.5 / turned)
-        frequency = one.place * mean_speed
+def _named(one: DetectedLine, recording: Recording, turns: Floats, names: LineNames) -> DetectedLine:
+    mean_speed = names.turned * recording.sample_rate / (recording.samples - 1)
+    over = recording.time() if one.detected_over == "frequency" else turns
+    amplitude = line_amplitude(recording.torque(), over, one.place)
+    order = one.place / mean_speed if one.detected_over == "frequency" else one.place
     # at one speed an order is also a frequency, and the mains are an alternative cause
     is_fixed = one.detected_over == "frequency" or one.axis == "either"
-    multiple = mains_multiple(frequency, mains=mains, width=1.5 / recording.duration) if is_fixed else None
-    words = [label_of(causes), f"{multiple} x mains" if multiple else ""]
+    is_order = one.detected_over == "order" or one.axis == "either"
+    causes = names.causes(order) if is_order else ()
+    words = [names.of_order(order, causes) if is_order else ""]
     if is_fixed:
-        alias = alias_of(
-            frequency, lines, turns_per_second=mean_speed, rate=recording.sample_rate, width=1.5 / recording.duration
-        )
+        frequency = order * mean_speed
+        width = 1.5 / recording.duration
+        words.append(names.of_mains(frequency, width=width))
+        alias = alias_of(frequency, names.lines, turns_per_second=mean_speed, rate=recording.sample_rate, width=width)
         words.append(
             "" if alias is None else f"alias of {label_of([alias])} at {alias.output_order * mean_speed:.6g} Hz"
         )

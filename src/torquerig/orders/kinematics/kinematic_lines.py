@@ -5,55 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite, lcm, pi, prod
-from typing import Literal, get_args
+from typing import NamedTuple
 
 from torquerig.errors import InputError
+from torquerig.orders.kinematics.line_families import CAUSES, FAMILIES, Family
+from torquerig.orders.kinematics.shafts import OpenMesh, Shaft
 from torquerig.orders.kinematics.stage_kinds import ChainStage, Toothed, Untoothed, set_of_teeth, untoothed
-from torquerig.orders.kinematics.teeth import Planetary
-
-Family = Literal[
-    "shaft",
-    "motor",
-    "cogging_per_pole",
-    "cogging",
-    "cogging_tolerance_slots",
-    "cogging_tolerance_poles",
-    "electrical",
-    "six_pulse",
-    "gear_mesh",
-    "slots_times_pole_pairs",
-]
-FAMILIES: tuple[Family, ...] = get_args(Family)
-
-# cause of the line and its source
-CAUSES: dict[Family, tuple[str, str]] = {
-    "shaft": ("imbalance, runout or one-sided wear of what turns after the gearbox", "handbook 3.1, 3.3"),
-    "motor": ("imbalance, eccentricity or encoder error of the motor's rotor", "handbook 2.5, 3.1"),
-    "cogging_per_pole": (
-        "cogging periods per magnet, LCM(slots, magnets) / magnets: no cogging torque has this order",
-        "handbook 1.1",
-    ),
-    "cogging": ("native cogging: rotor positions of equal magnetic energy", "handbook 1.1, Zhu & Howe 2000"),
-    "cogging_tolerance_slots": (
-        "tolerance cogging: unequal magnets pass equal slots",
-        "handbook 1.2, Gasparin et al. 2009",
-    ),
-    "cogging_tolerance_poles": (
-        "tolerance cogging: unequal teeth see equal poles; also current gain error",
-        "handbook 1.2, 2.2",
-    ),
-    "electrical": ("one electrical period: current offset or Hall sensor error", "handbook 2.1"),
-    "six_pulse": (
-        "six torque pulses per electrical period: commutation, back-EMF harmonics or dead time",
-        "handbook 1.4, 1.5, 2.3",
-    ),
-    "gear_mesh": ("teeth of the gearbox in mesh", "handbook 4.1, 4.2"),
-    "slots_times_pole_pairs": (
-        "slots x pole pairs per output turn: no torque of the motor has this order, but a gear mesh may have it",
-        "handbook 4.2",
-    ),
-}
-
+from torquerig.orders.kinematics.teeth import Planetary, Teeth
 
 MOST_COUNTED = 10_000  # [1] poles or slots; the largest wind generators have some hundred
 LARGEST_RATIO = 1e6  # [1] gears in series reach some thousand
@@ -72,12 +30,28 @@ class Kinematics:
     teeth : tuple of ChainStage
         The stages from the motor to the output, those without known teeth by their ratio; empty where no tooth count is
         known.
+    possible_teeth : tuple of Planetary or Spur
+        The single stages that the gear may be, where several are possible.
+    shafts : tuple of Shaft
+        All shafts of a rig, with their meshes, belts and bearings, whose lines replace those of ``teeth``; empty where
+        only the drive is known.
+    input_name : str
+        What turns with the motor's angle: ``motor``, or the part whose motion is imposed on a rig without a motor.
+    has_motor : bool
+        False where no motor is in the rig, so that no line has poles or slots.
+    gear_unknown : bool
+        True where nothing states whether there is a gear.
     """
 
     pole_pairs: int | None = None
     slots: int | None = None
     ratio: float = 1.0
     teeth: tuple[ChainStage, ...] = ()
+    possible_teeth: tuple[Teeth, ...] = ()
+    shafts: tuple[Shaft, ...] = ()
+    input_name: str = "motor"
+    has_motor: bool = True
+    gear_unknown: bool = False
 
     def __post_init__(self) -> None:
         for name, count in (("pole pairs", self.pole_pairs), ("slots", self.slots)):
@@ -98,9 +72,7 @@ class Kinematics:
 
     def lines(self, harmonics: int = 4) -> tuple[KinematicLine, ...]:
         """Return the lines with ``harmonics`` members per family, family by family."""
-        return kinematic_lines(
-            pole_pairs=self.pole_pairs, slots=self.slots, ratio=self.ratio, teeth=self.teeth, harmonics=harmonics
-        )
+        return _lines_of(self, harmonics)
 
     @property
     def left_out(self) -> dict[Family, str]:
@@ -113,12 +85,50 @@ class Kinematics:
         if self.pole_pairs is None or self.slots is None:
             reason = "slots unknown" if self.slots is None else "pole pairs unknown"
             missing |= dict.fromkeys(("cogging_per_pole", "cogging", "slots_times_pole_pairs"), reason)
-        if len(open_stages := untoothed(self.teeth)) == len(self.teeth):
-            missing["gear_mesh"] = "tooth counts unknown"
-        elif open_stages:
-            listed = " and ".join(f"{stage.ratio:g}:1" for stage in open_stages)
-            missing["gear_mesh"] = f"of the stage of {listed}, whose tooth counts are unknown"
+        if not self.has_motor:
+            missing = dict.fromkeys(missing, "the rig has no motor")
+        if reason := self._unknown_teeth():
+            missing["gear_mesh"] = reason
         return {family: missing[family] for family in FAMILIES if family in missing}
+
+    def _unknown_teeth(self) -> str:
+        """Return why mesh lines are missing; empty where none is."""
+        if self.shafts:
+            gears = dict.fromkeys(gear for shaft in self.shafts for gear in shaft.open_gears)
+            meshed = any(source.family == "gear_mesh" for shaft in self.shafts for source in shaft.sources)
+            if not gears:
+                return "" if meshed else "the rig has no gear"
+            return f"tooth counts of {' and '.join(gears)} unknown" if meshed else "tooth counts unknown"
+        if self.possible_teeth:
+            return f"one of {len(self.possible_teeth)} sets of teeth is possible, which one is not known"
+        if len(open_stages := untoothed(self.teeth)) == len(self.teeth):
+            return "tooth counts unknown"
+        listed = " and ".join(f"{stage.ratio:g}:1" for stage in open_stages)
+        return f"of the stage of {listed}, whose tooth counts are unknown" if listed else ""
+
+    @property
+    def shaft_turns(self) -> dict[str, float]:
+        """Turns of each shaft per turn of the output shaft [1], by its name: motor, intermediate shafts, output."""
+        named = {self.input_name: self.ratio, **{shaft.name: self.ratio / shaft.ratio for shaft in self.shafts}}
+        speeds = {turns: name for name, turns in reversed(named.items())}
+        return {name: turns for turns, name in sorted(speeds.items(), reverse=True)} | (
+            {} if 1.0 in speeds else {"output": 1.0}
+        )
+
+    @property
+    def open_meshes(self) -> tuple[OpenMesh, ...]:
+        """The gears whose teeth are not known, from each shaft on which they mesh."""
+        if self.shafts:
+            return tuple(
+                OpenMesh(shaft=shaft.name, turns=self.ratio / shaft.ratio) for shaft in self.shafts if shaft.open_gears
+            )
+        if self.possible_teeth:
+            orders = tuple(dict.fromkeys(stage.mesh_order_out for stage in self.possible_teeth))
+            return (OpenMesh(shaft="output", turns=1.0, teeth=orders),)
+        if self.teeth or (self.ratio == 1.0 and not self.gear_unknown):
+            return ()
+        shafts = dict.fromkeys((("output", 1.0), (self.input_name, self.ratio)))
+        return tuple(OpenMesh(shaft=name, turns=turns) for name, turns in shafts)
 
 
 @dataclass(frozen=True)
@@ -137,6 +147,8 @@ class KinematicLine:
         The cause in words, and its equation or handbook section.
     cancelled : bool
         Whether equal planets cancel it in the torque; unequal planets do not cancel it completely.
+    name : str
+        The cause in a label, without the harmonic; empty for that of the family.
     """
 
     family: Family
@@ -146,6 +158,12 @@ class KinematicLine:
     cause: str
     source: str
     cancelled: bool = False
+    name: str = ""
+
+    @property
+    def label(self) -> str:
+        """The cause in a label, without the harmonic: ``gear mesh``."""
+        return self.name or self.family.replace("_", " ")
 
     def frequency(self, motor_speed: float) -> float:
         """Return the frequency of the line [Hz] at a motor speed [rad/s] of either sign."""
@@ -180,23 +198,40 @@ def kinematic_lines(
     ``slots_times_pole_pairs``. Slip of an induction machine, bearing and belt lines are not included. Orders do not
     determine amplitudes.
     """
+    kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=ratio, teeth=teeth)
+    return _lines_of(kinematics, harmonics)
+
+
+def _lines_of(kinematics: Kinematics, harmonics: int) -> tuple[KinematicLine, ...]:
     if harmonics < 1:
         raise InputError(f"{harmonics} harmonics are not possible; write 1 for the fundamental alone")
-    kinematics = Kinematics(pole_pairs=pole_pairs, slots=slots, ratio=ratio, teeth=teeth)
     return tuple(
         KinematicLine(
-            family, harmonic, harmonic * motor, harmonic * output, cause, CAUSES[family][1],
-            cancelled=_cancelled(stage, harmonic, harmonics),
+            one.family, harmonic, harmonic * one.motor, harmonic * one.output, one.cause, CAUSES[one.family][1],
+            cancelled=_cancelled(one.stage, harmonic, harmonics),
+            name=one.name,
         )
-        for family, motor, output, cause, stage in _fundamentals(kinematics)
+        for one in _fundamentals(kinematics)
         for harmonic in range(1, harmonics + 1)
     )  # fmt: skip
 
 
-def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float, str, Toothed | None]]:
-    """Yield family, motor order, output order and cause of each fundamental, and the stage of a gear mesh."""
+class _Fundamental(NamedTuple):
+    """A fundamental: its orders [1/rev], cause, the stage of a mesh, and a name that replaces that of the family."""
+
+    family: Family
+    motor: float
+    output: float
+    cause: str
+    stage: Toothed | None = None
+    name: str = ""
+
+
+def _fundamentals(kinematics: Kinematics) -> Iterator[_Fundamental]:
+    """Yield the fundamental of each line, family by family."""
     ratio, p, slots = kinematics.ratio, kinematics.pole_pairs, kinematics.slots
-    yield "shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], None
+    driven = "" if kinematics.has_motor else kinematics.input_name
+    yield _Fundamental("shaft", 1 / ratio, 1.0, CAUSES["shaft"][0], name=driven if ratio == 1 else "")
     motor_orders: dict[Family, int | None] = {
         "motor": 1,
         "cogging_per_pole": lcm(slots, 2 * p) // (2 * p) if p and slots else None,
@@ -208,16 +243,28 @@ def _fundamentals(kinematics: Kinematics) -> Iterator[tuple[Family, float, float
     }
     for family, order in motor_orders.items():
         if order is not None:
-            yield family, float(order), order * ratio, CAUSES[family][0], None
+            cause = f"imbalance or eccentricity of {driven}" if driven and family == "motor" else CAUSES[family][0]
+            yield _Fundamental(family, float(order), order * ratio, cause, name=driven if family == "motor" else "")
+    if kinematics.shafts:
+        for source in (source for shaft in kinematics.shafts for source in shaft.sources):
+            yield _Fundamental(
+                source.family, source.motor_order, source.output_order, source.cause, source.stage, source.name
+            )
+    else:
+        yield from _meshes(kinematics)
+    if p and slots:
+        cause = CAUSES["slots_times_pole_pairs"][0]
+        yield _Fundamental("slots_times_pole_pairs", p * slots / ratio, float(p * slots), cause)
+
+
+def _meshes(kinematics: Kinematics) -> Iterator[_Fundamental]:
     for position, stage in enumerate(kinematics.teeth):
         if isinstance(stage, Untoothed):
             continue
         before = prod(earlier.ratio for earlier in kinematics.teeth[:position])
         after = prod(later.ratio for later in kinematics.teeth[position + 1 :])
         cause = f"{CAUSES['gear_mesh'][0]}: {stage.spoken}"
-        yield "gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause, stage
-    if p and slots:
-        yield "slots_times_pole_pairs", p * slots / ratio, float(p * slots), CAUSES["slots_times_pole_pairs"][0], None
+        yield _Fundamental("gear_mesh", stage.mesh_order_in / before, stage.mesh_order_out * after, cause, stage)
 
 
 def _cancelled(stage: Toothed | None, harmonic: int, harmonics: int) -> bool:

@@ -7,7 +7,8 @@ from math import isfinite, pi
 
 from torquerig.errors import InputError
 from torquerig.orders.kinematics.coincidences import BetterSpeed, Coincidences, better_speed, coincidences
-from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine, Kinematics
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine, Kinematics
+from torquerig.orders.kinematics.line_families import Family
 
 FASTEST = 1e6 * pi / 30  # [rad/s] ten times the fastest dental turbines
 SLOWEST_MAINS, FASTEST_MAINS = 0.01, 1e5  # [Hz] railways have 16.7 Hz, ships and aircraft 400 Hz

@@ -41,8 +41,7 @@ def orders_sentences(report: OrdersReport) -> tuple[str, ...]:
 
 def name_of(line: KinematicLine) -> str:
     """Return a line's short name: ``gear mesh x2``, without number for the fundamental."""
-    family = line.family.replace("_", " ")
-    return family if line.harmonic == 1 else f"{family} x{line.harmonic}"
+    return line.label if line.harmonic == 1 else f"{line.label} x{line.harmonic}"
 
 
 def cogging_sentence(report: OrdersReport) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from torquerig.orders.kinematics.kinematic_lines import Family
+from torquerig.orders.kinematics.line_families import Family
 
 COLOURS: dict[Family, str] = {
     "shaft": "#1b9e77",
@@ -15,6 +15,9 @@ COLOURS: dict[Family, str] = {
     "six_pulse": "#a6761d",
     "gear_mesh": "#444444",
     "slots_times_pole_pairs": "#c51b1b",
+    "intermediate": "#17becf",
+    "belt": "#8c564b",
+    "bearing": "#e377c2",
 }
 
 SHORT: dict[Family, str] = {
@@ -28,6 +31,9 @@ SHORT: dict[Family, str] = {
     "six_pulse": "six-pulse",
     "gear_mesh": "gear mesh",
     "slots_times_pole_pairs": "slots x pole pairs",
+    "intermediate": "intermediate shaft",
+    "belt": "belt",
+    "bearing": "bearing",
 }
 """For labels inside a figure; ``NAMES`` are for legends."""
 
@@ -42,4 +48,7 @@ NAMES: dict[Family, str] = {
     "six_pulse": "six pulses per electrical period",
     "gear_mesh": "gear mesh",
     "slots_times_pole_pairs": "slots x pole pairs per output turn",
+    "intermediate": "intermediate shaft",
+    "belt": "turn of the belt",
+    "bearing": "bearing",
 }

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
-from torquerig.orders.kinematics.kinematic_lines import Family, KinematicLine
+from torquerig.orders.kinematics.kinematic_lines import KinematicLine
+from torquerig.orders.kinematics.line_families import Family
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import hann_spectrum
 from torquerig.reporting.figures.envelope import envelope

@@ -56,7 +56,7 @@ def order_lines(
     known = {round(line.order, 9) for line in found}
     for line in kinematic:
         if round(line.motor_order, 9) not in known:
-            name = line.family.replace("_", " ")
+            name = line.label
             name += f" x{line.harmonic}" if line.harmonic > 1 else ""
             found.append(OrderLine(name, line.motor_order, f"torque on {motor}", None))
     return tuple(sorted(found, key=lambda line: line.order))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from torquerig.filters.chains.filter_chain import REPORT_HALF_WIDTH, REPORT_HARMONICS, Chain, select_lines
 from torquerig.filters.ideal_bandstop import IdealBandstop
-from torquerig.orders.kinematics.kinematic_lines import Family, Kinematics
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
+from torquerig.orders.kinematics.line_families import Family
 
 STEPS: tuple[tuple[str, tuple[Family, ...]], ...] = (
     ("mechanical noise", ("motor", "shaft")),
