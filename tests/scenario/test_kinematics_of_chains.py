@@ -59,7 +59,7 @@ def test_ratios_multiply_in_any_order_and_each_mesh_turns_with_its_own_shaft(nam
         for place, name in enumerate(names) if (teeth := STAGES[name][2]) is not None
     }  # fmt: skip
     assert sorted(meshes) == pytest.approx(sorted(expected))
-    assert kinematics.left_out["gear_mesh"].startswith("of the stage of ")
+    assert kinematics.left_out["gear_mesh"].startswith("tooth counts of ")
     assert 1 / abs(rig.speed_ratios("motor")[rig.node("torque_sensor")]) == pytest.approx(kinematics.ratio)
 
 

@@ -148,13 +148,12 @@ def _may_mesh(gear: GearStage) -> bool:
 
 
 def _bearings(rig: Rig, shaft: _Made, to_output: float) -> list[LineSource]:
+    cause = CAUSES["bearing"][0]
     return [
-        _on(
-            "bearing", defect.order, shaft.turns, to_output, name=defect.name.replace("_", " "), cause=CAUSES["bearing"][0]
-        )
+        _on("bearing", defect.order, shaft.turns, to_output, name=defect.name.replace("_", " "), cause=cause)
         for defect in rig.of_kind("bearing_defect")
         if defect.at in shaft.parts
-    ]  # fmt: skip
+    ]
 
 
 def _turn(name: str, turns: float, to_output: float) -> LineSource:
