@@ -24,6 +24,7 @@ from torquerig.mechanisms import (
     StribeckFriction,
     TorqueRipple,
 )
+from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
@@ -157,7 +158,7 @@ def test_spreads_come_back_as_uncertainties(tmp_path: Path) -> None:
     made = read(shipped_scenarios() / "wear_rig.yaml")
     again = back(
         made.rig, tmp_path, operating_point=made.document.data["operating_point"],
-        spreads={"motor": {"inertia": 0.021}}, head="first line\nsecond line",
+        known={"motor.inertia": Estimate(rel_sd=0.021)}, head="first line\nsecond line",
     )  # fmt: skip
     assert again.uncertainties["motor.inertia"].rel_sd == pytest.approx(0.021)
     assert (tmp_path / "written.yaml").read_text(encoding="utf-8").startswith("# first line\n# second line\n")

@@ -100,6 +100,9 @@ def command(
     if made.assumed:
         click.echo("assumed, because no document states these values:")
         click.echo(grid([["value", "taken"], *([key, text] for key, text in made.assumed.items())]))
+    if made.kept:
+        click.echo("uncertain in the scenario, simulated at the stated value:")
+        click.echo(grid([["value", "stated"], *([key, text] for key, text in made.kept.items())]))
 
 
 def _proof(made: Scenario, *, duration: float, seed: int, sample_rate: float) -> str:

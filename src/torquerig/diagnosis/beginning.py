@@ -15,7 +15,7 @@ import numpy as np
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.choosing.search import excess
 from torquerig.diagnosis.choosing.trial import LEAST_GAIN
-from torquerig.diagnosis.fitting.knobs import with_free_load
+from torquerig.diagnosis.fitting.knobs import unvaried, with_free_load
 from torquerig.diagnosis.free_names import with_free_names
 from torquerig.diagnosis.looking.features import Features
 from torquerig.diagnosis.looking.observed import Observed
@@ -116,7 +116,7 @@ def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progre
     before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
     return Beginning(
         scenario=scenario, whole=whole, own_gap=own_gap, faults=faults, runs=runs, untrue=untrue, before=before,
-        held=held, remarks=(unknown,) if thresholds is None else (),
+        held=held, remarks=(*((unknown,) if thresholds is None else ()), *unvaried(nominal, scenario.uncertainties)),
     )  # fmt: skip
 
 

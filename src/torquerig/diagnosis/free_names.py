@@ -24,8 +24,8 @@ def with_free_names(scenario: Scenario, names: Iterable[str]) -> Scenario:
     rig = replace(scenario.rig, parts=tuple(_renamed(part, new) for part in scenario.rig.parts))
     uncertain = {}
     for key, estimate in scenario.uncertainties.items():
-        part, _, field = key.rpartition(".")
-        uncertain[f"{new.get(part, part)}.{field}"] = estimate
+        part = next((name for name in new if key.startswith(f"{name}.")), None)
+        uncertain[key if part is None else f"{new[part]}{key.removeprefix(part)}"] = estimate
     return replace(scenario, rig=rig, uncertainties=uncertain)
 
 

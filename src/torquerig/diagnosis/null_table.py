@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Container, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -78,12 +78,13 @@ def content_key(scenario: Scenario) -> str:
     return hashlib.sha256(repr(said).encode()).hexdigest()
 
 
-def _stated(part: Part, assumed: Container[str]) -> dict[str, Any]:
+def _stated(part: Part, assumed: Iterable[str]) -> dict[str, Any]:
     """Return the values that are not the defaults, so that a new field of a part leaves the key as it is."""
+    drawn = {".".join(name.split(".")[:length]) for name in assumed for length in range(2, name.count(".") + 2)}
     values = {each.name: _plain(getattr(part, each.name)) for each in fields(part)}
     defaults = {each.name: _plain(each.default) for each in fields(part)}
     return {
-        name: "drawn" if f"{part.name}.{name}" in assumed else value
+        name: "drawn" if f"{part.name}.{name}" in drawn else value
         for name, value in values.items()
         if value != defaults[name]
     }

@@ -43,7 +43,11 @@ class Filled:
     values : mapping
         As YAML would state them: quantities are texts with units.
     uncertainties : mapping of str to float
-        Relative standard deviation by field, for a calibration.
+        Relative standard deviation by field, of values from the catalog, for a calibration.
+    stated : mapping of str to Estimate
+        Uncertain values of the file, by dotted path: ``mean_by_occupancy_percent.5``.
+    kept : mapping of str to str
+        Those of them that have their stated value, with the uncertainty as text.
     assumed : mapping of str to str
         Values that no document states, with their interval, by field.
     taken : mapping of str to FromCatalog
@@ -53,6 +57,8 @@ class Filled:
     name: str
     values: Mapping[str, Any]
     uncertainties: Mapping[str, float] = field(default_factory=dict)
+    stated: Mapping[str, Estimate] = field(default_factory=dict)
+    kept: Mapping[str, str] = field(default_factory=dict)
     assumed: Mapping[str, str] = field(default_factory=dict)
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
     effects: tuple[Filled, ...] = ()

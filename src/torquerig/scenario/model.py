@@ -16,6 +16,8 @@ from torquerig.scenario.filled import FromCatalog
 from torquerig.scenario.measured import written_measured
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.scenario.recording_settings import RecordingSettings
+from torquerig.scenario.sections import read_operating_point
+from torquerig.scenario.uncertain_text import with_uncertainty
 from torquerig.scenario.writing import scenario_text, write_scenario, written_part
 from torquerig.shown import figure, notebook_html
 
@@ -46,6 +48,8 @@ class Scenario:
         From which the values came.
     seed : int
         Fixed what was drawn.
+    kept : mapping of str to str
+        Uncertain numbers of the file that have their stated value, with the uncertainty, by ``part.field``.
     added : tuple of Part
         Effects and parts that the file does not have.
     recording : RecordingSettings
@@ -63,6 +67,7 @@ class Scenario:
     seed: int = 0
     added: tuple[Part, ...] = ()
     recording: RecordingSettings = field(default_factory=RecordingSettings)
+    kept: Mapping[str, str] = field(default_factory=dict)
 
     def __add__(self, part: Part) -> Scenario:
         """Return the scenario with one more effect or part; its terms are checked at once."""
@@ -78,9 +83,12 @@ class Scenario:
 
     def text(self, *, head: str = "") -> str:
         """Return the scenario as the YAML of a file; ``head`` goes before it as a comment."""
-        stated = self.document.data.get("operating_point", {})
+        _, stated = read_operating_point(self.document, seed=self.seed)
+        point = with_uncertainty(stated.values, stated.estimates)
         recorded = self.document.data.get("recording")
-        return scenario_text(self.rig, title=self.title, operating_point=stated, recording=recorded, head=head)
+        return scenario_text(
+            self.rig, title=self.title, operating_point=point, recording=recorded, known=self.uncertainties, head=head
+        )  # fmt: skip
 
     def write(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the scenario as a file that ``read_scenario`` reads; InputError where one may not be replaced."""

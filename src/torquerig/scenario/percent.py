@@ -10,7 +10,7 @@ from torquerig.errors import UnitError
 from torquerig.units import parse_quantity
 
 
-def _percent(written: Any) -> float:
+def read_percent(written: Any) -> float:
     """Return an occupancy in percent: ``21`` and ``"21 %"`` are 21."""
     if isinstance(written, bool) or not isinstance(written, int | float | str):
         raise ValueError(f"{written!r} is no occupancy; write for example 21 %")
@@ -25,4 +25,4 @@ def _percent(written: Any) -> float:
     return percent
 
 
-Percent = Annotated[float, BeforeValidator(_percent)]
+Percent = Annotated[float, BeforeValidator(read_percent)]

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
-from math import isfinite
 from typing import Any
 
 from pydantic import TypeAdapter
@@ -26,7 +25,8 @@ from torquerig.scenario.operating_point import OperatingPoint, run_at
 from torquerig.scenario.overrides import naming_edits
 from torquerig.scenario.phase_level import is_from_phase_level, with_phase_level
 from torquerig.scenario.recording_settings import RecordingSettings
-from torquerig.scenario.sections import read_section, sections_of
+from torquerig.scenario.sections import read_operating_point, read_section, sections_of
+from torquerig.scenario.uncertain import resolved
 
 
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
@@ -45,16 +45,17 @@ def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenari
 
 def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
     data = sections_of(document)
-    point = read_section(document, "operating_point", OperatingPoint)
+    point, stated = read_operating_point(document, seed=seed)
     recorded = read_section(document, "recording", RecordingSettings)
     found: list[Part] = []
     owners: dict[str, str] = {}
-    uncertainties: dict[str, Estimate] = {}
-    assumed: dict[str, str] = {}
+    uncertainties: dict[str, Estimate] = stated.named("operating_point", stated.estimates)
+    assumed: dict[str, str] = stated.named("operating_point", stated.assumed)
+    kept: dict[str, str] = stated.named("operating_point", stated.kept)
     taken: dict[str, FromCatalog] = {}
     shaft: str | None = None
     for name, written in data["rig"].items():
-        filled = _filled(document, name, written, catalog, seed)
+        filled = _filled(document, name, written, shaft, catalog=catalog, seed=seed)
         for item in (filled, *filled.effects):
             part = _part(document, name, item, shaft)
             with _placed(document, "rig", name):
@@ -63,12 +64,14 @@ def _read(document: Document, catalog: Catalog, seed: int) -> Scenario:
             owners[part.name] = name
             for key, spread in item.uncertainties.items():
                 uncertainties[f"{part.name}.{key}"] = Estimate(getattr(part, key), rel_sd=spread, evidence="REF")
+            uncertainties.update({f"{part.name}.{path}": known for path, known in item.stated.items()})
+            kept.update({f"{part.name}.{path}": text for path, text in item.kept.items()})
             assumed.update({f"{part.name}.{key}": text for key, text in item.assumed.items()})
             taken.update({f"{part.name}.{key}": one for key, one in item.taken.items()})
             shaft = part.name if part.on_shaft and not part.ends_shaft else shaft
     rig = _runnable(document, with_measured(Rig(tuple(found)), document), point, owners)
     title = str(data.get("scenario", document.path.stem))
-    return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded)
+    return Scenario(document, title, point, rig, uncertainties, assumed, taken, recording=recorded, kept=kept)
 
 
 def _runnable(document: Document, rig: Rig, point: OperatingPoint, owners: Mapping[str, str]) -> Rig:
@@ -96,7 +99,9 @@ def _placed(document: Document, *keys: str) -> Iterator[None]:
         raise InputError(f"{document.place(keys)}: {str(error).removeprefix(f'{keys[-1]}: ')}") from None
 
 
-def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed: int) -> Filled:
+def _filled(
+    document: Document, name: str, written: Any, shaft: str | None, *, catalog: Catalog, seed: int
+) -> Filled:  # fmt: skip
     place = document.place(("rig", name))
     if not isinstance(written, dict) or "kind" not in written:
         raise InputError(f"{place}: a part needs its kind; add kind: with one of {', '.join(sorted(KINDS))}")
@@ -105,7 +110,12 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
             f"{document.place(('rig', name, 'kind'))}: {written['kind']!r} is no kind of part; "
             f"{did_you_mean(str(written['kind']), KINDS)}"
         )
-    stated, uncertainties = _uncertain(document, name, written)
+    cls = KINDS[written["kind"]]
+    read = resolved(
+        written, cls, owner=name, seed=seed, place=lambda path: document.place(("rig", name, *path)),
+        in_a_line=_in_a_line(document, cls, {"after": shaft, **written} if cls.on_shaft else written),
+    )  # fmt: skip
+    stated = dict(read.values)
     if isinstance(stated.get("recording"), str):  # from the folder of the scenario, wherever it is read from
         stated["recording"] = str(document.path.parent / stated["recording"])
     entry = stated.pop("catalog", None)
@@ -115,39 +125,18 @@ def _filled(document: Document, name: str, written: Any, catalog: Catalog, seed:
         raise InputError(f"{document.place(('rig', name, 'ripple'))}: only a motor of the catalog has phases; "
                          "state parts of kind motor_phases and six_step_commutation instead")  # fmt: skip
     if entry is None:
-        return Filled(name=name, values=stated, uncertainties=uncertainties)
+        return Filled(name=name, values=stated, stated=read.estimates, kept=read.kept, assumed=read.assumed)
     filled = filled_from_catalog(catalog, str(entry), kind=stated["kind"], name=name, seed=seed, place=place)
     kept = {key: text for key, text in filled.assumed.items() if key not in stated}
     spread = {key: value for key, value in filled.uncertainties.items() if key not in stated}
     taken = {key: one for key, one in filled.taken.items() if key not in stated}
-    filled = Filled(name=name, values={**filled.values, **stated}, uncertainties={**spread, **uncertainties},
-                    assumed=kept, taken=taken, effects=filled.effects)  # fmt: skip
+    filled = Filled(name=name, values={**filled.values, **stated}, uncertainties=spread,
+                    stated=read.estimates, kept=read.kept,
+                    assumed={**kept, **read.assumed}, taken=taken, effects=filled.effects)  # fmt: skip
     if not by_phases:
         return filled
     with _placed(document, "rig", name, "ripple"):
         return with_phase_level(filled, catalog.motor(str(entry)), seed=seed)
-
-
-def _uncertain(document: Document, name: str, written: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, float]]:
-    """Return values and relative standard deviations of entries such as ``{value: ..., rel_sd: ...}``."""
-    values = dict(written)
-    spreads: dict[str, float] = {}
-    for key, stated in written.items():
-        if not isinstance(stated, dict) or "value" not in stated:
-            continue
-        extra = set(stated) - {"value", "rel_sd"}
-        if extra:
-            odd = sorted(map(str, extra))[0]
-            remedy = did_you_mean(odd, ("value", "rel_sd"))
-            raise InputError(f"{document.place(('rig', name, key, odd))}: unknown key; {remedy}")
-        values[key], spread = stated["value"], stated.get("rel_sd", 0.0)
-        if isinstance(spread, bool) or not isinstance(spread, int | float) or not (isfinite(spread) and spread >= 0):
-            raise InputError(
-                f"{document.place(('rig', name, key, 'rel_sd'))}: {spread!r} is no standard deviation; write the "
-                "relative standard deviation as a number, such as 0.1"
-            )
-        spreads |= {key: float(spread)} if spread else {}
-    return values, spreads
 
 
 def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Part:
@@ -156,9 +145,14 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
     if cls.on_shaft:
         data.setdefault("after", shaft)
     adapter: TypeAdapter[Part] = TypeAdapter(cls)
-    units = {"in_a_line": cls.in_a_line or _kind_of(document, _host(cls, data)).in_a_line}
+    units = {"in_a_line": _in_a_line(document, cls, data)}
     elsewhere = partial(place_of, data=document.data, here=f"rig.{name}")
     return validated(document, adapter, within=("rig", name), data=data, context=units, elsewhere=elsewhere)
+
+
+def _in_a_line(document: Document, cls: type[Part], data: Mapping[str, Any]) -> bool:
+    """Return whether the numbers of a part are those of linear motion."""
+    return cls.in_a_line or _kind_of(document, _host(cls, data)).in_a_line
 
 
 def _host(cls: type[Part], data: Mapping[str, Any]) -> Any:

@@ -10,6 +10,8 @@ from pydantic import BaseModel, TypeAdapter
 from torquerig.document import Document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 from torquerig.scenario.misplaced import place_of
+from torquerig.scenario.operating_point import OperatingPoint
+from torquerig.scenario.uncertain import Resolved, resolved
 
 if TYPE_CHECKING:
     from torquerig.scenario.study_section import Settings
@@ -46,11 +48,21 @@ def read_study_section(document: Document) -> Settings:
     return _validated(document, "study", Settings)
 
 
+def read_operating_point(document: Document, *, seed: int) -> tuple[OperatingPoint, Resolved]:
+    """Return the operating point with one value for every number, and what is known of the uncertain ones."""
+    name = "operating_point"
+    stated = resolved(
+        document.data.get(name, {}), OperatingPoint, owner=name, seed=seed,
+        place=lambda path: document.place((name, *path)),
+    )  # fmt: skip
+    return _validated(document, name, OperatingPoint, data=stated.values), stated
+
+
 def read_section(document: Document, name: str, model: type[Section]) -> Section:
     """Return a section of a scenario, its defaults where the file has none; InputError as for the study."""
     return _validated(document, name, model) if name in document.data else model()
 
 
-def _validated(document: Document, name: str, model: type[Section]) -> Section:
+def _validated(document: Document, name: str, model: type[Section], *, data: Any = None) -> Section:
     elsewhere = partial(place_of, data=document.data, here=name)
-    return validated(document, TypeAdapter(model), within=(name,), elsewhere=elsewhere)
+    return validated(document, TypeAdapter(model), within=(name,), data=data, elsewhere=elsewhere)

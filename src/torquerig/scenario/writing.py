@@ -9,9 +9,10 @@ from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from torquerig.errors import InputError
-from torquerig.parameter import Parameter
+from torquerig.parameter import Estimate, Parameter
 from torquerig.rig.assembly import Part, Rig
 from torquerig.scenario.measured import written_measured
+from torquerig.scenario.uncertain_text import by_part, with_uncertainty
 from torquerig.units import written_quantity
 from torquerig.whole_file import whole_file
 
@@ -19,42 +20,42 @@ _NOT_WRITTEN = ("name", "group")
 
 
 def written_part(
-    part: Part, spreads: Mapping[str, float] | None = None, *, in_a_line: bool = False
+    part: Part, known: Mapping[str, Estimate] | None = None, *, in_a_line: bool = False
 ) -> dict[str, Any]:  # fmt: skip
     """Return the YAML mapping of a part: kind first, then every field that differs from its default.
 
     Parameters
     ----------
-    spreads : mapping of str to float, optional
-        Relative standard deviation by field, written as ``{value: ..., rel_sd: ...}``.
+    known : mapping of str to Estimate, optional
+        Uncertain numbers by path, such as ``amplitudes.2``; written with their ``rel_sd`` or interval.
     in_a_line : bool
         Whether it sits on something that moves in a line, so that N stands for N*m.
     """
     hints = get_type_hints(type(part), include_extras=True)
     answer: dict[str, Any] = {"kind": part.kind}
+    uncertain = {path.partition(".")[0] for path in known or {}}
     for field in fields(part):
         value = getattr(part, field.name)
         default = field.default_factory() if field.default_factory is not MISSING else field.default
-        if field.name in (*_NOT_WRITTEN, "kind") or value is None or (value == default and default is not MISSING):
+        is_default = value == default and default is not MISSING and field.name not in uncertain
+        if field.name in (*_NOT_WRITTEN, "kind") or value is None or is_default:
             continue
-        written = _written(value, hints[field.name], in_a_line)
-        spread = (spreads or {}).get(field.name, 0.0)
-        answer[field.name] = {"value": written, "rel_sd": float(f"{spread:.4g}")} if spread else written
+        answer[field.name] = _written(value, hints[field.name], in_a_line)
     if "group" in hints and get_origin(hints["group"]) is not None and len(get_args(hints["group"])) > 1:
         answer["group"] = part.group
-    return answer
+    return dict(with_uncertainty(answer, known or {}))
 
 
 def scenario_text(
     rig: Rig, *, title: str, operating_point: Mapping[str, Any], recording: Mapping[str, Any] | None = None,
-    spreads: Mapping[str, Mapping[str, float]] | None = None, head: str = "",
+    known: Mapping[str, Estimate] | None = None, head: str = "",
 ) -> str:  # fmt: skip
     """Return a scenario file for ``rig``; ``head`` goes before it as a comment, line by line."""
     import yaml
 
+    of_parts = by_part(known or {}, rig)
     parts = {
-        part.name: written_part(part, (spreads or {}).get(part.name), in_a_line=rig.in_a_line(part))
-        for part in rig.parts
+        part.name: written_part(part, of_parts.get(part.name), in_a_line=rig.in_a_line(part)) for part in rig.parts
     }
     data = {
         "scenario": title, "operating_point": dict(operating_point),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from dataclasses import dataclass, replace
 
-from torquerig.scenario.operating_point import OperatingPoint
+from torquerig.scenario.sections import read_operating_point
 from torquerig.study.definition import Study
 
 
@@ -35,7 +35,7 @@ def points_of(study: Study) -> tuple[Point, ...]:
     listed = study.settings.all_points
     if listed is None:
         return ()
-    default = OperatingPoint.model_validate(study.document.data.get("operating_point", {})).load
+    default = read_operating_point(study.document, seed=study.settings.seed)[0].load
     points = [Point(occupancy_percent=each, particle_size=default.particle_size) for each in listed.occupancy]
     points += [Point(occupancy_percent=default.occupancy, particle_size=each) for each in listed.particle_size]
     return tuple(dict.fromkeys(points))

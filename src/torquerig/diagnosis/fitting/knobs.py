@@ -14,6 +14,7 @@ from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import TorqueSensor
+from torquerig.scenario.tolerance import deviation
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
 _NOISE_SPREAD = 0.5  # an amplifier that is louder than its data sheet is no missing physics
@@ -85,15 +86,49 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
     """Return what must be fitted before anything is called missing.
 
     Everything that the scenario calls uncertain, every line's amplitude, the load's level at each occupancy that was
-    run, and the shape of the load's spectrum.
+    run, and the shape of the load's spectrum. What the scenario states goes before what is assumed of every rig.
     """
-    knobs: list[Knob] = []
-    for name, estimate in uncertain.items():
-        part, _, field = name.rpartition(".")
-        if estimate.rel_sd and isinstance(getattr(rig.part(part), field), float):
-            least = _NOISE_SPREAD if field == "noise_rms" else 0.0
-            knobs.append(Knob(part, field, max(estimate.rel_sd, least)))
-    knobs += [Knob(sensor.name, "noise_colour", _NOISE_COLOUR, factor=False) for sensor in rig.parts_of(TorqueSensor)]
+    stated = [knob for name, estimate in uncertain.items() if (knob := stated_knob(rig, name, estimate)) is not None]
+    found: dict[str, Knob] = {}
+    for knob in (*stated, *_of_every_rig(rig, occupancies)):
+        found.setdefault(knob.name, knob)
+    return tuple(found.values())
+
+
+def stated_knob(rig: Rig, name: str, estimate: Estimate) -> Knob | None:
+    """Return the knob of an uncertain number by its name ``part.field`` or ``part.field.key``; None where none is."""
+    part = next((one.name for one in rig.parts if name.startswith(f"{one.name}.") and _held(rig, one.name, name)), None)
+    held = None if part is None else _held(rig, part, name)
+    if part is None or held is None or not deviation(estimate):
+        return None
+    field, key = held
+    if estimate.rel_sd:
+        least = _NOISE_SPREAD if field == "noise_rms" else 0.0
+        return Knob(part, field, max(estimate.rel_sd, least), key=key)
+    return Knob(part, field, deviation(estimate), key=key, factor=False)
+
+
+def unvaried(rig: Rig, uncertain: Mapping[str, Estimate]) -> tuple[str, ...]:
+    """Return one sentence about the uncertain numbers of a scenario that no fit moves; none where there are none."""
+    names = [name for name, estimate in uncertain.items() if stated_knob(rig, name, estimate) is None]
+    if not names:
+        return ()
+    said = f"The diagnosis does not vary {', '.join(names)}: it fits numbers of parts and effects only, and "
+    return (said + "takes the conditions of the runs from the recordings.",)
+
+
+def _held(rig: Rig, part: str, name: str) -> tuple[str, Any] | None:
+    """Return the field and the key, where ``name`` is a number of the part."""
+    field, _, inner = name.removeprefix(f"{part}.").partition(".")
+    held = getattr(rig.part(part), field, None)
+    if not inner:
+        return (field, None) if isinstance(held, float) else None
+    entries = dict(held) if isinstance(held, Mapping) else dict(enumerate(held)) if isinstance(held, tuple) else {}
+    return next(((field, key) for key, value in entries.items() if f"{key:g}" == inner and value is not None), None)
+
+
+def _of_every_rig(rig: Rig, occupancies: Sequence[float]) -> list[Knob]:
+    knobs = [Knob(sensor.name, "noise_colour", _NOISE_COLOUR, factor=False) for sensor in rig.parts_of(TorqueSensor)]
     for ripple in rig.parts_of(TorqueRipple):
         if ripple.amplitude_rel_sd:
             knobs += [
@@ -111,7 +146,7 @@ def nuisance_knobs(rig: Rig, uncertain: Mapping[str, Estimate], *, occupancies: 
             for percent in sorted(set(occupancies))
             if percent in stated
         ]
-    return tuple(knobs)
+    return knobs
 
 
 def with_free_load(rig: Rig) -> Rig:

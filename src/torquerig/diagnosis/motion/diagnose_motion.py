@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs
+from torquerig.diagnosis.fitting.knobs import Knob, nuisance_knobs, unvaried
 from torquerig.diagnosis.motion.believed import believed
 from torquerig.diagnosis.motion.completing import completed
 from torquerig.diagnosis.motion.effort_told import Told, effort_told, limit_is_the_readings, with_codes
@@ -137,7 +137,8 @@ def diagnose_motion(
     diagnosis = Diagnosis(
         verdict=verdict, mismatch=_mismatch(missed, left), findings=findings,
         fit=_held_out(rig, before, after, runs, seed), recordings=tuple(_used(run) for run in runs),
-        remarks=(*_remarks(neutrals, after, runs), *_of_viscous(refused, runs), *ends,
+        remarks=(*unvaried(rig, scenario.uncertainties),
+                 *_remarks(neutrals, after, runs), *_of_viscous(refused, runs), *ends,
                  *([] if whole is None else [whole.sentence]),
                  *([_LEFT_OUT] if any(mask.any() for mask in faults.spoilt) else [])),
         set_aside=set_aside(rig, steps, refused, of_samples=[each.finding.mechanism for each in of_samples]),

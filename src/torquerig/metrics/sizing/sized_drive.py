@@ -109,7 +109,8 @@ class SizedDrive:
 def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEADY_LENGTH) -> SizedDrive:
     """Return the drive of a scenario with its catalog values.
 
-    Values that the scenario states are exact; values drawn from an interval of the catalog are open.
+    Values that the scenario states are exact, or open where it states an uncertainty; values drawn from an interval of
+    the catalog are open.
 
     Raises
     ------
@@ -133,15 +134,25 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
     owned = [(part, entry, MOTOR_FIELDS)] + ([(gears[0], gearbox, GEAR_FIELDS)] if gearbox else [])
     for one, known, fields in owned:
         for target, source in fields.items():
+            field = f"{one.name}.{target}"
             name = f"{source.replace('_', ' ')} of {getattr(known, 'stands_for', '') or known.name}"
             stated, taken = getattr(known, source), float(getattr(one, target))
-            kept = f"{one.name}.{target}" in scenario.assumed or (stated.documented and stated.value == taken)
-            data[name] = stated if kept else exact_value(taken)
+            if field in scenario.uncertainties and field not in scenario.taken:
+                data[name] = _as_interval(scenario.uncertainties[field])
+            else:
+                kept = field in scenario.assumed or (stated.documented and stated.value == taken)
+                data[name] = stated if kept else exact_value(taken)
             places[name] = one.name, target
     return SizedDrive(
         rig=rig, motor=entry, gearbox=gearbox, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,
         places=places, duration=duration,
     )  # fmt: skip
+
+
+def _as_interval(known: Estimate) -> Estimate:
+    """Return an uncertain value as an open one; one standard deviation to both sides where no interval is stated."""
+    low, high = known.bounds
+    return replace(known, low=low, high=high)
 
 
 def _named(written: Mapping[str, Mapping[str, object]], part: str) -> str:

@@ -11,6 +11,7 @@ from torquerig.metrics.figure import Figure
 from torquerig.parameter import EVIDENCE
 from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
+from torquerig.scenario.sections import read_operating_point
 from torquerig.study.exchanged_data import left_out_effects
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
@@ -63,12 +64,12 @@ def _of_a_chain(runs: StudyRuns) -> str:
 def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
     """Return the operating point and the rules for every drive, as pairs of name and text."""
     settings = runs.study.settings
-    wander = runs.study.document.data.get("operating_point", {}).get("slow_speed_wander", 0)
+    wander = read_operating_point(runs.study.document, seed=settings.seed)[0].slow_speed_wander
     return (
         ("speed", f"{plain(runs.output_speed * 30 / pi, 5)} rpm at the output; the motor turns ratio times as fast"),
         ("occupancy", f"{runs.occupancy_percent:g} %, a mean load of {plain(runs.mean_load)} N m"),
         ("particle size", f"{plain(runs.particle_size * 1e3)} mm"),
-        ("run", f"{settings.duration:g} s at 25 kHz for each drive, slow speed wander {wander} rms (relative)"),
+        ("run", f"{settings.duration:g} s at 25 kHz for each drive, slow speed wander {wander:g} rms (relative)"),
         ("Monte Carlo", f"{1 + settings.draws} samples of each drive, drawn from the catalog's intervals"),
         ("speed loop", _loop_rule(settings.speed_loop)),
         ("drive limit", _limit_rule(settings.sensor_limit)),
