@@ -116,7 +116,10 @@ def test_the_page_says_what_is_out_of_reach_and_marks_unknowns(written):
 
 def test_the_mesh_is_named_as_a_limit_until_the_scenario_states_one(runs):
     assert any("Gear mesh lines are absent" in one for one in limits(runs))
-    rig = {**runs.study.document.data["rig"], "mesh": {"kind": "gear_mesh"}}
+    rig = {
+        **runs.study.document.data["rig"],
+        "mesh": {"kind": "gear_mesh", "order_output": 84, "transmission_error": ["10 urad"]},
+    }
     document = replace(runs.study.document, data={**runs.study.document.data, "rig": rig})
     meshed = replace(runs, study=replace(runs.study, document=document))
     assert not any("Gear mesh lines are absent" in one for one in limits(meshed))

@@ -15,13 +15,14 @@ from torquerig.decide.matrix_analysis import analyse_matrix
 from torquerig.decide.matrix_io.certainty_text import trace_text
 from torquerig.document import read_document
 from torquerig.errors import InputError
-from torquerig.plain_table import grid
+from torquerig.plain_table import grid, wrapped
 from torquerig.reporting.matrix.files import write_matrix
 from torquerig.reporting.study.report import write_study_report
 from torquerig.reporting.study.text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
 from torquerig.study.definition import Study, open_study
+from torquerig.study.held_numbers import held_sentence
 from torquerig.study.operating_points import Point, points_of
 from torquerig.study.results import StudyRuns
 from torquerig.study.run_study import run_study
@@ -99,6 +100,8 @@ def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
     answer = verdict(decided)
     click.echo(ranked_text(decided) + "\n")
     click.echo(shares_text(runs))
+    if held := held_sentence(runs.study):
+        click.echo("\n" + wrapped(held))
     return decided, answer
 
 

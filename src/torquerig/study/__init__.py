@@ -10,6 +10,7 @@ verdict     the best one and its confidence       what_if     effect of an edit
 rated_drives  drives, each with its best filter, for the verdict
 as_matrix   a study as a decision matrix file
 origins     catalog values behind a figure        trace       calculation of every cell
+held_numbers  uncertain numbers that no sample varies
 missing_data  names of missing values for a question to the maker
 sized_candidates  a drive sized over the duty cycle  ratio_sweep  its motor on every gearbox of the catalog
 reference_decision/  a published decision computed again, cell by cell

@@ -13,6 +13,7 @@ from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
 from torquerig.scenario.sections import read_operating_point
 from torquerig.study.exchanged_data import left_out_effects
+from torquerig.study.held_numbers import held_sentence
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
 from torquerig.study.settings import SpeedLoopRule
@@ -107,7 +108,17 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
     )
     rig = runs.study.document.data.get("rig", {})
     mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
-    return (simulated, *omitted_ripple(runs), *mesh, *_left_out(runs), samples, CLASS, shares)
+    held = held_sentence(runs.study)
+    return (
+        simulated,
+        *omitted_ripple(runs),
+        *mesh,
+        *_left_out(runs),
+        samples,
+        *([held] if held else []),
+        CLASS,
+        shares,
+    )
 
 
 def _left_out(runs: StudyRuns) -> tuple[str, ...]:
