@@ -123,6 +123,24 @@ def test_speed_acceleration_and_current_are_measured() -> None:
     assert made.torque_name() == "output_sensor_V"
 
 
+def test_a_speed_of_a_shaft_between_is_never_taken_for_the_output() -> None:
+    """Of the motor's shaft, of the compared torque's, and of another: 4 to 1 between them."""
+    more = (
+        SpeedSensor(name="slow", at="wheel"),
+        SpeedSensor(name="fast", at="motor"),
+        Probe(name="turned", quantity="angle", at="motor"),
+    )
+    made = simulate(rig(*more, also=("slow", "fast")), duration=0.2, seed=3, sample_rate=RATE)
+    read = {name: (made.channels[name].quantity, made.channels[name].role) for name in
+            ("slow_rad_s", "fast_rad_s", "turned_rad")}  # fmt: skip
+    assert read == {"slow_rad_s": ("speed", None), "fast_rad_s": ("motor_speed", None),
+                    "turned_rad": ("motor_angle", None)}  # fmt: skip
+    inner = replace(rig(*more, also=("slow", "fast")), measured="input_sensor")
+    made = simulate(inner, duration=0.2, seed=3, sample_rate=RATE)
+    assert made.channels["slow_rad_s"].role == "context"
+    assert made.find("speed") is None
+
+
 def test_a_rig_whose_only_sensor_is_one_of_speed_simulates() -> None:
     made = simulate(replace(rig(SpeedSensor(name="tacho", at="wheel", noise_rms=0.1)), measured="tacho"),
                     duration=0.3, seed=3, sample_rate=RATE)  # fmt: skip

@@ -33,7 +33,8 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
         If a diagnosis would reject the scenario or a recording before any computation.
     """
     recordings = as_measured(recordings, scenario.rig)
-    compared = [wrapped(said) for one in recordings if (said := what_is_compared(one, scenario.rig)) is not None]
+    choices = (what_is_compared(one, scenario.rig) for one in recordings)
+    compared = [wrapped(choice) for choice in choices if choice is not None]
     sensors = [wrapped(prior.sentence()) for prior in sensor_priors(scenario, recordings) if prior.states_something]
     is_moved = under_measured_motion(scenario.rig)
     rows = _of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings)

@@ -13,6 +13,7 @@ from torquerig.cli.common_options import catalog_option, edited, set_option
 from torquerig.cli.modes_text import modes_text, poles_text
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
+from torquerig.rig.parts import ImposedMotion
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.condensation.beforehand import said_beforehand
@@ -25,6 +26,10 @@ _IMPOSED = (
     "{0} imposes the motion: its output is clamped for this calculation, there is no control loop, and no spring "
     "torque "
     "is measured, so critical speeds have no amplitude at the sensor"
+)
+_NO_TORQUE = (
+    "{0} reads no torque, so critical speeds have no amplitude at a sensor; name a torque sensor, coupling or gear "
+    "under measured: to see them"
 )
 NO_SPEED_TOP = 3000 * pi / 30  # [rad/s] highest speed of the diagram for a rig without set-point
 
@@ -78,7 +83,8 @@ def command(
     if said := said_beforehand(made.rig, rate=twin.rate, seed=seed):
         click.echo(wrapped(f"in a simulation, {said}") + "\n")
     if not twin.reads_a_spring:
-        click.echo(wrapped(_IMPOSED.format(made.rig.measured)))
+        imposed = isinstance(made.rig.part(made.rig.measured), ImposedMotion)
+        click.echo(wrapped((_IMPOSED if imposed else _NO_TORQUE).format(made.rig.measured)))
         return
     found = twin.crossings(lines, top_speed=top)
     if loops := twin.margins():

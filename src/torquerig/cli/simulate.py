@@ -19,12 +19,15 @@ from torquerig.cli.common_options import (
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import check_target, write_recording
+from torquerig.recordings.recording import Recording
+from torquerig.rig.assembly import Rig
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
+from torquerig.simulation.measured_places import channel_name, what_is_read
 from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
 from torquerig.study.one_drive import scenario_or_candidate
-from torquerig.units import IN_A_LINE, parse_quantity
+from torquerig.units import parse_quantity
 
 
 @click.command("simulate")
@@ -58,7 +61,7 @@ def command(
     out: Path, truth: bool, force: bool, prove_step: bool, profile: str | None, settings: tuple[str, ...],
     catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
-    """Simulate SCENARIO and write the recording of its torque sensor.
+    """Simulate SCENARIO and write the recording of its sensors.
 
     The same scenario and seed give the same bytes. With --motor or --gearbox the speed loop is tuned by the study's
     rule, and the drive is limited to the range of the sensor, as in `torquerig compare`.
@@ -82,14 +85,11 @@ def command(
         else recording.without_truth()
     )
     written = write_recording(kept, out, overwrite=force)
-    torque, unit = recording.torque(), IN_A_LINE["N*m"] if recording.find("torque") is None else "N*m"
-    size = rms_size(torque)
-    mean, spread = (fixed(float(one), scale=size, digits=5) for one in (torque.mean(), torque.std()))
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     click.echo(
         f"{made.rig.run.motor or made.title} at {made.rig.run.speed_rpm or 0.0:.6g} rpm, "
         f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
-        f"mean {mean} {unit}, std {spread} {unit}"
+        f"{_levels(recording, made.rig)}"
     )
     if "condensed" in recording.origin:
         click.echo(wrapped(recording.origin["condensed"]))
@@ -103,6 +103,18 @@ def command(
     if made.kept:
         click.echo("uncertain in the scenario, simulated at the stated value:")
         click.echo(grid([["value", "stated"], *([key, text] for key, text in made.kept.items())]))
+
+
+def _levels(recording: Recording, rig: Rig) -> str:
+    """Return mean and standard deviation of what is measured, of several places each with its channel."""
+    said = []
+    for place in rig.places:
+        name = channel_name(rig, place)
+        read, (_, _, unit) = recording.channels[name].in_si(), what_is_read(rig, place)
+        mean, spread = (fixed(float(one), scale=rms_size(read), digits=5) for one in (read.mean(), read.std()))
+        of = f"{name} of {place}: " if rig.also_measured else ""
+        said.append(f"{of}mean {mean} {unit}, std {spread} {unit}")
+    return "; ".join(said)
 
 
 def _proof(made: Scenario, *, duration: float, seed: int, sample_rate: float) -> str:

@@ -104,9 +104,9 @@ class Recording:
         return np.arange(self.samples) / self.sample_rate
 
     def find(self, quantity: str, *, truth: bool = False) -> str | None:
-        """Return the name of the first channel of ``quantity``, or None."""
+        """Return the name of the first channel of ``quantity`` that is not only context, or None."""
         for name, channel in self.channels.items():
-            if channel.quantity == quantity and channel.truth == truth:
+            if channel.quantity == quantity and channel.truth == truth and channel.role != "context":
                 return name
         return None
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from math import isclose
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import EFFORTS, Channel, Recording, random_for
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.leading_part import leading_part
 from torquerig.rig.parts import (
     AccelerationSensor,
     CurrentSensor,
@@ -94,6 +96,24 @@ def what_is_read(rig: Rig, place: str) -> tuple[str, str, str]:
     return CURRENT if isinstance(part, CurrentSensor) else here.effort
 
 
+def on_shaft(rig: Rig, place: str) -> tuple[str, str | None]:
+    """Return the quantity and the role of what a place reads, by the shaft that it is on.
+
+    A speed or angle of the shaft that the set-point belongs to is that of the motor. One of another shaft than the
+    compared torque's is context: no command may take it for the speed of the output.
+    """
+    quantity, part = what_is_read(rig, place)[0], reading_place(rig, place)
+    leader = leading_part(rig)
+    if quantity not in ("speed", "angle") or leader is None or leader not in {one.name for one in rig.parts}:
+        return quantity, None
+    ratios = rig.speed_ratios(rig.node(leader))
+    turns, read = ratios.get(rig.node(part)), ratios.get(rig.node(reading_place(rig)))
+    if turns is not None and isclose(turns, 1.0, rel_tol=1e-9):
+        return f"motor_{quantity}", None
+    alike = turns is not None and read is not None and isclose(abs(turns), abs(read), rel_tol=1e-9)
+    return quantity, None if alike else "context"
+
+
 def place_output(rig: Rig, lowered: Lowered, place: str, *, name: str, truth: bool = True) -> Output:
     """Return the output of what a measured place reads, true and in SI."""
     part = rig.part(place)
@@ -133,12 +153,13 @@ def reading_channel(rig: Rig, place: str, values: NDArray[np.float64]) -> Channe
     values : ndarray, shape (samples,)
         What it reads, in SI.
     """
-    part, (quantity, _, unit) = rig.part(place), what_is_read(rig, place)
+    part, (_, _, unit) = rig.part(place), what_is_read(rig, place)
     sensitivity = part.sensitivity if isinstance(part, TorqueSensor | ForceSensor) else 1.0
     scale = mounting_sign(part) * sensitivity
+    quantity, aside = on_shaft(rig, place)
     return Channel(
         values=values * scale, quantity=quantity, unit="V" if _in_volts(rig, part) else unit, si_per_unit=1 / scale,
-        of=place, role=role_of(rig, place),
+        of=place, role=aside or role_of(rig, place),
     )  # fmt: skip
 
 

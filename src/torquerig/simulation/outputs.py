@@ -18,6 +18,7 @@ from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import (
     Output,
     channel_name,
+    on_shaft,
     place_output,
     reading_channel,
     role_of,
@@ -67,9 +68,11 @@ def _named(what: str, quantity: tuple[str, str, str]) -> str:
 def _probed(rig: Rig, lowered: Lowered, probe: Probe) -> Output:
     """Return the output of a probe; a torque that ``measured`` does not name is context, never the compared one."""
     quantity, ending, _ = what_is_read(rig, probe.name)
-    aside = quantity in EFFORTS and probe.name not in rig.places
     made = place_output(rig, lowered, probe.name, name=f"{probe.name}_{ending}", truth=False)
-    return replace(made, role="context" if aside else role_of(rig, probe.name))
+    if quantity in EFFORTS and probe.name not in rig.places:
+        return replace(made, role="context")
+    quantity, aside = on_shaft(rig, probe.name)
+    return replace(made, quantity=quantity, role=aside or role_of(rig, probe.name))
 
 
 def as_arrays(outputs: tuple[Output, ...]) -> Outputs:

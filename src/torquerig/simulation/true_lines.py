@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from torquerig.recordings.recording import Channel, Recording
+from torquerig.recordings.recording import EFFORTS, Channel, Recording
+from torquerig.simulation.measured_places import what_is_read
 from torquerig.simulation.simulator import SETTLING, simulate
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def with_true_lines(
     ----------
     recording : Recording
         Of ``rig``, by ``simulate`` with this seed, wander and settling time. Where the true load is
-        not known it comes back as it is.
+        not known, or no torque is measured, it comes back as it is.
 
     Notes
     -----
@@ -41,7 +42,7 @@ def with_true_lines(
     turns a little differently and meets the load a little elsewhere; so the channel is the difference of the two
     readings' errors, each to the load of its own run.
     """
-    if _LOAD not in recording.channels:
+    if _LOAD not in recording.channels or what_is_read(rig, rig.measured)[0] not in EFFORTS:
         return recording
     clean = simulate(
         without_lines(rig), duration=recording.duration, seed=seed, sample_rate=recording.sample_rate, wander=wander,
