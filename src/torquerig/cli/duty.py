@@ -13,6 +13,7 @@ from torquerig.cli.common_options import catalog_option, edited, profile_option,
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
+from torquerig.rig.parts import WormGear
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.requirement_check import check_requirement, entry_of
 from torquerig.study.one_drive import scenario_or_candidate
@@ -94,6 +95,8 @@ def command(
     copies = thermal_variants(entry)
     judged = temperatures_of_duty(of_motor.duty, copies, ambient=ambient)
     _print_duty(of_motor, copies, judged, ambient=ambient)
+    for worm in made.rig.parts_of(WormGear):
+        click.echo(wrapped(worm.losses))
     if picture is not None:
         _draw(of_motor, copies, picture, ambient=ambient, force=force)
 

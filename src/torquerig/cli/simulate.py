@@ -21,6 +21,7 @@ from torquerig.plain_table import fixed, grid, rms_size, wrapped
 from torquerig.recordings.files import check_target, write_recording
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
+from torquerig.rig.parts import WormGear
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
 from torquerig.simulation.measured_places import channel_name, what_is_read
@@ -91,6 +92,8 @@ def command(
         f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
         f"{_levels(recording, made.rig)}"
     )
+    for worm in made.rig.parts_of(WormGear):
+        click.echo(wrapped(worm.losses))
     if "condensed" in recording.origin:
         click.echo(wrapped(recording.origin["condensed"]))
     if prove_step:

@@ -13,6 +13,7 @@ from torquerig.document import Document
 from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
+from torquerig.rig.parts import WormGear
 from torquerig.scenario.requirement_check import check_requirement
 from torquerig.study.definition import Study, open_study
 from torquerig.study.one_drive import scenario_or_candidate
@@ -89,6 +90,8 @@ def _print_sizing(
     click.echo(f"{title}, repeated without end, ambient {ambient:g} °C\n")
     click.echo(grid(sizing_rows(sized)) + "\n")
     click.echo(wrapped(verdict_text(sized)))
+    for worm in drive.rig.parts_of(WormGear):
+        click.echo(wrapped(worm.losses))
     for text in (*flags, *(f"cannot follow {one}" for one in sized.late)):
         click.echo(wrapped(f"flagged: {text}"))
     if sweep is not None:

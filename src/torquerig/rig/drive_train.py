@@ -19,10 +19,14 @@ NO_LOAD: Mapping[str, float] = {}
 
 
 class Place(NamedTuple):
-    """A node seen from the motor: turns per turn of the motor, and the share of power that arrives there."""
+    """A node seen from the motor: turns per turn of the motor, and the share of power that arrives there.
+
+    ``backwards`` is the share that arrives at the motor where the node drives; 0 or less where it cannot.
+    """
 
     ratio: float
     efficiency: float
+    backwards: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,20 +104,31 @@ class DriveTrain:
 
     def _needed(self, motion: ShaftMotion, further: Mapping[str, float] = NO_LOAD) -> float:
         """Return the motor torque [N m]; ``further`` are loads [N m] by node beyond those of the terms."""
-        by_efficiency: dict[float, float] = {}
-        for node, (ratio, efficiency) in self.places.items():
+        by_efficiency: dict[tuple[float, float], float] = {}
+        for node, (ratio, *shares) in self.places.items():
             here = motion._replace(
                 speed=motion.speed * ratio,
                 acceleration=motion.acceleration * ratio,
                 way=copysign(1.0, ratio) * motion.way,
             )
             needed = sum(one.needed_torque(node, here) for one in self.terms) + here.way * further.get(node, 0.0)
-            by_efficiency[efficiency] = by_efficiency.get(efficiency, 0.0) + needed * ratio
+            key = (shares[0], shares[1])
+            by_efficiency[key] = by_efficiency.get(key, 0.0) + needed * ratio
         heading = motion.way or copysign(1.0, motion.acceleration)
         return sum(
-            torque / efficiency if torque * heading >= 0 else torque * efficiency
-            for efficiency, torque in by_efficiency.items()
+            _driven(torque, forwards) if torque * heading >= 0 else torque * backwards
+            for (forwards, backwards), torque in by_efficiency.items()
         )
+
+
+def _driven(torque: float, efficiency: float) -> float:
+    """Return the torque before the losses [N m]; InputError where a wheel would drive a self-locking worm."""
+    if torque and efficiency <= 0:
+        raise InputError(
+            "a self-locking worm_gear would be driven from its wheel, which does not turn; put the motor on its worm, "
+            "or state a smaller friction"
+        )
+    return torque / efficiency if torque else torque
 
 
 def driven_motor(rig: Rig) -> Motor | None:
@@ -135,6 +150,11 @@ def drive_train(rig: Rig, motor: str) -> DriveTrain:
     return DriveTrain(terms=terms, places={node: place for node, place in places.items() if node in ratios})
 
 
+def _chained(first: float, then: float) -> float:
+    """Return the share of two stages in series [1]; one that locks keeps the chain locked."""
+    return min(first, then) if min(first, then) <= 0 else first * then
+
+
 def passive_terms(rig: Rig) -> tuple[Term, ...]:
     """Return the physics of all parts but the drives."""
     drives = SpeedController | TorqueController | InductionDrive
@@ -148,13 +168,19 @@ def springs_of(terms: Iterable[Term]) -> tuple[Spring, ...]:
 
 def places_from(start: str, springs: Sequence[Spring]) -> dict[str, Place]:
     """Return the nodes that the springs connect to the node ``start``, with ratio and efficiency."""
-    places, waiting = {start: Place(1.0, 1.0)}, [start]
+    places, waiting = {start: Place(1.0, 1.0, 1.0)}, [start]
     while waiting:
         here = waiting.pop()
         for spring in springs:
-            for near, far, turns in ((spring.a, spring.b, 1 / spring.ratio), (spring.b, spring.a, spring.ratio)):
+            forth, back = spring.efficiency, spring.backwards
+            ways = (
+                (spring.a, spring.b, 1 / spring.ratio, forth, back),
+                (spring.b, spring.a, spring.ratio, back, forth),
+            )
+            for near, far, turns, driving, driven in ways:
                 if near == here and far not in places and far != GROUND:
                     place = places[here]
-                    places[far] = Place(place.ratio * turns, place.efficiency * spring.efficiency)
+                    places[far] = Place(place.ratio * turns, _chained(place.efficiency, driving),
+                                        _chained(place.backwards, driven))  # fmt: skip
                     waiting.append(far)
     return places

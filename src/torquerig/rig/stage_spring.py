@@ -9,7 +9,7 @@ from torquerig.rig.terms import Spring
 
 def stage_spring(
     rig: Rig, name: str, *, stiffness: float, damping: float, gap: float = 0.0, rest: float = 0.0,
-    ratio: float = 1.0, efficiency: float = 1.0,
+    ratio: float = 1.0, efficiency: float = 1.0, backward_efficiency: float | None = None,
 ) -> Spring:  # fmt: skip
     """Return the spring of the part ``name`` with the errors, gaps and stiffness waves that effects add to it.
 
@@ -19,7 +19,7 @@ def stage_spring(
         Whose effects in the part are collected, all of ``host_changes.IN_A_SPRING``.
     stiffness, damping, gap, rest
         At the output [N m/rad], [N m s/rad], [rad], [rad].
-    ratio, efficiency
+    ratio, efficiency, backward_efficiency
         As in :class:`torquerig.rig.terms.Spring`.
     """
     changes = rig.changes_in(name)
@@ -33,6 +33,7 @@ def stage_spring(
         rest=rest + total_shift(changes),
         ratio=ratio,
         efficiency=efficiency,
+        backward_efficiency=backward_efficiency,
         error=waves_of(changes, KinematicError),
         stiffness_waves=waves_of(changes, StiffnessVariation),
     )

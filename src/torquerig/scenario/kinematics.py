@@ -11,6 +11,7 @@ from torquerig.orders.kinematics.stage_kinds import ChainStage, DrivenBackwards,
 from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.parts.gear_stage import GearStage
+from torquerig.rig.parts.worm_gear import WormGear
 from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.shafts import shafts_of
 
@@ -38,13 +39,17 @@ class CrossedStage:
     @property
     def efficiency(self) -> float:
         """Share of the power that arrives behind it [1]."""
+        if isinstance(self.part, WormGear) and self.backwards:
+            return self.part.backward_efficiency
         return self.part.efficiency
 
     def teeth(self) -> tuple[ChainStage, ...]:
         """Return its sets of teeth in the order of the way; its ratio alone where none is known."""
         if not self.part.teeth:
             return (Untoothed(abs(self.turns)),)
-        return tuple(map(DrivenBackwards, reversed(self.part.teeth))) if self.backwards else self.part.teeth
+        if self.backwards:
+            return tuple(DrivenBackwards(stage) for stage in reversed(self.part.teeth))
+        return self.part.teeth
 
 
 def kinematics_of(rig: Rig) -> Kinematics:

@@ -15,6 +15,7 @@ from torquerig.orders.kinematics.planetary_assembly import (
     nearest_sets,
     stage_ratio,
 )
+from torquerig.orders.kinematics.worm import Worm
 
 MOST_TEETH = 10_000  # the largest slewing rings have 1000
 
@@ -187,4 +188,4 @@ class Spur:
         return f"pair of {self.pinion} and {self.wheel} teeth"
 
 
-Teeth = Planetary | Spur | Belt
+Teeth = Planetary | Spur | Belt | Worm

@@ -2,7 +2,7 @@
 
 motor             rotor, losses, torque limit          speed_controller  sampled PI that drives a motor
 gear              planetary or fixed-axis stage        belt              pulleys and a belt
-gear_stage        gear or belt stages                coupling          spring between two shafts
+gear_stage        gear, belt or worm stages          coupling          spring between two shafts
 torque_sensor     spring, amplifier, noise, converter  body              inertia with friction (wear part, flywheel)
 encoder           counts of the motor angle            probe             torque, speed or angle anywhere
 torque_controller torque mode, fed forward, replayed   replayed_torque   a measured torque on a shaft
@@ -11,7 +11,7 @@ link              spring in a line                     force_sensor      torque_
 speed_sensor      of any shaft                         acceleration_sensor  of any shaft
 current_sensor    in the supply of a motor
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
-ground            a locked end
+ground            a locked end                         worm_gear         worm and wheel, maybe self-locking
 """
 
 from torquerig.rig.parts.acceleration_sensor import AccelerationSensor
@@ -35,6 +35,7 @@ from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.speed_sensor import SpeedSensor
 from torquerig.rig.parts.torque_controller import TorqueController
 from torquerig.rig.parts.torque_sensor import TorqueSensor
+from torquerig.rig.parts.worm_gear import WormGear
 
 __all__ = [
     "AccelerationSensor",
@@ -58,4 +59,5 @@ __all__ = [
     "SpeedSensor",
     "TorqueController",
     "TorqueSensor",
+    "WormGear",
 ]

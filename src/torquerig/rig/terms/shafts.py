@@ -47,7 +47,7 @@ class Spring(Term):
     ``twist = theta_a / ratio - theta_b - rest + e(theta_b)``; ``T = k(theta_b) twist + c d(twist)/dt``. With a gap, k
     counts the twist beyond it, the damping torque is at most the spring's and the sum never pulls (the contact law of
     the Modelica Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T (1 - e') - k' twist^2
-    / 2``, ``a`` gets ``-T / (ratio eta)`` while power flows from a to b and ``-T eta / ratio`` when it flows back.
+    / 2``, ``a`` gets ``-T / (ratio eta)`` while power flows from a to b and ``-T eta_b / ratio`` when it flows back.
 
     The primed terms (derivatives by theta_b) follow from the energy ``k(theta_b) twist^2 / 2`` that spring and shafts
     share: an error or a stiffness that turns with the shaft does no work of its own, the housing bears the difference.
@@ -71,6 +71,8 @@ class Spring(Term):
         Turns of a per turn of b [1]; may be negative for a reversing stage.
     efficiency : float
         Share of the power that arrives [1].
+    backward_efficiency : float or None
+        The same where power flows from b to a; None where it is equal. At 0 or less b cannot drive a.
     error : tuple of Wave
         Kinematic (transmission) error e [rad] on the side of b, a function of the angle of b.
     stiffness_waves : tuple of Wave
@@ -88,9 +90,15 @@ class Spring(Term):
     rest: float = 0.0
     ratio: float = 1.0
     efficiency: float = 1.0
+    backward_efficiency: float | None = None
     error: tuple[Wave, ...] = ()
     stiffness_waves: tuple[Wave, ...] = ()
     damping_follows: bool = False
+
+    @property
+    def backwards(self) -> float:
+        """Share of the power that arrives where it flows from b to a [1]."""
+        return self.efficiency if self.backward_efficiency is None else self.backward_efficiency
 
     @property
     def nodes(self) -> tuple[str, ...]:

@@ -23,8 +23,8 @@ class Springs(NamedTuple):
     half_gap: Floats
     rest: Floats
     inverse_ratio: Floats
-    loss_mean: Floats  # (1/eta + eta) / 2
-    loss_half: Floats  # (1/eta - eta) / 2
+    loss_mean: Floats  # (1/eta + eta_b) / 2
+    loss_half: Floats  # (1/eta - eta_b) / 2
     e_first: Starts  # (springs + 1,) where each spring's error waves start
     e_slot: Rows
     e_order: Floats
@@ -72,8 +72,8 @@ class SpringKind(TermKind[Spring, Springs]):
             half_gap=floats(0.5 * s.gap for s in terms),
             rest=floats(s.rest for s in terms),
             inverse_ratio=floats(1 / s.ratio for s in terms),
-            loss_mean=floats(0.5 * (1 / s.efficiency + s.efficiency) for s in terms),
-            loss_half=floats(0.5 * (1 / s.efficiency - s.efficiency) for s in terms),
+            loss_mean=floats(0.5 * (1 / s.efficiency + s.backwards) for s in terms),
+            loss_half=floats(0.5 * (1 / s.efficiency - s.backwards) for s in terms),
             e_first=errors.first,
             e_slot=errors.slot,
             e_order=errors.order,
