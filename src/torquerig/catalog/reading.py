@@ -23,6 +23,7 @@ from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
+BLANK = "____"
 SHELVES: dict[str, type[Entry]] = {"motors": Motor, "gearboxes": Gearbox, "sensors": Sensor, "couplings": Coupling}
 
 
@@ -122,7 +123,18 @@ def read_entry(path: Path, kind: type[AnyEntry], classes: Mapping[str, PartClass
     Figures of a data sheet are converted, and what is not stated is filled from the class that ``like`` names.
     """
     adapter: TypeAdapter[AnyEntry] = _adapter(kind)
-    return validated(completed(_converted(read_document(path), kind), kind, classes), adapter)
+    document = read_document(path)
+    _refuse_blanks(document, document.data, ())
+    return validated(completed(_converted(document, kind), kind, classes), adapter)
+
+
+def _refuse_blanks(document: Document, data: Any, keys: tuple[str | int, ...]) -> None:
+    """Raise InputError at the first blank that ``torquerig catalog new`` left."""
+    if isinstance(data, str) and BLANK in data:
+        raise InputError(f"{document.place(keys)}: a blank is left; fill it, or delete the line")
+    inner = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
+    for key, value in inner:
+        _refuse_blanks(document, value, (*keys, key))
 
 
 def _converted(document: Document, kind: type[Entry]) -> Document:

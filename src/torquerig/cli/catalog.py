@@ -20,7 +20,7 @@ from torquerig.cli.common_options import catalog_option
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
 
-BELOW = {"show": ""}
+BELOW = {"show": "", "new": "torquerig.cli.catalog_new", "check": "torquerig.cli.catalog_check"}
 
 
 class _Below(click.Group):
