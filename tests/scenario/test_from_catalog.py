@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import log, pi, sqrt
+from math import log, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,7 @@ from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder
 from torquerig.parameter import Estimate
 from torquerig.rig.parts import Coupling, Gear, Motor, TorqueSensor
-from torquerig.scenario.from_catalog import COUPLING_MODE, FIELDS, filled_from_catalog
+from torquerig.scenario.from_catalog import FIELDS, filled_from_catalog
 from torquerig.scenario.reading import KINDS
 
 CATALOG = load_catalog(shipped_folder())
@@ -36,14 +36,18 @@ def test_every_entry_makes_a_part(kind: str, name: str) -> None:
         TypeAdapter(KINDS[effect.values["kind"]]).validate_python({"name": effect.name, **effect.values})
 
 
-def test_a_loss_factor_becomes_the_damping_that_loses_as_much_at_the_mode() -> None:
-    """Energy lost per cycle over 2 pi times the energy stored is c w / k for a spring and damper side by side."""
-    filled = filled_from_catalog(CATALOG, "jaw-14-19", kind="coupling", name="c", seed=1, place="here")
-    stiffness, damping = (float(filled.values[key].split()[0]) for key in ("stiffness", "damping"))
-    loss = damping * 2 * pi * COUPLING_MODE / stiffness
-    low, high = CATALOG.coupling("jaw-14-19").loss_factor.bounds
-    assert low <= loss <= high
-    assert "loss factor" in filled.assumed["damping"]
+def test_a_damping_ratio_is_half_a_loss_factor() -> None:
+    filled = filled_from_catalog(CATALOG, "bellows-10nm", kind="coupling", name="c", seed=1, place="here")
+    low, high = CATALOG.coupling("bellows-10nm").damping_ratio.bounds
+    assert 2 * low <= filled.values["loss_factor"] <= 2 * high
+    assert "damping ratio" in filled.assumed["loss_factor"]
+
+
+@pytest.mark.parametrize("stated", [{"damping": "1 N*m*s/rad"}, {"loss_factor": 0.1}])
+def test_what_the_scenario_states_replaces_the_other_form_of_the_catalog(stated: dict[str, object]) -> None:
+    for entry in ("bellows-10nm", "reference-coupling"):
+        filled = filled_from_catalog(CATALOG, entry, kind="coupling", name="c", seed=1, place="here")
+        assert not {"damping", "loss_factor"} & set(filled.without(stated).values)
 
 
 def test_every_mapped_field_exists_on_both_sides() -> None:
@@ -76,7 +80,7 @@ def test_what_is_drawn_from_an_interval_may_be_turned_by_a_calibration() -> None
     assert six_pulse.uncertainties == {"depth": pytest.approx(log(10) / sqrt(6))}
     loss = filled_from_catalog(CATALOG, "jaw-14-19", kind="coupling", name="c", seed=1, place="here")
     low, high = CATALOG.coupling("jaw-14-19").loss_factor.bounds
-    assert loss.uncertainties["damping"] == pytest.approx(log(high / low) / sqrt(6))
+    assert loss.uncertainties["loss_factor"] == pytest.approx(log(high / low) / sqrt(6))
 
 
 def test_what_is_stated_keeps_its_own_spread() -> None:

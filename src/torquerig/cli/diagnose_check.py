@@ -47,10 +47,10 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
         for sentence in angle_sentences(each, ratio=ratio)
     ]
     rates = dict.fromkeys(each.sample_rate for each in recordings)
-    said = [text for rate in rates if (text := said_beforehand(scenario.rig, rate=rate))]
+    condensed = [text for rate in rates if (text := said_beforehand(scenario.rig, rate=rate))]
     last = "scenario and recordings match; no diagnosis was made"
     return "\n".join(
-        [grid([_HEAD, *rows]), *compared, *sensors, *suspicious, *map(wrapped, said), wrapped(fitted), last]
+        [grid([_HEAD, *rows]), *compared, *sensors, *suspicious, *map(wrapped, condensed), wrapped(fitted), last]
     )
 
 

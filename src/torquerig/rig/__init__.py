@@ -13,6 +13,7 @@
 ``steady``        mean torques at the set-point
 ``phase_level``   torque lines of the motor's phases at the set-point
 ``leading_part``  the part that the set-point belongs to
+``first_mode``    the first elastic mode of the shafts
 ``reading_place`` the part at which a measured place reads
 ``sensor_reading`` scale, zero and mounting of a sensor
 ``mean_by_occupancy`` mean load over the occupancy of the drum

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 from torquerig.parameter import Estimate
 
@@ -32,6 +32,11 @@ class FromCatalog:
     def name(self) -> str:
         """Name of the value: ``rotor inertia of HDS6A-0104A``."""
         return f"{self.field.replace('_', ' ').replace('.', ': ')} of {self.entry}"
+
+
+Value = TypeVar("Value")
+ALTERNATIVES = {"damping": "loss_factor", "loss_factor": "damping"}
+"""Fields that replace each other: what the scenario states goes before the catalog's, also of the other name."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,3 +67,18 @@ class Filled:
     assumed: Mapping[str, str] = field(default_factory=dict)
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
     effects: tuple[Filled, ...] = ()
+
+    def without(self, stated: Collection[str]) -> Filled:
+        """Return the data without what the catalog gives for fields that the scenario states, also by another name."""
+        replaced = {*stated, *(ALTERNATIVES[key] for key in stated if key in ALTERNATIVES)}
+        return replace(
+            self,
+            values=_without(replaced, self.values),
+            uncertainties=_without(replaced, self.uncertainties),
+            assumed=_without(replaced, self.assumed),
+            taken=_without(replaced, self.taken),
+        )
+
+
+def _without(keys: Collection[str], values: Mapping[str, Value]) -> dict[str, Value]:
+    return {key: one for key, one in values.items() if key not in keys}

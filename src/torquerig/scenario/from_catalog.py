@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, replace
-from math import pi
 from typing import Any, TypeVar
 
 from torquerig.catalog.coupling import Coupling
@@ -66,8 +65,6 @@ RANGES = (
 
 BOUGHT_AS = {"planetary_gear": "gear", "fixed_axis_gear": "gear"}  # kinds with the same catalog folder and fields
 
-COUPLING_MODE = 130.0  # [Hz] where a damping or loss ratio is turned into a damping: the wear rig's first mode
-
 
 def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, seed: int, place: str) -> Filled:
     """Return the data of the part ``name`` from the catalog entry ``entry``.
@@ -101,7 +98,7 @@ def filled_from_catalog(catalog: Catalog, entry: str, *, kind: str, name: str, s
     if isinstance(found, Gearbox):
         return _with_teeth(filled, found, seed)
     if isinstance(found, Coupling):
-        return _with_damping(filled, sample)
+        return _with_loss(filled, sample)
     if isinstance(found, Sensor) and "adc.bits" in sample.values:
         taken = {**filled.taken, "converter_bits": _taken(sample, "adc.bits")}
         return replace(filled, values={**filled.values, "converter_bits": sample.count("adc.bits")}, taken=taken)
@@ -175,25 +172,21 @@ def _with_teeth(filled: Filled, gearbox: Gearbox, seed: int) -> Filled:
     return replace(filled, values=values, assumed={**filled.assumed, **chosen})
 
 
-def _with_damping(filled: Filled, sample: Sample[Any]) -> Filled:
-    """Return the coupling with a viscous damping, where the catalog has only a damping ratio or a loss factor.
-
-    ``c = 2 zeta k / w`` and ``c = eta k / w`` at the angular frequency w of ``COUPLING_MODE``: a viscous damper has
-    the stated ratio at one frequency only.
-    """
+def _with_loss(filled: Filled, sample: Sample[Any]) -> Filled:
+    """Return the coupling with a loss factor, where the catalog has only that or a damping ratio (half of it)."""
     if "damping" in filled.values:
         return filled
     source = "damping_ratio" if "damping_ratio" in sample.values else "loss_factor"
     loss = sample.value(source) * (2 if source == "damping_ratio" else 1)
-    damping = loss * sample.value("stiffness") / (2 * pi * COUPLING_MODE)
     spread = dict(estimates(sample.entry))[source].part_rel_sd
-    text = f"{damping:.3g} N*m*s/rad, from its {source.replace('_', ' ')} at {COUPLING_MODE:g} Hz"
+    known = sample.assumed.get(source)
+    text = f"{loss:.3g}, from its {source.replace('_', ' ')}" + ("" if known is None else f" {known.known}")
     return replace(
         filled,
-        values={**filled.values, "damping": written_quantity(damping, "N*m*s/rad")},
-        assumed={**filled.assumed, "damping": text},
-        uncertainties={**filled.uncertainties, **({"damping": spread} if spread else {})},
-        taken={**filled.taken, "damping": _taken(sample, source)},
+        values={**filled.values, "loss_factor": loss},
+        assumed={**filled.assumed, "loss_factor": text},
+        uncertainties={**filled.uncertainties, **({"loss_factor": spread} if spread else {})},
+        taken={**filled.taken, "loss_factor": _taken(sample, source)},
     )
 
 

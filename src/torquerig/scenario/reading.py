@@ -127,12 +127,9 @@ def _filled(
     if entry is None:
         return Filled(name=name, values=stated, stated=read.estimates, kept=read.kept, assumed=read.assumed)
     filled = filled_from_catalog(catalog, str(entry), kind=stated["kind"], name=name, seed=seed, place=place)
-    kept = {key: text for key, text in filled.assumed.items() if key not in stated}
-    spread = {key: value for key, value in filled.uncertainties.items() if key not in stated}
-    taken = {key: one for key, one in filled.taken.items() if key not in stated}
-    filled = Filled(name=name, values={**filled.values, **stated}, uncertainties=spread,
-                    stated=read.estimates, kept=read.kept,
-                    assumed={**kept, **read.assumed}, taken=taken, effects=filled.effects)  # fmt: skip
+    filled = filled.without({*stated, *read.uncertain})
+    filled = replace(filled, values={**filled.values, **stated}, stated=read.estimates, kept=read.kept,
+                     assumed={**filled.assumed, **read.assumed})  # fmt: skip
     if not by_phases:
         return filled
     with _placed(document, "rig", name, "ripple"):
