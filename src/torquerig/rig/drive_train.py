@@ -155,10 +155,11 @@ def _chained(first: float, then: float) -> float:
     return min(first, then) if min(first, then) <= 0 else first * then
 
 
-def passive_terms(rig: Rig) -> tuple[Term, ...]:
-    """Return the physics of all parts but the drives."""
+def passive_terms(rig: Rig, *, without: str = "") -> tuple[Term, ...]:
+    """Return the physics of all parts but the drives and the part ``without``."""
     drives = SpeedController | TorqueController | InductionDrive
-    return tuple(term for part in rig.parts if not isinstance(part, drives) for term in part.terms(rig))
+    kept = [part for part in rig.parts if not isinstance(part, drives) and part.name != without]
+    return tuple(term for part in kept for term in part.terms(rig))
 
 
 def springs_of(terms: Iterable[Term]) -> tuple[Spring, ...]:

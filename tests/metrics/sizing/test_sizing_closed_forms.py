@@ -26,7 +26,7 @@ from torquerig.metrics.sizing.drive_sizing import (
     limit_word,
     sizing,
 )
-from torquerig.metrics.sizing.gearbox_use import BOTH_WAYS, ONE_WAY, behind_gear, gearbox_use, service_factor
+from torquerig.metrics.sizing.gearbox_use import BOTH_WAYS, ONE_WAY, behind_stage, gearbox_use, service_factor
 from torquerig.metrics.sizing.inertia_ratio import inertia_ratio
 from torquerig.metrics.sizing.load_fidelity import reading_per_load, rigid_fidelity
 from torquerig.metrics.sizing.open_data import exact_value, over_intervals
@@ -138,7 +138,7 @@ def test_the_task_of_the_trapezoid_and_its_own_ratio():
 
 
 def test_behind_the_gear_stands_what_turns_the_load():
-    behind = behind_gear(drive(), {})
+    behind = behind_stage(drive(), {}, "gearbox")
     assert behind.peak == pytest.approx(BODY * TOP)
     assert behind.alternates
     assert not behind.reverses
@@ -154,9 +154,11 @@ def test_cubic_mean_of_two_levels():
 
 
 def test_service_factor_follows_the_cycle():
-    assert service_factor(drive()) is BOTH_WAYS  # braking loads the other flank
+    assert service_factor(drive(), "gearbox") is BOTH_WAYS  # braking loads the other flank
     loaded = SCENARIO.replace(" rad/s", " rad/s, load_torque: 2 N*m")  # more than braking takes
-    assert service_factor(drive(loaded.replace("  speed_controller", LOAD + "  speed_controller"))) is ONE_WAY
+    assert (
+        service_factor(drive(loaded.replace("  speed_controller", LOAD + "  speed_controller")), "gearbox") is ONE_WAY
+    )
 
 
 LOAD = """  load: {kind: particle_load, at: wear_part, mean_by_occupancy_percent: {0: 2 N*m}, hit_rate: 60 1/s,

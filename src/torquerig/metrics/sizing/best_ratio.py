@@ -9,7 +9,7 @@ from math import inf, sqrt
 import numpy as np
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.gearbox_use import behind_gear
+from torquerig.metrics.sizing.gearbox_use import behind_chain
 from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.output_torque import OutputTorque
 from torquerig.metrics.sizing.sized_drive import SizedDrive
@@ -88,7 +88,7 @@ def alpha_beta(drive: SizedDrive, values: Values | None = None) -> AlphaBeta:
     A step of the set-point is part of the task as this drive performs it, at its limit and present ratio.
     """
     chosen = {name: known.nominal() for name, known in drive.data.items()} | dict(values or {})
-    behind, rig = behind_gear(drive, chosen), drive.with_values(chosen)
+    behind, rig = behind_chain(drive, chosen), drive.with_values(chosen)
     efficiency = drive.gain(chosen) / drive.ratio
     inertia = float(getattr(rig.part(drive.part.name), "inertia", 0.0))
     return AlphaBeta(
@@ -105,7 +105,7 @@ def best_ratio(drive: SizedDrive) -> Mapping[str, Figure]:
     ratio: only the speed limits it.
     """
     speed, rated = f"maximum speed of {drive.motor_name}", f"rated torque of {drive.motor_name}"
-    top = float(np.abs(behind_gear(drive, {}).speed).max())
+    top = float(np.abs(behind_chain(drive, {}).speed).max())
     known = {**drive.data, speed: drive.motor.max_speed}
 
     def reached(values: Values) -> float:

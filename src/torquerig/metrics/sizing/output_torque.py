@@ -1,4 +1,4 @@
-"""Torque at the output shaft of the gearbox, for each piece of the required motion."""
+"""Torque at a shaft of the chain, for each piece of the required motion."""
 
 from __future__ import annotations
 
@@ -7,23 +7,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import Gear, Motor
-from torquerig.scenario.drive_requirement import DriveRequirement
-
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
 class OutputTorque:
-    """Torque [N m] and speed [rad/s] of the output shaft at both ends of each piece, shape (pieces, 2).
+    """Torque [N m] and speed [rad/s] of the shaft at both ends of each piece, shape (pieces, 2).
 
     Parameters
     ----------
     duration : ndarray, shape (pieces,)
         [s]
     acceleration : ndarray, shape (pieces,)
-        Of the output [rad/s^2].
+        Of the shaft [rad/s^2].
     """
 
     duration: Floats
@@ -64,24 +60,3 @@ class OutputTorque:
         if not turns.sum() > 0:
             return 0.0
         return float((np.sum(turns * np.abs(self.torque).mean(axis=1) ** 3) / turns.sum()) ** (1 / 3))
-
-
-def output_torque(requirement: DriveRequirement, rig: Rig, *, motor: Motor, gears: tuple[Gear, ...]) -> OutputTorque:
-    """Return torque and speed of the output shaft.
-
-    The motor's torque minus the torque for rotor inertia and friction, times ratio and efficiency where power flows
-    forwards, over the efficiency where it flows back; minus the torque for the gearbox's inertia J1.
-    """
-    ratio = float(np.prod([abs(gear.ratio) for gear in gears])) if gears else 1.0
-    efficiency = float(np.prod([gear.efficiency for gear in gears])) if gears else 1.0
-    slope = np.diff(requirement.speed, axis=1)[:, 0] / requirement.duration
-    direction = np.sign(requirement.speed.sum(axis=1))[:, None]
-    lost = direction * motor.coulomb + motor.viscous * requirement.speed
-    net = requirement.torque - motor.inertia * slope[:, None] - lost
-    forwards = net * np.where(direction == 0, np.sign(net), direction) >= 0
-    torque = net * ratio * np.where(forwards, efficiency, 1 / efficiency)
-    geared = sum(gear.input_inertia for gear in gears) * ratio**2
-    return OutputTorque(
-        duration=requirement.duration, speed=requirement.speed / ratio, acceleration=slope / ratio,
-        torque=torque - geared * slope[:, None] / ratio,
-    )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from torquerig.metrics.figure import Figure
-from torquerig.metrics.sizing.gearbox_use import behind_gear
+from torquerig.metrics.sizing.gearbox_use import before_sensor
 from torquerig.metrics.sizing.open_data import exact_value, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
@@ -29,7 +29,7 @@ def sensor_use(drive: SizedDrive) -> Mapping[str, Figure]:
     peak = f"peak torque of {drive.motor_name}"
     return {
         "sensor_cycle_use": over_intervals(
-            known, lambda v: behind_gear(drive, v).peak / v[full], source="largest torque of the cycle / range"
+            known, lambda v: before_sensor(drive, v).peak / v[full], source="largest torque of the cycle / range"
         ),
         "sensor_range_use": over_intervals(
             known, lambda v: drive.part.torque_limit * drive.gain(v) / v[full],

@@ -35,9 +35,8 @@ class SizedDrive:
         At its operating point.
     motor : Motor
         The catalog's entry of the driven motor.
-    gearbox : Gearbox or None
-        The catalog's entry of the gear before the sensor; None where the rig has no gear, several gears, or a gear with
-        stated values.
+    gearboxes : mapping of str to Gearbox
+        The catalog's entries of the gears between motor and sensor, by the names of the parts, in their order.
     sensor : Sensor or None
     data : mapping of str to Estimate
         Values of motor and gear that the required torque depends on, by name.
@@ -49,7 +48,7 @@ class SizedDrive:
 
     rig: Rig
     motor: MotorEntry
-    gearbox: Gearbox | None
+    gearboxes: Mapping[str, Gearbox]
     sensor: Sensor | None
     data: Mapping[str, Estimate]
     places: Mapping[str, tuple[str, str]]
@@ -68,11 +67,6 @@ class SizedDrive:
         if found is None:  # a sized drive is not made without one
             raise InputError("no motor of the rig follows a set-point")
         return found
-
-    @property
-    def gears(self) -> tuple[Gear, ...]:
-        """The gears between motor and sensor that have an efficiency and a ratio."""
-        return tuple(gear for gear in gears_to_sensor(self.rig) if isinstance(gear, Gear))
 
     @property
     def ratio(self) -> float:
@@ -127,15 +121,16 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
                          "name one with catalog: or --motor")  # fmt: skip
     entry = catalog.motor(part.model)
     written = scenario.document.data["rig"]
-    gears = [gear for gear in gears_to_sensor(rig) if isinstance(gear, Gear)]
-    gearbox = catalog.gearboxes.get(_named(written, gears[0].name)) if len(gears) == 1 else None
+    named = {gear.name: _named(written, gear.name) for gear in gears_to_sensor(rig) if isinstance(gear, Gear)}
+    gearboxes = {part: catalog.gearbox(entry) for part, entry in named.items() if entry in catalog.gearboxes}
     data: dict[str, Estimate] = {}
     places: dict[str, tuple[str, str]] = {}
-    owned = [(part, entry, MOTOR_FIELDS)] + ([(gears[0], gearbox, GEAR_FIELDS)] if gearbox else [])
+    owned = [(part, entry, MOTOR_FIELDS), *((rig.part(name), box, GEAR_FIELDS) for name, box in gearboxes.items())]
     for one, known, fields in owned:
         for target, source in fields.items():
             field = f"{one.name}.{target}"
             name = f"{source.replace('_', ' ')} of {getattr(known, 'stands_for', '') or known.name}"
+            name = f"{name} ({one.name})" if name in data else name  # the same gearbox twice in a chain
             stated, taken = getattr(known, source), float(getattr(one, target))
             if field in scenario.uncertainties and field not in scenario.taken:
                 data[name] = _as_interval(scenario.uncertainties[field])
@@ -143,8 +138,13 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
                 kept = field in scenario.assumed or (stated.documented and stated.value == taken)
                 data[name] = stated if kept else exact_value(taken)
             places[name] = one.name, target
+    for gear in gears_to_sensor(rig):
+        field = f"{gear.name}.efficiency"
+        if gear.name not in gearboxes and field in scenario.uncertainties:
+            data[f"efficiency of {gear.name}"] = _as_interval(scenario.uncertainties[field])
+            places[f"efficiency of {gear.name}"] = gear.name, "efficiency"
     return SizedDrive(
-        rig=rig, motor=entry, gearbox=gearbox, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,
+        rig=rig, motor=entry, gearboxes=gearboxes, sensor=catalog.sensors.get(_named(written, rig.measured)), data=data,
         places=places, duration=duration,
     )  # fmt: skip
 
