@@ -67,10 +67,10 @@ def row(one: Field[Any], hint: Any) -> str:
     """Return the table row of one field."""
     declared = next(declarations(hint), None)
     if declared is None:
-        return f"| `{one.name}` | - | {allowed(hint)} | {default(one)} | - |"
+        return f"| `{one.name.rstrip('_')}` | - | {allowed(hint)} | {default(one)} | - |"
     unit = "-" if declared.unit == "1" else f"`{declared.unit}`"
     several = {dict: ", one per key", tuple: ", one per entry"}.get(get_origin(hint), "")
-    return f"| `{one.name}` | {unit} | {bounds(declared)} | {default(one)} | {declared.meaning}{several} |"
+    return f"| `{one.name.rstrip('_')}` | {unit} | {bounds(declared)} | {default(one)} | {declared.meaning}{several} |"
 
 
 def declarations(hint: Any) -> Iterator[Parameter]:

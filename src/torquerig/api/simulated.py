@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import isinf
 from pathlib import Path
 
-from torquerig.api.inputs import scenario_from
+from torquerig.api.inputs import recording_from, scenario_from
+from torquerig.recordings.inputs import Inputs
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.input_checks import as_driven
 from torquerig.scenario.model import Scenario
+from torquerig.simulation.input_channels import with_input_channels, with_inputs
 from torquerig.simulation.simulator import simulate as simulate_rig
 
 
 def simulate(
-    scenario: Scenario | str | Path, *, duration: float | None = None, seed: int = 1, truth: bool = True
-) -> Recording:
+    scenario: Scenario | str | Path, *, duration: float | None = None, seed: int = 1, truth: bool = True,
+    inputs: Recording | str | Path | None = None,
+) -> Recording:  # fmt: skip
     """Return what the torque sensor of a rig records.
 
     Parameters
@@ -25,6 +30,9 @@ def simulate(
         Fixes every random number of the run; the same scenario, seed and version give the same samples.
     truth : bool
         Whether the channels that only a simulation knows are kept, such as the true load.
+    inputs : Recording, or path of its file, optional
+        Whose channels drive the parts with ``from: channel``; length and, where the scenario states none, sample rate
+        are then its own.
 
     Returns
     -------
@@ -45,16 +53,35 @@ def simulate(
     >>> rec.samples, rec.sample_rate
     (12500, 25000.0)
     """
-    made = scenario_from(scenario)
+    made, given = scenario_from(scenario), None if inputs is None else recording_from(inputs)
+    made = made if given is None else under_inputs(made, given)
     recording = simulate_rig(
         made.rig, duration=default_length(made) if duration is None else duration, seed=seed,
-        sample_rate=made.recording.sample_rate, settling=made.recording.settling,
+        sample_rate=sample_rate_of(made), settling=made.recording.settling,
         wander=made.operating_point.slow_speed_wander, scenario=made.title,
     )  # fmt: skip
+    recording = with_input_channels(recording, made.rig)
     return recording if truth else recording.without_truth()
+
+
+def under_inputs(made: Scenario, given: Recording) -> Scenario:
+    """Return a scenario driven by the channels of a recording; InputError where it takes none, or lacks one."""
+    rig = with_inputs(made.rig, given)
+    as_driven(made, [given])
+    return replace(made, rig=rig)
+
+
+def sample_rate_of(made: Scenario) -> float:
+    """Return the samples per second [Hz] of a simulation: as the scenario states them, else those of its inputs."""
+    inputs, stated = made.rig.run.inputs, made.document.data.get("recording")
+    if isinstance(inputs, Inputs) and not (isinstance(stated, dict) and "sample_rate" in stated):
+        return inputs.recording.sample_rate
+    return made.recording.sample_rate
 
 
 def default_length(made: Scenario) -> float:
     """Return how long to record where nothing states it [s]: a table's length, else ``recording.duration``."""
+    if isinstance(made.rig.run.inputs, Inputs):
+        return made.rig.run.inputs.recording.duration
     points = made.rig.run.set_points
     return made.recording.duration if points is None or isinf(points.length) else points.length

@@ -16,6 +16,7 @@ from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.compared_channel import as_measured, what_is_compared
+from torquerig.scenario.input_checks import as_driven, inputs_shown
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.sensor_priors import sensor_priors
@@ -32,9 +33,10 @@ def checked(scenario: Scenario, recordings: Sequence[Recording]) -> str:
     InputError, RecordingError
         If a diagnosis would reject the scenario or a recording before any computation.
     """
-    recordings = as_measured(recordings, scenario.rig)
+    recordings = as_driven(scenario, as_measured(recordings, scenario.rig))
     choices = (what_is_compared(one, scenario.rig) for one in recordings)
     compared = [wrapped(choice) for choice in choices if choice is not None]
+    compared += [wrapped(shown) for one in recordings for shown in inputs_shown(scenario, one)]
     sensors = [wrapped(prior.sentence()) for prior in sensor_priors(scenario, recordings) if prior.states_something]
     is_moved = under_measured_motion(scenario.rig)
     rows = _of_motion(scenario, recordings) if is_moved else _of_speed_loop(scenario, recordings)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from torquerig.api.simulated import default_length
+from torquerig.api.simulated import default_length, sample_rate_of, under_inputs
 from torquerig.catalog.search import catalog_for
 from torquerig.cli.common_options import (
     catalog_option,
@@ -18,12 +18,13 @@ from torquerig.cli.common_options import (
 )
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import fixed, grid, rms_size, wrapped
-from torquerig.recordings.files import check_target, write_recording
+from torquerig.recordings.files import check_target, read_recording, write_recording
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import WormGear
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
+from torquerig.simulation.input_channels import with_input_channels
 from torquerig.simulation.measured_places import channel_name, what_is_read
 from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
@@ -52,6 +53,8 @@ from torquerig.units import parse_quantity
 @click.option(
     "--truth", is_flag=True, help="Also write the truth channels: the true load, the torque of each line, and others."
 )
+@click.option("--inputs", type=click.Path(path_type=Path), default=None, metavar="RECORDING",
+              help="Recording whose channels drive the parts with from: channel; its length is simulated.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording of that name.")
 @click.option("--prove-step", is_flag=True, help="Run again with half the integration step and show the difference.")
 @profile_option
@@ -59,8 +62,8 @@ from torquerig.units import parse_quantity
 @catalog_option
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, rate: float | None, seed: int,
-    out: Path, truth: bool, force: bool, prove_step: bool, profile: str | None, settings: tuple[str, ...],
-    catalogs: tuple[Path, ...],
+    out: Path, truth: bool, inputs: Path | None, force: bool, prove_step: bool, profile: str | None,
+    settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Simulate SCENARIO and write the recording of its sensors.
 
@@ -68,18 +71,20 @@ def command(
     rule, and the drive is limited to the range of the sensor, as in `torquerig compare`.
     """
     stated = _seconds(duration)
-    check_target(out, overwrite=force)
+    check_target(out, overwrite=force, inputs=[] if inputs is None else [inputs])
     catalog = catalog_for(scenario, catalogs)
     document = edited(scenario, (*settings, *profile_settings(profile)))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
+    made = made if inputs is None else under_inputs(made, read_recording(inputs))
     seconds = stated or default_length(made)
     flags = check_requirement(made, catalog, duration=seconds)
     wander = made.operating_point.slow_speed_wander
-    sample_rate, settling = _rate(rate) or made.recording.sample_rate, made.recording.settling
+    sample_rate, settling = _rate(rate) or sample_rate_of(made), made.recording.settling
     recording = simulate(
         made.rig, duration=seconds, seed=seed, sample_rate=sample_rate, wander=wander, settling=settling,
         scenario=made.title,
     )  # fmt: skip
+    recording = with_input_channels(recording, made.rig)
     kept = (
         with_true_lines(recording, made.rig, seed=seed, wander=wander, settling=settling)
         if truth

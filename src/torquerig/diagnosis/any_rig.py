@@ -14,6 +14,7 @@ from torquerig.scenario.compared_channel import (
     with_sensor_errors,
     without_sensor_errors,
 )
+from torquerig.scenario.input_checks import as_driven
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.readings import other_readings
 
@@ -33,7 +34,7 @@ def diagnosed(
     InputError
         Where recordings and scenario do not fit each other.
     """
-    read, stated = as_measured(recordings, scenario.rig), scenario.rig
+    read, stated = as_driven(scenario, as_measured(recordings, scenario.rig)), scenario.rig
     choices = tuple(said for one in read if (said := what_is_compared(one, stated)) is not None)
     outcome = _diagnosed(replace(scenario, rig=without_sensor_errors(stated)), read, seed=seed, progress=progress)
     diagnosis = replace(outcome.diagnosis, remarks=(*choices, *outcome.diagnosis.remarks))

@@ -37,6 +37,7 @@ class ReplayedTorque:
     values: Floats
     rate: float
     label: str
+    quantity: str = "torque"
 
     def at(self, time: Floats) -> Floats:
         """Return the torque at equally spaced times [s]; InputError where they go beyond the recording."""
@@ -57,6 +58,7 @@ class ReplayedMotion:
     rate: float
     label: str
     speeds: bool
+    quantity: str = "angle"
 
     def at(self, time: Floats) -> tuple[Floats, Floats]:
         """Return angle and speed at equally spaced times [s]; InputError where they go beyond the recording."""
@@ -90,7 +92,8 @@ def replayed_torque(
     if found.quantity == "current" and torque_constant is None:
         raise RecordingError(f"{label} is a current; add torque_constant:, such as 0.11 N*m/A")
     scale = factor * (torque_constant or 1.0) if found.quantity == "current" else factor
-    return ReplayedTorque(scale * _whole(found, label, recording.sample_rate), recording.sample_rate, label)
+    values = scale * _whole(found, label, recording.sample_rate)
+    return ReplayedTorque(values, recording.sample_rate, label, found.quantity)
 
 
 def replayed_motion(recording: Recording, channel: str, *, factor: float = 1.0) -> ReplayedMotion:
@@ -108,7 +111,7 @@ def replayed_motion(recording: Recording, channel: str, *, factor: float = 1.0) 
     values, speeds = _whole(found, label, recording.sample_rate), found.quantity in SPEEDS
     if not speeds:
         values = angle_of(found, recording.sample_rate)
-    return ReplayedMotion(factor * values, recording.sample_rate, label, speeds)
+    return ReplayedMotion(factor * values, recording.sample_rate, label, speeds, found.quantity)
 
 
 def recording_at(path: Path) -> Recording:
@@ -125,7 +128,13 @@ def _read(path: Path, changed: int) -> Recording:
 
 def _channel(recording: Recording, wanted: str) -> tuple[str, Channel]:
     channels: Mapping[str, Channel] = recording.channels
-    name = wanted if wanted in channels else recording.find(wanted)
+    alike = [name for name, one in channels.items() if one.quantity == wanted and not one.truth]
+    inputs = [name for name in alike if channels[name].role == "input"] or alike
+    if wanted not in channels and len(inputs) > 1:
+        raise RecordingError(
+            f"{recording.name}: several channels are a {wanted}: {', '.join(inputs)}; name one with channel:"
+        )
+    name = wanted if wanted in channels else next(iter(inputs), None)
     if name is None:
         known = [*channels, *(one.quantity for one in channels.values())]
         raise RecordingError(f"{recording.name} has no channel {wanted!r}; {did_you_mean(wanted, known)}")

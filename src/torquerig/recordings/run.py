@@ -45,6 +45,8 @@ class Run:
     others : dict
         Further conditions, unchanged: ``pole_pairs``, ``slots``, ``tacho_pulses_per_motor_turn`` and ``notes`` of the
         sidecar's ``run``, and what it has under ``others``.
+    inputs : Inputs or None
+        Measured channels of the run that drive a model of the rig (``recordings.inputs``); never in a sidecar.
     """
 
     motor: str | None = None
@@ -56,6 +58,7 @@ class Run:
     particle_size: float | None = None
     wander_cutoff: float = WANDER_CUTOFF
     others: dict[str, Any] = field(default_factory=dict)
+    inputs: object | None = field(default=None, repr=False)
 
     @property
     def speed_rpm(self) -> float | None:

@@ -115,7 +115,7 @@ def _filled(
         written, cls, owner=name, seed=seed, place=lambda path: document.place(("rig", name, *path)),
         in_a_line=_in_a_line(document, cls, {"after": shaft, **written} if cls.on_shaft else written),
     )  # fmt: skip
-    stated = dict(read.values)
+    stated = {"from_" if key == "from" and hasattr(cls, "from_") else key: of for key, of in read.values.items()}
     if isinstance(stated.get("recording"), str):  # from the folder of the scenario, wherever it is read from
         stated["recording"] = str(document.path.parent / stated["recording"])
     entry = stated.pop("catalog", None)

@@ -40,7 +40,7 @@ def written_part(
         is_default = value == default and default is not MISSING and field.name not in uncertain
         if field.name in (*_NOT_WRITTEN, "kind") or value is None or is_default:
             continue
-        answer[field.name] = _written(value, hints[field.name], in_a_line)
+        answer[field.name.rstrip("_")] = _written(value, hints[field.name], in_a_line)
     if "group" in hints and get_origin(hints["group"]) is not None and len(get_args(hints["group"])) > 1:
         answer["group"] = part.group
     return dict(with_uncertainty(answer, known or {}))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.motion.effort_samples import EffortFaults, effort_faults
 from torquerig.errors import InputError, RecordingError
+from torquerig.recordings.inputs import input_channel
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.replay import ReplayedMotion, replayed_motion
 from torquerig.rig.assembly import Rig
@@ -109,7 +110,8 @@ def moved(
             f"{_FEWEST}"
         )
     rate = recording.sample_rate
-    raw = replayed_motion(recording, part.channel, factor=part.factor)
+    moving = input_channel(recording, part.wanted, at=part.at)
+    raw = replayed_motion(recording, moving, factor=part.factor)
     curve = replace(raw, values=low_passed(raw.values))
     time = np.arange(recording.samples + 1) / rate  # a run ends a sample behind its last
     motion = SampledMotion(curve, time, *curve.at(time))

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 from torquerig.parameter import Parameter
-from torquerig.recordings.replay import recording_at, replayed_torque
 from torquerig.rig.assembly import Part, Rig
+from torquerig.rig.recorded_input import check_source, recorded_torque
 from torquerig.rig.terms import AppliedTorque, Term
 
 
@@ -24,20 +24,30 @@ class ReplayedTorque(Part):
     ----------
     recording : path
         As the scenario writes it, from its own folder.
+    from : "channel" or "channel NAME"
+        In place of ``recording``: the channel of each recording that is simulated or diagnosed.
     channel : str
         By name or by quantity: a torque, motor torque or force, or a current with ``torque_constant``.
     """
 
     kind: Literal["replayed_torque"] = "replayed_torque"
     at: str = "motor"
-    recording: Path
+    recording: Path | None = None
+    from_: str | None = None
     channel: str = "motor_torque"
     factor: Annotated[float, Parameter("1", "multiplies the channel; -1 turns it round")] = 1.0
     torque_constant: Annotated[float, Parameter("N*m/A", "torque per current", above=0)] | None = None
 
+    def __post_init__(self) -> None:
+        check_source(
+            recording=self.recording, from_=self.from_, channel=self.channel, usual="motor_torque", needed=True
+        )
+
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the torque."""
-        signal = replayed_torque(
-            recording_at(self.recording), self.channel, factor=self.factor, torque_constant=self.torque_constant
-        )
-        return (AppliedTorque(name=self.name, on=rig.node(self.at), process=signal),)
+        node = rig.node(self.at)
+        signal = recorded_torque(
+            rig, self, at=self.at, recording=self.recording, from_=self.from_, channel=self.channel,
+            factor=self.factor, torque_constant=self.torque_constant,
+        )  # fmt: skip
+        return () if signal is None else (AppliedTorque(name=self.name, on=node, process=signal),)

@@ -31,5 +31,5 @@ class SpeedController(Part):
         fed = [part for part in rig.parts_of(TorqueController) if part.beside == self.name]
         if len(fed) > 1:
             raise InputError(f"{self.name}: {fed[0].name} and {fed[1].name} both stand beside it; leave one out")
-        torque, demand = (fed[0].torque, fed[0].demand()) if fed else (0.0, None)
+        torque, demand = (fed[0].torque, fed[0].demand(rig)) if fed else (0.0, None)
         return (motor_drive(rig, self.name, motor=self.motor, kp=self.kp, ki=self.ki, torque=torque, demand=demand),)
