@@ -13,7 +13,11 @@ import yaml
 import torquerig as tr
 from tests.scaled_rigs import Scale, scaled_rig
 from torquerig.catalog.shipped import shipped_scenarios
+from torquerig.filters.chains.chain_file import read_chains
+from torquerig.filters.evaluation.load_scale import LoadScale
+from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.orders.angle.best_angle import best_motor_angle
+from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.simulation.simulator import simulate
@@ -100,3 +104,31 @@ def scaled_filters(path: Path, speed: float) -> Path:
 
     path.write_text(yaml.safe_dump(scaled(data)), encoding="utf-8")
     return path
+
+
+@pytest.mark.parametrize(("torque", "speed"), SCALES)
+def test_evaluations_scale_with_the_stated_hit_decay_and_bands(torque: float, speed: float, tmp_path: Path) -> None:
+    drive = kinematics_of(tr.read_scenario(shipped_scenarios() / "wear_rig.yaml").rig)
+    plain, twin = (evaluated(drive, *scale, folder=tmp_path) for scale in ((1.0, 1.0), (torque, speed)))
+    assert compared(twin) == pytest.approx(compared(plain, torque=torque, speed=speed), rel=1e-6)
+
+
+def compared(made: FilterEvaluation, *, torque: float = 1.0, speed: float = 1.0) -> list[float]:
+    """Return the numbers of an evaluation, scaled as stated."""
+    found: list[float] = []
+    for error in (made.error_before, made.error_after):
+        assert error is not None
+        assert error.hits is not None
+        assert error.delay is not None
+        found += [torque * one for one in (error.rms, *error.in_band, *error.load_in_band, error.hits.height)]
+        found += [one / speed for one in (error.hits.rise, error.delay.seconds)]
+        found += [error.hits.count, error.hits.peak, error.delay.correlation]
+    assert made.step is not None
+    assert made.placebo is not None
+    return [*found, made.step.hit_peak, made.step.overshoot, made.step.rise / speed, *made.placebo.cuts]
+
+
+def evaluated(drive: Kinematics, torque: float, speed: float, *, folder: Path) -> FilterEvaluation:
+    chain = read_chains(scaled_filters(folder / f"{speed}.yaml", speed), kinematics=drive)["order_lines_low_pass"]
+    scale = LoadScale(4e-3 / speed, tuple(edge * speed for edge in LoadScale().edges))
+    return evaluate_filter(chain, run("wear_rig.yaml", torque, speed), ratio=5.0, known=drive.lines(30), scale=scale)

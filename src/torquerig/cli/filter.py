@@ -11,7 +11,13 @@ import click
 from torquerig.catalog.shipped import shipped_scenarios
 from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.filter_blocks import blocks_for, described, filter_long
-from torquerig.cli.filter_evaluation import evaluation_pictures, print_evaluations
+from torquerig.cli.filter_evaluation import (
+    bands_option,
+    evaluation_pictures,
+    hit_decay_option,
+    print_evaluations,
+    stated_scale,
+)
 from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.filter_chain import Chain
@@ -68,6 +74,8 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
     "--evaluate", is_flag=True, help="Evaluate each chain: placebo test, step response, error to the true load, figure."
 )
 @click.option("--judge", "judge", is_flag=True, hidden=True)
+@hit_decay_option
+@bands_option
 @click.option(
     "--block",
     default=None,
@@ -80,7 +88,8 @@ _HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "en
 def command(
     *, recording: Path, names: tuple[str, ...], filters: Path | None, motor: str | None, ratio: float | None,
     gearbox: str | None, scenario: Path | None, out: Path | None, picture: Path | None, evaluate: bool, judge: bool,
-    block: str | None, force: bool, channel: str | None, catalogs: tuple[Path, ...],
+    hit_decay: float | None, bands: tuple[float, ...] | None, block: str | None, force: bool, channel: str | None,
+    catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Apply filter chains to RECORDING and show the change of standard deviation, mean, energy and order lines.
 
@@ -94,6 +103,7 @@ def command(
     if judge:
         evaluate = True
         current_name("--judge", {"--judge": "--evaluate"}, what="option")
+    scale = stated_scale(hit_decay, bands)
     _check_targets(recording, names, out, None if evaluate else picture, force=force)
     names = names or ("report_filter_code", "report_filter_text")
     panels = evaluation_pictures(recording, names, picture, force=force) if evaluate else {}
@@ -115,7 +125,7 @@ def command(
         click.echo(wrapped(sentence))
     if evaluate:
         where = "" if blocking is None else ", a section from the middle"
-        print_evaluations(before_and_after[0], chains, kinematics, panels, where=where, force=force)
+        print_evaluations(before_and_after[0], chains, kinematics, panels, where=where, force=force, scale=scale)
     elif picture is not None:
         _draw(*before_and_after, chains[0], kinematics, picture, force=force)
 

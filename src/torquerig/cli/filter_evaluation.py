@@ -8,17 +8,47 @@ from pathlib import Path
 
 import click
 
-from torquerig.errors import InputError
+from torquerig.cli.common_options import quantity_in
+from torquerig.errors import InputError, UnitError
 from torquerig.filters.chains.filter_chain import Chain
+from torquerig.filters.evaluation.load_scale import WEAR_PART, LoadScale
 from torquerig.filters.evaluation.placebo import Placebo
-from torquerig.filters.evaluation.step_response import HIT_DECAY, StepResponse
+from torquerig.filters.evaluation.step_response import StepResponse
 from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.metrics.load_error import LoadError
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import fixed, grid, wrapped
 from torquerig.recordings.recording import Recording
+from torquerig.units import parse_quantity
 
+
+def _edges(_: click.Context, option: click.Parameter, written: str | None) -> tuple[float, ...] | None:
+    """Return the band edges [Hz] of a text such as ``10 Hz, 1 kHz``, with 0 before them."""
+    if written is None:
+        return None
+    try:
+        edges = tuple(parse_quantity(one.strip(), "Hz") for one in written.split(","))
+    except UnitError as error:
+        raise UnitError(f"{option.opts[0]}: {error}; write for example '10 Hz, 100 Hz, 1 kHz'") from None
+    return edges if edges[0] == 0 else (0.0, *edges)
+
+
+hit_decay_option = click.option(
+    "--hit-decay", default=None, callback=quantity_in("s"), metavar="TIME",
+    help="For --evaluate: decay time of a hit of the load, the scale of windows and lags. Default: 4 ms.",
+)  # fmt: skip
+bands_option = click.option(
+    "--bands", default=None, callback=_edges, metavar="EDGES",
+    help="For --evaluate: edges of the frequency bands, such as '10 Hz, 100 Hz, 1 kHz'.",
+)  # fmt: skip
 KNOWN_HARMONICS = 30  # harmonics of each family that a placebo must not touch
+
+
+def stated_scale(hit_decay: float | None, bands: tuple[float, ...] | None) -> LoadScale:
+    """Return the scale of an evaluation by the options; what is not stated is that of the reference rig."""
+    return LoadScale(
+        WEAR_PART.hit_decay if hit_decay is None else hit_decay, WEAR_PART.edges if bands is None else bands
+    )
 
 
 def evaluation_pictures(path: Path, names: Sequence[str], picture: Path | None, *, force: bool) -> dict[str, Path]:
@@ -47,6 +77,7 @@ def print_evaluations(
     *,
     where: str,
     force: bool,
+    scale: LoadScale,
 ) -> None:
     """Print the evaluation of each chain on ``recording`` and draw its figure; ``where`` is its place in the file."""
     from torquerig.reporting.figures.evaluation_figure import evaluation_figure
@@ -54,7 +85,7 @@ def print_evaluations(
 
     known = kinematics.lines(KNOWN_HARMONICS)
     for chain in chains:
-        made = evaluate_filter(chain, recording, ratio=kinematics.ratio, known=known)
+        made = evaluate_filter(chain, recording, ratio=kinematics.ratio, known=known, scale=scale)
         click.echo(f"{chain.name}, evaluated on {recording.duration:.4g} s{where}:")
         for part in (placebo_text(made), step_text(made.step), truth_text(made)):
             click.echo(part + "\n")
@@ -91,8 +122,8 @@ def step_text(step: StepResponse | None) -> str:
         return "No step or hit could be added: the torque is constant or the recording too short."
     return wrapped(
         f"Step response: rise time {_milli(step.rise)} (10 to 90 %), delay {_milli(step.late)}, overshoot "
-        f"{100 * step.overshoot:.1f} %, pre-ringing {100 * step.pre_ringing:.1f} %. A hit with {1e3 * HIT_DECAY:g} ms "
-        f"decay keeps {100 * step.hit_peak:.1f} % of its peak."
+        f"{100 * step.overshoot:.1f} %, pre-ringing {100 * step.pre_ringing:.1f} %. A hit with "
+        f"{1e3 * step.hit_decay:g} ms decay keeps {100 * step.hit_peak:.1f} % of its peak."
     )
 
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from torquerig.errors import RecordingError
-from torquerig.filters.evaluation.delay import Delay, delay_behind
+from torquerig.filters.evaluation.delay import DECAYS, Delay, delay_behind
+from torquerig.filters.evaluation.load_scale import WEAR_PART, LoadScale
 from torquerig.filters.evaluation.placebo import Placebo, placebo
 from torquerig.filters.evaluation.step_response import StepResponse, step_response
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
@@ -57,7 +58,12 @@ class FilterEvaluation:
 
 
 def evaluate_filter(
-    chain: Chain, recording: Recording, *, ratio: float, known: Sequence[KinematicLine] = ()
+    chain: Chain,
+    recording: Recording,
+    *,
+    ratio: float,
+    known: Sequence[KinematicLine] = (),
+    scale: LoadScale = WEAR_PART,
 ) -> FilterEvaluation:
     """Return the evaluation of ``chain`` on ``recording``.
 
@@ -67,6 +73,8 @@ def evaluate_filter(
         Motor turns per output turn [1].
     known : sequence of KinematicLine
         All lines of the drive; the placebo is placed between them.
+    scale : LoadScale
+        Decay time of the load's hits, and the frequency bands.
     """
     after = chain.apply(recording)
     has_truth = TRUE_LOAD in recording.channels
@@ -76,28 +84,31 @@ def evaluate_filter(
         after=after,
         effect=chain_effect(recording, after, ratio=ratio, lines=chain.lines),
         placebo=placebo(chain, recording, known=known),
-        step=_step(chain, recording),
-        delay=delay_behind(after.torque(), recording.torque(), rate=recording.sample_rate)
+        step=_step(chain, recording, scale),
+        delay=delay_behind(
+            after.torque(), recording.torque(), rate=recording.sample_rate, longest=DECAYS * scale.hit_decay
+        )
         if recording.samples >= 8
         else None,
-        error_before=load_error(recording, recording) if has_truth else None,
-        error_after=load_error(after, recording) if has_truth else None,
-        error_perfect=_perfect(recording) if has_truth else None,
+        error_before=load_error(recording, recording, scale=scale) if has_truth else None,
+        error_after=load_error(after, recording, scale=scale) if has_truth else None,
+        error_perfect=_perfect(recording, scale) if has_truth else None,
     )
 
 
-def _perfect(recording: Recording) -> LoadError | None:
+def _perfect(recording: Recording, scale: LoadScale) -> LoadError | None:
     """Return the error of perfect line removal, or None where the lines are not known."""
     lines = recording.channels.get(TRUE_LINES)
     if lines is None:
         return None
     name = recording.torque_name()
-    scale = recording.channels[name].si_per_unit
-    return load_error(recording.with_values(name, (recording.torque() - lines.in_si()) / scale), recording)
+    unit = recording.channels[name].si_per_unit
+    cleaned = recording.with_values(name, (recording.torque() - lines.in_si()) / unit)
+    return load_error(cleaned, recording, scale=scale)
 
 
-def _step(chain: Chain, recording: Recording) -> StepResponse | None:
+def _step(chain: Chain, recording: Recording, scale: LoadScale) -> StepResponse | None:
     try:
-        return step_response(chain, recording)
+        return step_response(chain, recording, decay=scale.hit_decay)
     except RecordingError:
         return None

@@ -8,8 +8,9 @@ import numpy as np
 
 from torquerig.errors import RecordingError
 from torquerig.filters.evaluation.bands import band_rms, bands_below
-from torquerig.filters.evaluation.delay import Delay, delay_behind
+from torquerig.filters.evaluation.delay import DECAYS, Delay, delay_behind
 from torquerig.filters.evaluation.hits import HitResponse, hit_response
+from torquerig.filters.evaluation.load_scale import WEAR_PART, LoadScale
 from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
 from torquerig.recordings.recording import Recording
 
@@ -51,8 +52,13 @@ class LoadError:
     hits: HitResponse | None
 
 
-def load_error(reading: Recording, truth: Recording) -> LoadError:
+def load_error(reading: Recording, truth: Recording, *, scale: LoadScale = WEAR_PART) -> LoadError:
     """Return the error of ``reading`` against the true load in ``truth``.
+
+    Parameters
+    ----------
+    scale : LoadScale
+        Decay time of the load's hits, and the frequency bands.
 
     Raises
     ------
@@ -70,8 +76,8 @@ def load_error(reading: Recording, truth: Recording) -> LoadError:
         raise RecordingError(
             f"{truth.name}: {load.size} samples are too few for an evaluation; take a longer recording"
         )
-    bands = bands_below(rate)
-    delay = delay_behind(torque, load, rate=rate)
+    bands = bands_below(rate, scale.edges)
+    delay = delay_behind(torque, load, rate=rate, longest=DECAYS * scale.hit_decay)
     late = delay.seconds if delay is not None and delay.correlation > 0.5 else 0.0
     return LoadError(
         rms=rms,
@@ -81,7 +87,7 @@ def load_error(reading: Recording, truth: Recording) -> LoadError:
         load_in_band=tuple(float(one) for one in band_rms(load, rate, bands)),
         energy_percent=_energy_percent(torque, load, truth),
         delay=delay,
-        hits=hit_response(torque, load, rate=rate, delay=late),
+        hits=hit_response(torque, load, rate=rate, delay=late, decay=scale.hit_decay),
     )
 
 

@@ -8,6 +8,7 @@
 ``hits``          peak and rise time of the largest load hits in a reading; ``rise``: the rise time
 ``delay``         delay of one signal behind another
 ``bands``         rms of a signal in frequency bands
+``load_scale``    decay time of the load's hits, and the frequency bands, on which all of it is evaluated
 ``known_angle``   a recording with the angle estimated from the true lines, for shifted chains
 ================= ===============================================================================
 """

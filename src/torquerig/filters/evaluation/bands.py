@@ -9,15 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.filters.evaluation.load_scale import WEAR_PART
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-EDGES = (0.0, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 2000.0)
-"""Edges of the bands [Hz]; the last one extends to half the sample rate."""
 
-
-def bands_below(rate: float, edges: Sequence[float] = EDGES) -> tuple[tuple[float, float], ...]:
+def bands_below(rate: float, edges: Sequence[float] = WEAR_PART.edges) -> tuple[tuple[float, float], ...]:
     """Return the bands (low, high) [Hz] between ``edges`` that a sample rate [Hz] can hold, the last one up to half."""
     ends = [edge for edge in edges if edge < rate / 2]
     return tuple(pairwise([*ends, rate / 2]))

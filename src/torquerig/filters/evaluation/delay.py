@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.filters.evaluation.load_scale import WEAR_PART
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-LONGEST = 0.25  # [s] largest lag: a wear rig's load repeats with the turn, 0.3 s
+DECAYS = 62.5  # decay times of a hit up to which a lag is searched: 0.25 s at 4 ms; the reference rig turns in 0.3 s
 
 
 @dataclass(frozen=True)
@@ -24,7 +25,11 @@ class Delay:
 
 
 def delay_behind(
-    values: NDArray[np.float64], first: NDArray[np.float64], *, rate: float, longest: float = LONGEST
+    values: NDArray[np.float64],
+    first: NDArray[np.float64],
+    *,
+    rate: float,
+    longest: float = DECAYS * WEAR_PART.hit_decay,
 ) -> Delay | None:
     """Return the delay of ``values`` behind ``first``; None where one of them is constant.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from torquerig.filters.evaluation.load_scale import WEAR_PART
 from torquerig.filters.evaluation.rise import rise_time
 
 if TYPE_CHECKING:
@@ -15,9 +16,10 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 MOST = 40  # largest number of hits
-_STEEP = 2e-3  # [s] time over which the increase of the load is taken
-_APART = 30e-3  # [s] least distance of two hits
-_BEFORE, _AFTER, _EARLY = 8e-3, 15e-3, 2e-3  # [s] window of the level before, of the peak, and before the reading
+# in decay times of a hit:
+_STEEP = 0.5  # time over which the increase of the load is taken
+_APART = 7.5  # least distance of two hits
+_BEFORE, _AFTER, _EARLY = 2.0, 3.75, 0.5  # window of the level before, of the peak, and before the reading
 _LEAST_GAIN = 2.0  # [1] least increase of a hit, in rms of all increases
 
 
@@ -48,13 +50,14 @@ class HitResponse:
     true_rise: float
 
 
-def hits_of(load: Floats, rate: float) -> NDArray[np.int64]:
+def hits_of(load: Floats, rate: float, *, decay: float = WEAR_PART.hit_decay) -> NDArray[np.int64]:
     """Return the samples at which the largest hits of a load begin, in order of time; empty for a smooth load.
 
-    A hit is a gain within 2 ms of more than twice the rms of all gains, 30 ms or more from a larger one; at most 40.
+    A hit is a gain within half the ``decay`` [s] of more than twice the rms of all gains, 7.5 decays or more from a
+    larger one; at most 40.
     """
-    step = max(round(_STEEP * rate), 1)
-    apart, lead = round(_APART * rate), round((_BEFORE + _EARLY) * rate)
+    step = max(round(_STEEP * decay * rate), 1)
+    apart, lead = round(_APART * decay * rate), round((_BEFORE + _EARLY) * decay * rate)
     gains = load[step:] - load[:-step]
     if gains.size == 0 or not gains.std() > 0:
         return np.empty(0, dtype=np.int64)
@@ -68,7 +71,9 @@ def hits_of(load: Floats, rate: float) -> NDArray[np.int64]:
     return np.array(sorted(found), dtype=np.int64)
 
 
-def hit_response(reading: Floats, load: Floats, *, rate: float, delay: float = 0.0) -> HitResponse | None:
+def hit_response(
+    reading: Floats, load: Floats, *, rate: float, delay: float = 0.0, decay: float = WEAR_PART.hit_decay
+) -> HitResponse | None:
     """Return peak and rise time of the hits of ``load`` in ``reading``, or None with fewer than three hits.
 
     Parameters
@@ -79,14 +84,16 @@ def hit_response(reading: Floats, load: Floats, *, rate: float, delay: float = 0
         [Hz].
     delay : float
         Delay of the reading [s]; the windows are shifted by it.
+    decay : float
+        Decay time of a hit [s], of which all windows are multiples.
 
     Notes
     -----
-    Heights are relative to the mean level in the 8 ms before the hit. Remaining lines are not removed from the windows,
-    so that a line of half the hit's height changes peak and rise, as it does in a plot.
+    Heights are relative to the mean level in the two decay times before the hit. Remaining lines are not removed from
+    the windows, so that a line of half the hit's height changes peak and rise, as it does in a plot.
     """
-    begins = hits_of(load, rate)
-    shown = [_one(reading, load, int(begin), rate, round(delay * rate)) for begin in begins]
+    begins = hits_of(load, rate, decay=decay)
+    shown = [_one(reading, load, int(begin), rate, late=round(delay * rate), decay=decay) for begin in begins]
     kept = np.array([one for one in shown if one is not None])
     if len(kept) < 3:
         return None
@@ -103,9 +110,11 @@ def hit_response(reading: Floats, load: Floats, *, rate: float, delay: float = 0
     )
 
 
-def _one(reading: Floats, load: Floats, begin: int, rate: float, late: int) -> tuple[float, float, float, float] | None:
+def _one(
+    reading: Floats, load: Floats, begin: int, rate: float, *, late: int, decay: float
+) -> tuple[float, float, float, float] | None:
     """Return height in load and reading, and rise time in load and reading, of the hit at ``begin``."""
-    before, after, early = (round(time * rate) for time in (_BEFORE, _AFTER, _EARLY))
+    before, after, early = (round(time * decay * rate) for time in (_BEFORE, _AFTER, _EARLY))
     true = load[begin : begin + after] - load[begin - before : begin].mean()
     start = begin + late
     if start - before - early < 0 or start + after > reading.size or not true.max() > 0:

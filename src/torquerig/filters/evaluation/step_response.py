@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
+from torquerig.filters.evaluation.load_scale import WEAR_PART
 from torquerig.filters.evaluation.rise import rise_time
 
 if TYPE_CHECKING:
@@ -18,8 +19,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-HIT_DECAY = 4e-3  # [s] decay time of the added hit: the wear rig's at 0.5 mm
-_WINDOW = 0.5  # [s] evaluated on either side of the step and the hit
+_WINDOW = 125.0  # decay times of a hit that are evaluated on either side of the step and the hit
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,11 +33,13 @@ class StepResponse:
     late : float
         Time from the step to half the height [s]; negative where that is before it.
     overshoot : float
-        Overshoot above 1 within half a second [1].
+        Overshoot above 1 within 125 decay times of a hit, half a second at 4 ms [1].
     pre_ringing : float
         The largest response before the step, of either sign [1], in a filter that is not causal.
     hit_peak : float
-        Peak of a hit of height 1 and 4 ms decay [1].
+        Peak of a hit of height 1 that decays in ``hit_decay`` [1].
+    hit_decay : float
+        [s].
     """
 
     rise: float
@@ -45,12 +47,14 @@ class StepResponse:
     overshoot: float
     pre_ringing: float
     hit_peak: float
+    hit_decay: float = WEAR_PART.hit_decay
 
 
-def step_response(stage: Stage, recording: Recording) -> StepResponse:
+def step_response(stage: Stage, recording: Recording, *, decay: float = WEAR_PART.hit_decay) -> StepResponse:
     """Return the response of ``stage`` to a step and a hit as high as the torque's standard deviation.
 
-    Both are added in the middle of the recording, and the output without them is subtracted. For a linear chain this is
+    Both are added in the middle of the recording, and the output without them is subtracted; the hit decays in
+    ``decay`` [s]. For a linear chain this is
     the step response; for an adaptive one it is the response to a change of this size.
 
     Raises
@@ -69,9 +73,9 @@ def step_response(stage: Stage, recording: Recording) -> StepResponse:
     plain = stage.apply(recording).torque()
     time = (np.arange(torque.size) - at) / recording.sample_rate
     step = (time >= 0).astype(np.float64)
-    hit = step * np.exp(-np.maximum(time, 0) / HIT_DECAY)
+    hit = step * np.exp(-np.maximum(time, 0) / decay)
     responses = [(_with(stage, recording, height * shape) - plain) / height for shape in (step, hit)]
-    return _figures(responses[0], responses[1], at, recording.sample_rate)
+    return _figures(responses[0], responses[1], at, recording.sample_rate, decay)
 
 
 def _with(stage: Stage, recording: Recording, added: Floats) -> Floats:
@@ -80,8 +84,8 @@ def _with(stage: Stage, recording: Recording, added: Floats) -> Floats:
     return stage.apply(recording.with_values(name, channel.values + added / channel.si_per_unit)).torque()
 
 
-def _figures(step: Floats, hit: Floats, at: int, rate: float) -> StepResponse:
-    reach = min(round(_WINDOW * rate), at)
+def _figures(step: Floats, hit: Floats, at: int, rate: float, decay: float) -> StepResponse:
+    reach = min(round(_WINDOW * decay * rate), at)
     around = step[at - reach : at + reach]
     half = np.flatnonzero(around >= 0.5)
     # one sample before the step belongs to it, because a zero-phase filter has half the height there
@@ -91,4 +95,5 @@ def _figures(step: Floats, hit: Floats, at: int, rate: float) -> StepResponse:
         overshoot=max(float(around[reach:].max(initial=0.0)) - 1.0, 0.0),
         pre_ringing=float(np.abs(around[: max(reach - 1, 0)]).max(initial=0.0)),
         hit_peak=float(hit[at - reach : at + reach].max()),
+        hit_decay=decay,
     )
