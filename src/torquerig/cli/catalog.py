@@ -1,6 +1,7 @@
 """``torquerig catalog``: what can be bought, with its known values; conversions of data sheets, drafts and checks.
 
-catalog [NAME]  catalog show NAME  catalog new FILE  catalog check [PATH]
+catalog [NAME]  catalog show NAME  catalog new FILE  catalog check [PATH]  catalog import FILE TARGET
+catalog export NAME FILE
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from torquerig.cli.common_options import catalog_option
 from torquerig.errors import UnknownNameError, did_you_mean
 from torquerig.plain_table import grid
 
-BELOW = {"show": "", "new": "torquerig.cli.catalog_new", "check": "torquerig.cli.catalog_check"}
+BELOW = {"show": "", **{name: f"torquerig.cli.catalog_{name}" for name in ("new", "check", "import", "export")}}
 
 
 class _Below(click.Group):
@@ -45,7 +46,7 @@ class _Below(click.Group):
     "catalog",
     cls=_Below,
     invoke_without_command=True,
-    subcommand_metavar="[NAME | show NAME | new FILE | check [PATH]]",
+    subcommand_metavar="[NAME | show NAME | new FILE | check [PATH] | import FILE TARGET | export NAME FILE]",
 )
 @catalog_option
 @click.pass_context

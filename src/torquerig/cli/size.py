@@ -41,13 +41,16 @@ SAMPLES = 3  # Monte Carlo samples of the drive whose disturbance is simulated
 )
 @click.option("--picture", type=click.Path(path_type=Path), default=None,
               help="Draw operating regions, duty cycle and gear ratios: .png or .svg.")  # fmt: skip
-@click.option("--force", is_flag=True, help="Overwrite an earlier picture of that name.")
+@click.option("--shell", type=click.Path(path_type=Path), default=None,
+              help="Write the sizing as an Asset Administration Shell (IDTA 02021): .aasx or .json.")  # fmt: skip
+@click.option("--force", is_flag=True, help="Overwrite an earlier picture or shell of that name.")
 @profile_option
 @set_option
 @catalog_option
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, every: bool, ambient: float, seed: int,
-    picture: Path | None, force: bool, profile: str | None, settings: tuple[str, ...], catalogs: tuple[Path, ...],
+    picture: Path | None, shell: Path | None, force: bool, profile: str | None, settings: tuple[str, ...],
+    catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Size the drive of SCENARIO over its duty cycle, or over its profile where it states no duty cycle.
 
@@ -55,8 +58,14 @@ def command(
     overload of the sensor, the disturbance before and after each filter, and the share of the load in the reading.
     Values that the catalog gives as intervals stay intervals; the catalog value that decides is listed with the result.
     """
-    if every and (motor or gearbox or picture):
-        raise InputError("--all sizes every motor x gearbox of the study; remove --motor, --gearbox and --picture")
+    if every and (motor or gearbox or picture or shell):
+        raise InputError(
+            "--all sizes every motor x gearbox of the study; remove --motor, --gearbox, --picture, --shell"
+        )
+    if shell is not None:
+        from torquerig.cli.size_shell import check_shell, write_sizing_shell
+
+        check_shell(shell, overwrite=force)
     if picture is not None:
         from torquerig.reporting.figures.picture import check_picture
 
@@ -74,6 +83,8 @@ def command(
     sweep = ratio_sweep(drive, study) if study is not None and can_sweep(study) else None
     title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
     _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
+    if shell is not None:
+        write_sizing_shell(shell, drive, title=title, ambient=ambient)
     if study is not None:
         _print_disturbance(study, catalog, document, motor=motor, gearbox=gearbox, seed=seed)
     if picture is not None:
