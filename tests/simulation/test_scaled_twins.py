@@ -20,6 +20,7 @@ from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.load_response import load_response
 from torquerig.simulation.simulator import simulate
 
 SCALES = [(0.01, 1.0), (100.0, 1.0), (1.0, 0.2), (1.0, 4.0), (100.0, 0.2)]
@@ -132,3 +133,19 @@ def evaluated(drive: Kinematics, torque: float, speed: float, *, folder: Path) -
     chain = read_chains(scaled_filters(folder / f"{speed}.yaml", speed), kinematics=drive)["order_lines_low_pass"]
     scale = LoadScale(4e-3 / speed, tuple(edge * speed for edge in LoadScale().edges))
     return evaluate_filter(chain, run("wear_rig.yaml", torque, speed), ratio=5.0, known=drive.lines(30), scale=scale)
+
+
+@pytest.mark.parametrize(("torque", "speed"), [(0.01, 1.0), (100.0, 4.0)])
+def test_the_load_inverse_scales(torque: float, speed: float, tmp_path: Path) -> None:
+    plain, twin = (inverted(*scale, folder=tmp_path) for scale in ((1.0, 1.0), (torque, speed)))
+    # the fit of the spectra ends within 1e-3 of the logarithm of each number
+    assert np.std(twin / torque - plain) < 1e-2 * np.std(plain)
+
+
+def inverted(torque: float, speed: float, *, folder: Path) -> np.ndarray:
+    rig = scaled_rig(tr.read_scenario(shipped_scenarios() / "wear_rig.yaml").rig, Scale(torque, speed))
+    filters = folder / f"{torque}_{speed}.yaml"
+    filters.write_text(f"filters: {{inverse: [{{type: load_inverse, lowest: {20 * speed} Hz}}]}}", encoding="utf-8")
+    response = load_response(rig, rate=5000.0 * speed)
+    chain = read_chains(filters, kinematics=kinematics_of(rig), response=response)["inverse"]
+    return chain.apply(run("wear_rig.yaml", torque, speed)).torque()

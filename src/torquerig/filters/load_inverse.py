@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_LOWEST, _HIGHEST_SHARE = 5.0, 0.2  # [Hz] and share of the rate: range in which the spectra are fitted
-_SEGMENT = 2.0  # [s] length of each averaged periodogram
-_MARGIN = 1.0  # [s] length of the point-symmetric continuation of both ends
+LOWEST = 5.0  # [Hz] from which the spectra are fitted: above the reference rig's slow load and speed loop's corner
+_HIGHEST_SHARE = 0.2  # [1] share of the rate up to which they are
+_SEGMENT = 10.0  # [periods of the lowest frequency] length of each averaged periodogram
+_MARGIN = 5.0  # [periods of the lowest frequency] length of the point-symmetric continuation of both ends
 _TRIALS = 15  # number of stretches of the frequency axis that are tried
 
 
@@ -55,6 +56,8 @@ class LoadInverse:
     retune : float
         Largest relative difference of the rig's frequencies from the model's [1], 0 to 0.5; the stretch with the best
         fit of the reading's spectrum is used. 0: the model is not changed.
+    lowest : float
+        Frequency from which the spectra are fitted [Hz], > 0.
 
     Notes
     -----
@@ -66,32 +69,39 @@ class LoadInverse:
 
     response: LoadResponse = field(compare=False)
     retune: float = 0.15
+    lowest: float = LOWEST
 
     def __post_init__(self) -> None:
         if not 0 <= self.retune <= 0.5:
             raise InputError(f"a model cannot be retuned by {self.retune:g}; write a share from 0 to 0.5")
+        if not self.lowest > 0:
+            raise InputError(f"spectra cannot be fitted from {self.lowest:g} Hz on; write more than 0, such as 5 Hz")
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` with its torque replaced by the load; RecordingError where it is too short."""
         name, rate = recording.torque_name(), recording.sample_rate
         values = recording.channels[name].values
-        if values.size < 4 * _SEGMENT * rate or _HIGHEST_SHARE * rate <= _LOWEST:
+        shortest = 4 * _SEGMENT / self.lowest
+        if values.size < shortest * rate or _HIGHEST_SHARE * rate <= self.lowest:
             raise RecordingError(
                 f"{recording.name}: {values.size} samples at {rate:g} Hz are too few to separate load and noise; "
-                f"take {4 * _SEGMENT:g} s or more, at more than {_LOWEST / _HIGHEST_SHARE:g} Hz"
+                f"take {shortest:g} s or more, at more than {self.lowest / _HIGHEST_SHARE:g} Hz"
             )
-        spectra = fitted_spectra(values, rate, self.response, retune=self.retune)
-        return recording.with_values(name, _filtered(values, rate, self.response, spectra))
+        spectra = fitted_spectra(values, rate, self.response, retune=self.retune, lowest=self.lowest)
+        margin = round(_MARGIN / self.lowest * rate)
+        return recording.with_values(name, _filtered(values, rate, self.response, spectra, margin=margin))
 
 
-def fitted_spectra(values: Floats, rate: float, response: LoadResponse, *, retune: float) -> Spectra:
+def fitted_spectra(
+    values: Floats, rate: float, response: LoadResponse, *, retune: float, lowest: float = LOWEST
+) -> Spectra:
     """Return the spectra of load and noise and the stretch of the model that fit the signal's spectrum best."""
     from scipy.signal import welch
 
-    frequencies, power = welch(values, fs=rate, nperseg=round(_SEGMENT * rate))
-    seen = (frequencies >= _LOWEST) & (frequencies <= _HIGHEST_SHARE * rate)
+    frequencies, power = welch(values, fs=rate, nperseg=round(_SEGMENT / lowest * rate))
+    seen = (frequencies >= lowest) & (frequencies <= _HIGHEST_SHARE * rate)
     frequencies, power = frequencies[seen], np.maximum(power[seen], 1e-300)
-    start = np.array([log(float(np.median(power[frequencies < 6 * _LOWEST]))), log(8 * _LOWEST),
+    start = np.array([log(float(np.median(power[frequencies < 6 * lowest]))), log(8 * lowest),
                       log(float(np.median(power[-power.size // 4 :])))])  # fmt: skip
     stretches = np.linspace(1 - retune, 1 + retune, _TRIALS) if retune else np.ones(1)
     trials = [_best_fit(start, frequencies, power, response, stretch) for stretch in stretches]
@@ -124,10 +134,9 @@ def _best_fit(
     return float(found.fun), np.asarray(found.x)
 
 
-def _filtered(values: Floats, rate: float, response: LoadResponse, spectra: Spectra) -> Floats:
+def _filtered(values: Floats, rate: float, response: LoadResponse, spectra: Spectra, *, margin: int) -> Floats:
     from scipy.fft import irfft, next_fast_len, rfft
 
-    margin = round(_MARGIN * rate)
     head, tail = 2 * values[0] - values[margin:0:-1], 2 * values[-1] - values[-2 : -margin - 2 : -1]
     longer = np.concatenate([head, values, tail])
     size = next_fast_len(longer.size, real=True)

@@ -9,28 +9,30 @@ from torquerig.filters.load_response import LoadResponse
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import Load
 from torquerig.sensor_stages.amplifier import AmplifierLowPass
+from torquerig.simulation.simulator import SAMPLE_RATE
 from torquerig.simulation.twin.linear_twin import twin_of
 from torquerig.simulation.twin.plant import load_input
 
-LOWEST, HIGHEST, POINTS = 0.05, 12_500.0, 6_000  # Hz; 0.2 % from one to the next, a tenth of the sharpest mode
+LOWEST, HIGHEST, POINTS = 2e-6, 0.5, 6_000  # of the sample rate; 0.2 % a step, a tenth of the sharpest mode
 
 
-def load_response(rig: Rig) -> LoadResponse:
+def load_response(rig: Rig, *, rate: float = SAMPLE_RATE) -> LoadResponse:
     """Return the reading per true load of the rig's twin at its operating point, speed loop and amplifier included.
 
-    The true load is all that opposes the wear part's motion, friction included: the twin's transfer from the load to
-    the measured torque over that from the load to the opposing torque.
+    Up to half the sample rate ``rate`` [Hz], at which the speed loop runs too. The true load is all that opposes the
+    wear part's motion, friction included: the twin's transfer from the load to the measured torque over that from the
+    load to the opposing torque.
 
     Raises
     ------
     InputError
         For a rig without a load.
     """
-    twin = twin_of(rig)
+    twin = twin_of(rig, rate=rate)
     rows = [row for row, term in enumerate(twin.lowered.load_terms) if isinstance(term, Load)]
     if not rows:
         raise InputError("the rig has no load whose torque could be read back; add one, such as a particle_load")
-    frequencies = np.geomspace(LOWEST, HIGHEST, POINTS)
+    frequencies = rate * np.geomspace(LOWEST, HIGHEST, POINTS)
     cause = load_input(twin.lowered, rows[0])
     worn = twin.lowered.nodes[int(twin.lowered.arrays.loads.on[rows[0]])]
     system = twin.closed_loop.only(inputs=[cause], outputs=[twin.sensor, f"opposing torque on {worn}"])

@@ -15,6 +15,7 @@ from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.recording_lines import SAME_RATIO, kinematics_of_recording
+from torquerig.simulation.simulator import SAMPLE_RATE
 
 if TYPE_CHECKING:
     from torquerig.filters.chains.filter_chain import Chain
@@ -33,12 +34,15 @@ class RecordedDrive:
         Its shafts and lines.
     rig : Rig or None
         The rig of the scenario, where one is given.
+    sample_rate : float
+        Of the recording [Hz].
     assumed : tuple of str
         One sentence for each thing that nothing states.
     """
 
     kinematics: Kinematics
     rig: Rig | None = None
+    sample_rate: float = SAMPLE_RATE
     assumed: tuple[str, ...] = ()
 
 
@@ -73,11 +77,12 @@ def recorded_drive(
         kinematics, assumed = kinematics_of_recording(
             recording, catalog_for(None, catalogs), motor=motor, ratio=ratio, gearbox=gearbox, remedies=remedies
         )
-        return RecordedDrive(kinematics=kinematics, assumed=assumed)
+        return RecordedDrive(kinematics=kinematics, sample_rate=recording.sample_rate, assumed=assumed)
     if motor is not None or ratio is not None or gearbox is not None:
         raise InputError("--scenario states motor and gearbox; remove --motor, --ratio and --gearbox")
     rig = read_scenario(read_document(scenario), catalog_for(scenario, catalogs), seed=1).rig
-    return RecordedDrive(kinematics=at_stated_ratio(kinematics_of(rig), recording, scenario), rig=rig)
+    kinematics = at_stated_ratio(kinematics_of(rig), recording, scenario)
+    return RecordedDrive(kinematics=kinematics, rig=rig, sample_rate=recording.sample_rate)
 
 
 def at_stated_ratio(kinematics: Kinematics, recording: Recording, scenario: str | Path) -> Kinematics:
@@ -98,5 +103,5 @@ def chains_for(drive: RecordedDrive, filters: Path, names: Sequence[str]) -> Map
     """
     document = read_document(filters)
     has_model = drive.rig is not None and needs_response(document, names)
-    response = load_response(drive.rig) if has_model and drive.rig is not None else None
+    response = load_response(drive.rig, rate=drive.sample_rate) if has_model and drive.rig is not None else None
     return read_chains(document, kinematics=drive.kinematics, response=response)

@@ -58,7 +58,8 @@ class Study:
             When the study names a chain that the file does not have.
         """
         wanted = dict.fromkeys((*self.settings.filters.names, self.settings.present.filter))
-        response = load_response(scenario.rig) if needs_response(self.filters, wanted) else None
+        rate, is_needed = scenario.recording.sample_rate, needs_response(self.filters, wanted)
+        response = load_response(scenario.rig, rate=rate) if is_needed else None
         made = read_chains(self.filters, kinematics=kinematics_of(scenario.rig), response=response)
         for name in wanted:
             if name not in made:

@@ -25,7 +25,7 @@ from torquerig.filters.chains.renamed_chains import current_stage
 from torquerig.filters.chains.stage_form import Made, StageForm
 from torquerig.filters.fir_low_pass import CausalFirLowPass, FirLowPass
 from torquerig.filters.hampel import Hampel
-from torquerig.filters.load_inverse import LoadInverse
+from torquerig.filters.load_inverse import LOWEST, LoadInverse
 from torquerig.filters.load_response import LoadResponse
 from torquerig.filters.moving_mean import MovingMeanKept
 from torquerig.filters.revolution_mean import RevolutionMean
@@ -63,12 +63,13 @@ class LoadInverseText(StageForm):
 
     type: Literal["load_inverse"]
     retune: Annotated[float, Field(ge=0, le=0.5)] = 0.15
+    lowest: Annotated[float, Parameter("Hz", "from which the spectra are fitted", above=0)] = LOWEST
 
     def made_for(self, kinematics: Kinematics, response: LoadResponse | None = None) -> Made:
         """Return the inverse, or an empty chain where no model is known."""
         if response is None:
             return Chain(name="load_inverse", stages=()), ("load_inverse: no model of the rig is known here",)
-        return LoadInverse(response=response, retune=self.retune), ()
+        return LoadInverse(response=response, retune=self.retune, lowest=self.lowest), ()
 
 
 class FirLowPassText(StageForm):
