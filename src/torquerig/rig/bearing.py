@@ -10,7 +10,7 @@ from torquerig.rig.terms import Friction
 Viscous = Annotated[float, Parameter("N*m*s/rad", "viscous friction of its output shaft against the frame", low=0)]
 Coulomb = Annotated[float, Parameter("N*m", "Coulomb friction of its output shaft against the frame", low=0)]
 Smoothing = Annotated[
-    float, Parameter("rad/s", "speed over which the sign of the Coulomb friction is smoothed", above=0)
+    float, Parameter("rad/s", "speed over which the signs of dry friction and losses are smoothed", above=0)
 ]
 
 

@@ -10,6 +10,7 @@ from torquerig.rig.terms import Spring
 def stage_spring(
     rig: Rig, name: str, *, stiffness: float, damping: float, gap: float = 0.0, rest: float = 0.0,
     ratio: float = 1.0, efficiency: float = 1.0, backward_efficiency: float | None = None,
+    smoothing: float = 0.02,
 ) -> Spring:  # fmt: skip
     """Return the spring of the part ``name`` with the errors, gaps and stiffness waves that effects add to it.
 
@@ -19,7 +20,7 @@ def stage_spring(
         Whose effects in the part are collected, all of ``host_changes.IN_A_SPRING``.
     stiffness, damping, gap, rest
         At the output [N m/rad], [N m s/rad], [rad], [rad].
-    ratio, efficiency, backward_efficiency
+    ratio, efficiency, backward_efficiency, smoothing
         As in :class:`torquerig.rig.terms.Spring`.
     """
     changes = rig.changes_in(name)
@@ -34,6 +35,7 @@ def stage_spring(
         ratio=ratio,
         efficiency=efficiency,
         backward_efficiency=backward_efficiency,
+        smoothing=smoothing,
         error=waves_of(changes, KinematicError),
         stiffness_waves=waves_of(changes, StiffnessVariation),
     )

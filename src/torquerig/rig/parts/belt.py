@@ -97,6 +97,7 @@ class BeltStage(Part):
         spring = stage_spring(
             rig, self.name, stiffness=self.stiffness, damping=self.damping, rest=self.rest_angle, ratio=self.ratio,
             efficiency=self.efficiency,
+            smoothing=self.smoothing,
         )  # fmt: skip
         pinion = Inertia(node=rig.upstream(self.name), inertia=self.pinion_inertia)
         friction = bearing_friction(

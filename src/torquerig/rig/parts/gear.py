@@ -78,6 +78,7 @@ class Gear(Part):
         spring = stage_spring(
             rig, self.name, stiffness=self.stiffness, damping=self.damping, gap=self.backlash, ratio=self.ratio,
             efficiency=self.efficiency, rest=self.rest_angle,
+            smoothing=self.smoothing,
         )  # fmt: skip
         friction = bearing_friction(
             self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing

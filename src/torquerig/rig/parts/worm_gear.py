@@ -133,6 +133,7 @@ class WormGear(Part):
         spring = stage_spring(
             rig, self.name, stiffness=self.stiffness, damping=self.damping, gap=self.backlash, ratio=self.ratio,
             efficiency=self.efficiency, backward_efficiency=self.backward_efficiency, rest=self.rest_angle,
+            smoothing=self.smoothing,
         )  # fmt: skip
         friction = bearing_friction(
             self.name, spring.b, viscous=self.viscous, coulomb=self.coulomb, smoothing=self.smoothing

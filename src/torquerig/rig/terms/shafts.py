@@ -73,6 +73,8 @@ class Spring(Term):
         Share of the power that arrives [1].
     backward_efficiency : float or None
         The same where power flows from b to a; None where it is equal. At 0 or less b cannot drive a.
+    smoothing : float
+        Speed of b [rad/s] over which the direction of the flow of power turns, as tanh, where there are losses.
     error : tuple of Wave
         Kinematic (transmission) error e [rad] on the side of b, a function of the angle of b.
     stiffness_waves : tuple of Wave
@@ -91,6 +93,7 @@ class Spring(Term):
     ratio: float = 1.0
     efficiency: float = 1.0
     backward_efficiency: float | None = None
+    smoothing: float = 0.02
     error: tuple[Wave, ...] = ()
     stiffness_waves: tuple[Wave, ...] = ()
     damping_follows: bool = False

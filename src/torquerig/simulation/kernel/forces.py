@@ -53,7 +53,7 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         torque[b] += value * lean
         back = value * r
         if any_of(springs.loss_half[i] != 0.0):
-            flow = direction(omega[b], 50.0)
+            flow = direction(omega[b], springs.inverse_smoothing[i])
             flow = where(value > 0.0, flow, -flow)
             back *= springs.loss_mean[i] + springs.loss_half[i] * flow
         torque[a] -= back

@@ -25,6 +25,7 @@ class Springs(NamedTuple):
     inverse_ratio: Floats
     loss_mean: Floats  # (1/eta + eta_b) / 2
     loss_half: Floats  # (1/eta - eta_b) / 2
+    inverse_smoothing: Floats
     e_first: Starts  # (springs + 1,) where each spring's error waves start
     e_slot: Rows
     e_order: Floats
@@ -74,6 +75,7 @@ class SpringKind(TermKind[Spring, Springs]):
             inverse_ratio=floats(1 / s.ratio for s in terms),
             loss_mean=floats(0.5 * (1 / s.efficiency + s.backwards) for s in terms),
             loss_half=floats(0.5 * (1 / s.efficiency - s.backwards) for s in terms),
+            inverse_smoothing=floats(1 / s.smoothing for s in terms),
             e_first=errors.first,
             e_slot=errors.slot,
             e_order=errors.order,
