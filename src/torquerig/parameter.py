@@ -126,7 +126,8 @@ class Parameter:
 
     pydantic reads such a field from text with a unit; a bare number is refused where a unit is possible. On an
     ``Estimate`` field the YAML holds a mapping with value, or low and high, or one_of, and with evidence and source.
-    With ``{"in_a_line": True}`` as pydantic's context the unit is that of linear motion.
+    With ``{"in_a_line": True}`` as pydantic's context the unit is that of linear motion, unless ``turns``: such a
+    field belongs to the shaft of a part that turns rotation into motion in a line.
     """
 
     unit: str
@@ -134,11 +135,12 @@ class Parameter:
     low: float = -inf
     high: float = inf
     above: float = -inf
+    turns: bool = False
 
     @property
     def in_a_line(self) -> Parameter:
-        """The same parameter for linear motion: N for N*m, kg for kg*m^2."""
-        return replace(self, unit=IN_A_LINE.get(self.unit, self.unit))
+        """The same parameter for linear motion: N for N*m, kg for kg*m^2; unchanged where it is of what turns."""
+        return self if self.turns else replace(self, unit=IN_A_LINE.get(self.unit, self.unit))
 
     def read(self, written: Any) -> float:
         """Return the SI number written as ``written``; UnitError or ValueError says what to write instead."""

@@ -10,6 +10,7 @@ from torquerig.api.inputs import scenario_from
 from torquerig.api.result import Result
 from torquerig.errors import InputError
 from torquerig.scenario.drive_requirement import drive_requirement
+from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement, entry_of
 from torquerig.thermal.duty_temperatures import DutyTemperatures, Span, temperatures_of_duty
@@ -125,6 +126,6 @@ def duty(
     warnings = check_requirement(made, made.catalog, duration=length)
     asked = duty_of_requirement(drive_requirement(made.rig, duration=length))
     motors = thermal_variants(entry)
-    title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
+    title = f"{entry.name}, {ratio_text(made.rig)}, {made.rig.run.profile}, {length:g} s"
     judged = temperatures_of_duty(asked, motors, ambient=ambient)
     return MotorHeat(duty=asked, judged=judged, motors=motors, title=title, ambient=ambient, warnings=warnings)

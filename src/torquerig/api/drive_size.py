@@ -14,6 +14,7 @@ from torquerig.catalog.search import catalog_for
 from torquerig.document import read_document
 from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS, Sizing, sizing
 from torquerig.metrics.sizing.sized_drive import sized_drive
+from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.study.sized_candidates import with_cycle
@@ -120,5 +121,7 @@ def size(
     catalog = catalog_for(file, folders(catalogs))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     drive = sized_drive(made, catalog)
-    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
+    title = (
+        f"{drive.motor_name}, {ratio_text(made.rig)}, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
+    )
     return SizedRig(sizing=sizing(drive, ambient=ambient), title=title, ambient=ambient)

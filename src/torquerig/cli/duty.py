@@ -15,6 +15,7 @@ from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
 from torquerig.rig.parts import WormGear
 from torquerig.scenario.drive_requirement import drive_requirement
+from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.requirement_check import check_requirement, entry_of
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
@@ -90,7 +91,7 @@ def command(
         length = seconds if points is None else points.breakpoints(top=0.0, duration=0.0).length
         flags = check_requirement(made, catalog, duration=length)
         requirement = drive_requirement(made.rig, duration=length)
-        title = f"{entry.name}, {made.rig.run.gear_ratio or 1:g}:1, {made.rig.run.profile}, {length:g} s"
+        title = f"{entry.name}, {ratio_text(made.rig)}, {made.rig.run.profile}, {length:g} s"
         of_motor = _DutyOfMotor(duty=duty_of_requirement(requirement), entry=entry, title=title, flags=flags)
     copies = thermal_variants(entry)
     judged = temperatures_of_duty(of_motor.duty, copies, ambient=ambient)

@@ -23,7 +23,7 @@ from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
-from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.metrics.truth_error import true_load, truth_error
 from torquerig.orders.angle.measured_angle import SOURCES
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import fixed, grid, wrapped
@@ -142,7 +142,7 @@ def _filtered_whole(
         chain_effect(before, after, ratio=kinematics.ratio, lines=chain.lines)
         for chain, after in zip(chains, results, strict=True)
     ]
-    known = TRUE_LOAD in before.channels
+    known = true_load(before) is not None
     _print_effects(
         path,
         before,

@@ -14,7 +14,7 @@ from torquerig.filters.block_filtering import FilteredBlock, blocking_for, filte
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.filter_effect import FilterEffect
 from torquerig.filters.joined_effect import joined_effect
-from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.metrics.truth_error import true_load, truth_error
 from torquerig.recordings.files.block_writing import write_blocks
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
@@ -80,7 +80,7 @@ class _BlockResults:
         for block in blocks:
             self.samples.append(block.before.samples)
             self.effects.append(block.effects)
-            if TRUE_LOAD in block.before.channels:
+            if true_load(block.before) is not None:
                 self.errors.append([truth_error(after, block.before) for after in block.after])
             # the drawn section is the middle block, or the first where the length is unknown
             if self.section is None or block.first <= (stream.samples or 0) // 2:

@@ -14,6 +14,7 @@ from torquerig.cli.modes_text import modes_text, poles_text
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.rig.parts import ImposedMotion
+from torquerig.rig.reading_place import effort_unit
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.condensation.beforehand import said_beforehand
@@ -90,9 +91,9 @@ def command(
     if loops := twin.margins():
         click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
         click.echo(poles_text(twin.loop_poles()))
-    _print_crossings(found[:rows], len(found), top)
+    _print_crossings(found[:rows], len(found), top, unit=effort_unit(made.rig))
     if nearest := nearest_to(twin.motor_speed_rpm * pi / 30, [one for one in found if one.torque is not None]):
-        click.echo(wrapped(_nearest(nearest, twin.motor_speed_rpm)) + "\n")
+        click.echo(wrapped(_nearest(nearest, twin.motor_speed_rpm, unit=effort_unit(made.rig))) + "\n")
     for omitted in twin.point.left_out:
         click.echo(wrapped(f"omitted: {omitted}"))
     if picture is not None:
@@ -116,7 +117,7 @@ def _about(twin: Twin) -> str:
         return f"linear, {twin.lowered.leader()} held"
     words = f"linear about {twin.motor_speed_rpm:.6g} rpm of {twin.lowered.leader()}"
     point, sensor = twin.point, twin.lowered.spring_names.index(twin.rig.measured)
-    words += f", {point.spring_torques[sensor]:.4g} N*m in {twin.rig.measured}"
+    words += f", {point.spring_torques[sensor]:.4g} {effort_unit(twin.rig)} in {twin.rig.measured}"
     return words + (f", {point.drive_torque:.4g} N*m from the motor" if twin.lowered.drive_names else "")
 
 
@@ -141,7 +142,7 @@ def _margins(found: Margins) -> str:
     return f"{found.controller}: {stability}; {words}"
 
 
-def _print_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
+def _print_crossings(shown: Sequence[Crossing], count: int, top: float, *, unit: str) -> None:
     if not shown:
         click.echo(f"no order line crosses a mode up to {top * 30 / pi:.5g} rpm\n")
         return
@@ -158,8 +159,8 @@ def _print_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
         "mode",
         "Hz",
         "motor rpm",
-        "at sensor N*m",
-        "N*m per N*m",
+        f"at sensor {unit}",
+        f"{unit} per N*m",
         "magnification",
     ]
     click.echo(grid([head, *rows]))
@@ -168,11 +169,11 @@ def _print_crossings(shown: Sequence[Crossing], count: int, top: float) -> None:
     click.echo(wrapped(f"{note} unknown, or its cause is an angle and not a torque") + "\n")
 
 
-def _nearest(one: Crossing, speed_rpm: float) -> str:
+def _nearest(one: Crossing, speed_rpm: float, *, unit: str) -> str:
     away = 100 * (one.speed_rpm / abs(speed_rpm) - 1)
     return (
         f"critical speed nearest to the set-point of {speed_rpm:.5g} rpm: {one.line.cause}, order "
         f"{one.line.order:g}, crosses mode "
         f"{one.mode} at {one.speed_rpm:.5g} rpm, {abs(away):.1f} % {'above' if away >= 0 else 'below'}, with "
-        f"{one.torque:.3g} N*m at the sensor"
+        f"{one.torque:.3g} {unit} at the sensor"
     )

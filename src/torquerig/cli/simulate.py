@@ -22,6 +22,7 @@ from torquerig.recordings.files import check_target, read_recording, write_recor
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import WormGear
+from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
 from torquerig.simulation.input_channels import with_input_channels
@@ -94,7 +95,7 @@ def command(
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
     click.echo(
         f"{made.rig.run.motor or made.title} at {made.rig.run.speed_rpm or 0.0:.6g} rpm, "
-        f"{made.rig.run.gear_ratio or 1.0:g}:1, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
+        f"{ratio_text(made.rig)}, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
         f"{_levels(recording, made.rig)}"
     )
     for worm in made.rig.parts_of(WormGear):

@@ -14,6 +14,7 @@ from torquerig.errors import InputError
 from torquerig.metrics.sizing.sized_drive import SizedDrive, sized_drive
 from torquerig.plain_table import grid, wrapped
 from torquerig.rig.parts import WormGear
+from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.requirement_check import check_requirement
 from torquerig.study.definition import Study, open_study
 from torquerig.study.one_drive import scenario_or_candidate
@@ -81,7 +82,9 @@ def command(
     flags = check_requirement(made, catalog, duration=float(drive.requirement().duration.sum()))
     study = open_study(document, catalog) if "study" in document.data else None
     sweep = ratio_sweep(drive, study) if study is not None and can_sweep(study) else None
-    title = f"{drive.motor_name}, {drive.ratio:g}:1, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
+    title = (
+        f"{drive.motor_name}, {ratio_text(made.rig)}, {made.rig.run.profile}, {drive.requirement().duration.sum():g} s"
+    )
     _print_sizing(drive, sweep, title=title, ambient=ambient, flags=flags)
     if shell is not None:
         write_sizing_shell(shell, drive, title=title, ambient=ambient)

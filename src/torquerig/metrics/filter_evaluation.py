@@ -13,8 +13,8 @@ from torquerig.filters.evaluation.placebo import Placebo, placebo
 from torquerig.filters.evaluation.step_response import StepResponse, step_response
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.load_error import LoadError, load_error
-from torquerig.metrics.truth_error import TRUE_LOAD
-from torquerig.simulation.true_lines import TRUE_LINES
+from torquerig.metrics.truth_error import true_load
+from torquerig.simulation.true_lines import true_lines
 
 if TYPE_CHECKING:
     from torquerig.filters.chains.filter_chain import Chain
@@ -77,7 +77,7 @@ def evaluate_filter(
         Decay time of the load's hits, and the frequency bands.
     """
     after = chain.apply(recording)
-    has_truth = TRUE_LOAD in recording.channels
+    has_truth = true_load(recording) is not None
     return FilterEvaluation(
         chain=chain.name,
         before=recording,
@@ -98,7 +98,7 @@ def evaluate_filter(
 
 def _perfect(recording: Recording, scale: LoadScale) -> LoadError | None:
     """Return the error of perfect line removal, or None where the lines are not known."""
-    lines = recording.channels.get(TRUE_LINES)
+    lines = true_lines(recording)
     if lines is None:
         return None
     name = recording.torque_name()

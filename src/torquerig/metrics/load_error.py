@@ -11,10 +11,11 @@ from torquerig.filters.evaluation.bands import band_rms, bands_below
 from torquerig.filters.evaluation.delay import DECAYS, Delay, delay_behind
 from torquerig.filters.evaluation.hits import HitResponse, hit_response
 from torquerig.filters.evaluation.load_scale import WEAR_PART, LoadScale
-from torquerig.metrics.truth_error import TRUE_LOAD, truth_error
+from torquerig.metrics.truth_error import true_load, truth_error
 from torquerig.recordings.recording import Recording
 
 TRUE_SPEED = "true_output_speed_rad_s"
+TRUE_SPEEDS = (TRUE_SPEED, "true_output_velocity_m_s")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,10 +72,10 @@ def load_error(reading: Recording, truth: Recording, *, scale: LoadScale = WEAR_
     0.5; otherwise at a delay of 0.
     """
     rms = truth_error(reading, truth)
-    load, torque, rate = truth.channels[TRUE_LOAD].in_si(), reading.torque(), reading.sample_rate
-    if load.size < 8:
+    load, torque, rate = true_load(truth), reading.torque(), reading.sample_rate
+    if load is None or load.size < 8:
         raise RecordingError(
-            f"{truth.name}: {load.size} samples are too few for an evaluation; take a longer recording"
+            f"{truth.name}: {truth.samples} samples are too few for an evaluation; take a longer recording"
         )
     bands = bands_below(rate, scale.edges)
     delay = delay_behind(torque, load, rate=rate, longest=DECAYS * scale.hit_decay)
@@ -92,8 +93,9 @@ def load_error(reading: Recording, truth: Recording, *, scale: LoadScale = WEAR_
 
 
 def _energy_percent(torque: np.ndarray, load: np.ndarray, truth: Recording) -> float | None:
-    if TRUE_SPEED not in truth.channels:
+    name = next((one for one in TRUE_SPEEDS if one in truth.channels), None)
+    if name is None:
         return None
-    speed = truth.channels[TRUE_SPEED].in_si()
+    speed = truth.channels[name].in_si()
     true = float(np.trapezoid(load * speed))
     return 100 * (float(np.trapezoid(torque * speed)) / true - 1) if true else None

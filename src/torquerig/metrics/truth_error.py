@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.recording import Recording
 
 TRUE_LOAD = "true_load_Nm"
+TRUE_LOADS = (TRUE_LOAD, "true_load_N")
+"""Channel of the true load of a simulated rig that turns, and of one that moves in a line."""
+
+
+def true_load(recording: Recording) -> NDArray[np.float64] | None:
+    """Return the true load [N m], in a line [N], shape (samples,); None where it is not known."""
+    name = next((one for one in TRUE_LOADS if one in recording.channels), None)
+    return None if name is None else recording.channels[name].in_si()
 
 
 def truth_error(reading: Recording, truth: Recording) -> float:
-    """Return the rms of reading minus true load [N m], mean included.
+    """Return the rms of reading minus true load [N m], in a line [N], mean included.
 
     The true load is all that opposes the motion at the wear part, disturbance lines excluded. The error
     consists of residual lines behind the filter, lost parts of the load, and shaft vibration due to the load, which no
@@ -22,6 +31,7 @@ def truth_error(reading: Recording, truth: Recording) -> float:
     RecordingError
         When ``truth`` has no channel of the true load, as every measured recording.
     """
-    if TRUE_LOAD not in truth.channels:
+    load = true_load(truth)
+    if load is None:
         raise RecordingError(f"{truth.name}: the true load is not known; only a simulated recording has {TRUE_LOAD}")
-    return float(np.sqrt(np.mean((reading.torque() - truth.channels[TRUE_LOAD].values) ** 2)))
+    return float(np.sqrt(np.mean((reading.torque() - load) ** 2)))

@@ -13,3 +13,8 @@ def reading_place(rig: Rig, place: str | None = None) -> str:
     if isinstance(part, ImposedMotion | Probe | SpeedSensor | AccelerationSensor | CurrentSensor):
         return part.at
     return name
+
+
+def effort_unit(rig: Rig) -> str:
+    """Return the unit of what is read at the measured place: N*m, or N where it moves in a line."""
+    return "N" if rig.in_a_line(rig.part(reading_place(rig))) else "N*m"

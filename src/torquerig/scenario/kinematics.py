@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import prod
+from math import pi, prod
 
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.stage_kinds import ChainStage, DrivenBackwards, Untoothed
@@ -33,8 +33,16 @@ class CrossedStage:
 
     @property
     def turns(self) -> float:
-        """Turns of the shaft before it per turn of the shaft behind it, with sign [1]."""
+        """Turns of the shaft before it per turn of the shaft behind it, with sign [1].
+
+        Of a linear drive the angle per travel [rad/m].
+        """
         return 1 / self.part.ratio if self.backwards else self.part.ratio
+
+    @property
+    def is_between_shafts(self) -> bool:
+        """Whether both its ends turn; what moves in a line has no orders."""
+        return not self.part.in_a_line
 
     @property
     def efficiency(self) -> float:
@@ -56,12 +64,13 @@ def kinematics_of(rig: Rig) -> Kinematics:
     """Return poles and slots of the rig's driven or first motor, ratio and teeth up to the measured part, all shafts.
 
     A stage without known teeth counts by its ratio, so that the mesh orders of the other stages are right. On a rig
-    without a motor the part whose motion is imposed takes the motor's place.
+    without a motor the part whose motion is imposed takes the motor's place. Where what is measured moves in a line,
+    the shaft of the linear drive takes the place of the output shaft.
     """
     motor, read = leading_motor(rig), reading_place(rig)
-    crossed = stages_to(rig, read)
+    crossed = tuple(stage for stage in stages_to(rig, read) if stage.is_between_shafts)
     known = any(stage.part.teeth for stage in crossed)
-    leader, ratio = leading_part(rig), turns_to(rig, read)
+    leader, ratio = leading_part(rig), abs(prod(stage.turns for stage in crossed))
     return Kinematics(
         pole_pairs=None if motor is None else motor.pole_pairs,
         slots=None if motor is None else motor.slots,
@@ -103,8 +112,24 @@ def stages_to(rig: Rig, last: str) -> tuple[CrossedStage, ...]:
 
 
 def turns_to(rig: Rig, last: str) -> float:
-    """Return the turns of the motor per turn of the output of ``last`` [1], without sign."""
+    """Return the turns of the motor per turn of the output of ``last`` [1], without sign.
+
+    Where ``last`` moves in a line, the motor's angle per travel [rad/m].
+    """
     return abs(prod(stage.turns for stage in stages_to(rig, last)))
+
+
+def ratio_text(rig: Rig) -> str:
+    """Return the ratio from the driving shaft to the measured place in words: ``5:1``, or ``10 mm per turn``."""
+    crossed = stages_to(rig, reading_place(rig))
+    if all(stage.is_between_shafts for stage in crossed):
+        return f"{rig.run.gear_ratio or 1.0:g}:1"
+    return travel_text(abs(prod(stage.turns for stage in crossed)))
+
+
+def travel_text(turns: float) -> str:
+    """Return the travel of a linear drive in words, ``10 mm per turn``, from its angle per travel [rad/m]."""
+    return f"{1e3 * 2 * pi / turns:.5g} mm per turn"
 
 
 def torque_gain(rig: Rig) -> float:

@@ -33,13 +33,15 @@ class Load(BaseModel):
 class OperatingPoint(BaseModel):
     """Set-points of a study. One of the two speeds; the other follows from the gears.
 
+    Where what is measured moves in a line, ``output_speed`` is its velocity.
+
     The profiles ``duty_cycle`` and ``csv`` bring their own speeds, which replace the stated one; their data is
     under the key of the same name, and may be there while another profile is selected.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    motor_speed: Annotated[float, Parameter("rad/s", "motor speed", low=0)] | None = None
+    motor_speed: Annotated[float, Parameter("rad/s", "motor speed", low=0, turns=True)] | None = None
     output_speed: Annotated[float, Parameter("rad/s", "output speed", low=0)] | None = None
     profile: Profile = "steady"
     duty_cycle: DutyCycleText | None = None
@@ -84,7 +86,8 @@ def _run_at(point: OperatingPoint, rig: Rig, folder: Path) -> Run:
     turned = abs(ratios[read])
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
     stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
-    ratio = stated if isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
+    moved_in_a_line = rig.in_a_line(rig.part(reading_place(rig)))
+    ratio = stated if moved_in_a_line or isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
     winding = (
         {"pole_pairs": motor.pole_pairs, "slots": motor.slots} if motor else {}
     )  # sampled ones are stated nowhere else

@@ -13,13 +13,13 @@ Repeats = Annotated[int, Field(ge=1, strict=True)]
 
 
 class SegmentText(BaseModel):
-    """One segment: duration, speed of one shaft, and load as a torque or by occupancy."""
+    """One segment: duration, speed of one shaft, and load as a torque (in a line, a force) or by occupancy."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     duration: Annotated[float, Parameter("s", "length of the segment", above=0)]
     output_speed: Annotated[float, Parameter("rad/s", "output speed")] | None = None
-    motor_speed: Annotated[float, Parameter("rad/s", "motor speed")] | None = None
+    motor_speed: Annotated[float, Parameter("rad/s", "motor speed", turns=True)] | None = None
     ramp: StrictBool = False
     load_torque: Annotated[float, Parameter("N*m", "mean load at the wear part", low=0)] | None = None
     occupancy: Percent | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -9,6 +10,7 @@ from pydantic import BaseModel, TypeAdapter
 
 from torquerig.document import Document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
+from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.misplaced import place_of
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.scenario.uncertain import Resolved, resolved
@@ -50,12 +52,24 @@ def read_study_section(document: Document) -> Settings:
 
 def read_operating_point(document: Document, *, seed: int) -> tuple[OperatingPoint, Resolved]:
     """Return the operating point with one value for every number, and what is known of the uncertain ones."""
-    name = "operating_point"
+    name, in_a_line = "operating_point", _output_moves_in_a_line(document.data)
     stated = resolved(
         document.data.get(name, {}), OperatingPoint, owner=name, seed=seed,
-        place=lambda path: document.place((name, *path)),
+        place=lambda path: document.place((name, *path)), in_a_line=in_a_line,
     )  # fmt: skip
-    return _validated(document, name, OperatingPoint, data=stated.values), stated
+    return _validated(document, name, OperatingPoint, data=stated.values, in_a_line=in_a_line), stated
+
+
+def _output_moves_in_a_line(data: Mapping[str, Any]) -> bool:
+    """Return whether the place that is measured first moves in a line; its speed is then one in m/s."""
+    measured = data.get("measured", "torque_sensor")
+    first = measured[0] if isinstance(measured, list) and measured else measured
+    parts = data["rig"] if isinstance(data.get("rig"), dict) else {}
+    part = parts.get(first) if isinstance(first, str) else None
+    if isinstance(part, dict) and isinstance(part.get("at"), str):  # an instrument or an imposed motion
+        part = parts.get(part["at"])
+    kind = part.get("kind") if isinstance(part, dict) else None
+    return isinstance(kind, str) and kind in KINDS and KINDS[kind].in_a_line
 
 
 def read_section(document: Document, name: str, model: type[Section]) -> Section:
@@ -63,6 +77,10 @@ def read_section(document: Document, name: str, model: type[Section]) -> Section
     return _validated(document, name, model) if name in document.data else model()
 
 
-def _validated(document: Document, name: str, model: type[Section], *, data: Any = None) -> Section:
+def _validated(
+    document: Document, name: str, model: type[Section], *, data: Any = None, in_a_line: bool = False
+) -> Section:
     elsewhere = partial(place_of, data=document.data, here=name)
-    return validated(document, TypeAdapter(model), within=(name,), data=data, elsewhere=elsewhere)
+    return validated(
+        document, TypeAdapter(model), within=(name,), data=data, context={"in_a_line": in_a_line}, elsewhere=elsewhere
+    )

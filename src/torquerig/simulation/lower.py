@@ -41,6 +41,8 @@ class Lowered:
         By the field of each kind in ``Terms``, the terms that its rows stand for.
     arrays : Terms
         Set-points, demands, samples and motions are still empty: the run fills them.
+    in_a_line : frozenset of str
+        The nodes that move in a line; their numbers are in kg, N and m.
     joined, series : mapping of str to str
         Of a condensed rig: nodes that turn with another, and springs that carry the torque of another, by that other.
     condensation : Condensation or None
@@ -51,6 +53,7 @@ class Lowered:
     inertia: NDArray[np.float64]
     rows_of: Mapping[str, tuple[Any, ...]]
     arrays: Terms
+    in_a_line: frozenset[str] = frozenset()
     joined: Mapping[str, str] = field(default_factory=dict)
     series: Mapping[str, str] = field(default_factory=dict)
     condensation: Condensed | None = None
@@ -111,7 +114,8 @@ class Lowered:
 
 def lower(rig: Rig, seed: int) -> Lowered:
     """Return the rig as arrays; phases that are not stated are drawn from ``seed``, each by its own name."""
-    return lower_terms(rig.terms(), seed)
+    moved = frozenset(part.name for part in rig.parts if part.in_a_line)
+    return replace(lower_terms(rig.terms(), seed), in_a_line=moved)
 
 
 def lower_terms(terms: Sequence[Term], seed: int) -> Lowered:

@@ -15,7 +15,7 @@ from torquerig.metrics.shares import disturbance_rms, reading_shares
 from torquerig.metrics.truth_error import truth_error
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.reading_place import reading_place
-from torquerig.scenario.kinematics import kinematics_of, stages_to, torque_gain
+from torquerig.scenario.kinematics import kinematics_of, stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.simulator import SETTLING, simulate
@@ -73,7 +73,7 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
     rig, present = scenario.rig, study.settings.present
     entry = study.catalog.motor(candidate.motor)
     stage = look_up_stage(candidate.gearbox, study) if candidate.gearbox else None
-    ratio = kinematics_of(rig).ratio
+    ratio = turns_to(rig, reading_place(rig))
     duty = Duty(
         output_speed=(rig.run.speed or 0.0) / ratio,
         mean_torque=mean_load(rig),

@@ -9,7 +9,7 @@ from torquerig.metrics.sizing.gearbox_use import before_sensor
 from torquerig.metrics.sizing.open_data import exact_value, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
-from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.parts import ForceSensor, TorqueSensor
 
 
 def sensor_use(drive: SizedDrive) -> Mapping[str, Figure]:
@@ -47,8 +47,10 @@ def sensor_use(drive: SizedDrive) -> Mapping[str, Figure]:
 
 
 def _range(drive: SizedDrive) -> Estimate:
-    """Return the sensor's range [N m]: the catalog's, else that of its converter."""
+    """Return the sensor's range [N m], of a force sensor [N]: the catalog's, else that of its converter."""
     if drive.sensor is not None:
         return drive.sensor.range_torque
     part = drive.rig.part(drive.rig.measured)
-    return exact_value(part.converter_range / part.sensitivity) if isinstance(part, TorqueSensor) else Estimate()
+    if isinstance(part, TorqueSensor | ForceSensor):
+        return exact_value(part.converter_range / part.sensitivity)
+    return Estimate()

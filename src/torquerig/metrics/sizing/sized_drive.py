@@ -16,8 +16,9 @@ from torquerig.parameter import Estimate
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import driven_motor
 from torquerig.rig.parts import Gear, Motor
+from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.drive_requirement import DriveRequirement, drive_requirement
-from torquerig.scenario.kinematics import gears_to_sensor, torque_gain
+from torquerig.scenario.kinematics import gears_to_sensor, torque_gain, turns_to
 from torquerig.scenario.model import Scenario
 
 MOTOR_FIELDS = {"inertia": "rotor_inertia", "coulomb": "coulomb_friction", "viscous": "viscous_friction"}
@@ -70,8 +71,8 @@ class SizedDrive:
 
     @property
     def ratio(self) -> float:
-        """Motor turns per turn of the sensor's shaft [1]."""
-        return abs(float(self.rig.run.gear_ratio or 1.0))
+        """Motor turns per turn of the sensor's shaft [1]; in a line the motor's angle per travel [rad/m]."""
+        return turns_to(self.rig, reading_place(self.rig))
 
     def with_values(self, values: Values) -> Rig:
         """Return the rig with other values [SI] of its data, by the names of ``data``."""

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from torquerig.metrics.filter_evaluation import FilterEvaluation
-from torquerig.metrics.truth_error import TRUE_LOAD
+from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
@@ -62,8 +62,9 @@ def four_panels(before: Recording, after: Recording, *, title: str = "") -> Figu
 
 def _means(axes: Axes, before: Recording, after: Recording) -> None:
     curves = [(before.torque(), ORIGINAL, "original", 2.0), (after.torque(), FILTERED, "filtered", 1.1)]
-    if TRUE_LOAD in before.channels:
-        curves.append((before.channels[TRUE_LOAD].in_si(), LOAD, "true load", 0.9))
+    load = true_load(before)
+    if load is not None:
+        curves.append((load, LOAD, "true load", 0.9))
     window = min(ROLLING, before.samples)
     time = before.time()[window - 1 :] - 0.5 * (window - 1) / before.sample_rate
     for values, colour, label, width in curves:

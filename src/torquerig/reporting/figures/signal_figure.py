@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from matplotlib.figure import Figure
 
-from torquerig.metrics.truth_error import TRUE_LOAD
+from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
@@ -24,8 +24,9 @@ def signal_figure(
     curves = [("before the filter", before.torque(), BEFORE, 0.8)]
     if after is not before:
         curves.append(("after the filter", after.torque(), AFTER, 1.3))
-    if TRUE_LOAD in before.channels:
-        curves.append(("true load", before.channels[TRUE_LOAD].values, LOAD, 1.0))
+    load = true_load(before)
+    if load is not None:
+        curves.append(("true load", load, LOAD, 1.0))
     for label, values, colour, width in curves:
         axes.plot(*envelope(time[kept], values[kept]), color=colour, linewidth=width, label=label)
     axes.set_xlim(start, start + duration)

@@ -12,6 +12,7 @@ speed_sensor      of any shaft                         acceleration_sensor  of a
 current_sensor    in the supply of a motor
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 ground            a locked end                         worm_gear         worm and wheel, maybe self-locking
+linear_drive      ball screw, rack or belt to a slide
 """
 
 from torquerig.rig.parts.acceleration_sensor import AccelerationSensor
@@ -25,6 +26,7 @@ from torquerig.rig.parts.gear import Gear
 from torquerig.rig.parts.ground import Ground
 from torquerig.rig.parts.imposed_motion import ImposedMotion
 from torquerig.rig.parts.induction_drive import InductionDrive
+from torquerig.rig.parts.linear_drive import LinearDrive
 from torquerig.rig.parts.link import Link
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.motor_phases import MotorPhases
@@ -48,6 +50,7 @@ __all__ = [
     "Ground",
     "ImposedMotion",
     "InductionDrive",
+    "LinearDrive",
     "Link",
     "Motor",
     "MotorEncoder",

@@ -11,6 +11,7 @@ from torquerig.simulation.lower import Lowered
 
 Floats = NDArray[np.float64]
 
+TURNING, IN_A_LINE = ("rad/s", "N m", "N m s/rad"), ("m/s", "N", "N s/m")
 STILL = 1e-9  # [rad/s] slower than this, a shaft stands
 
 
@@ -67,8 +68,9 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
         )  # fmt: skip
         torques[row] += torque
         slopes[row] += slope
-        notes.append(f"the dry friction on {lowered.nodes[on]!r} away from {speed:.4g} rad/s: there it is "
-                    f"{torques[row]:.4g} N m with a slope of {slopes[row]:.3g} N m s/rad")  # fmt: skip
+        rate, effort, slope_unit = IN_A_LINE if lowered.nodes[on] in lowered.in_a_line else TURNING
+        notes.append(f"the dry friction on {lowered.nodes[on]!r} away from {speed:.4g} {rate}: there it is "
+                    f"{torques[row]:.4g} {effort} with a slope of {slopes[row]:.3g} {slope_unit}")  # fmt: skip
     if lowered.arrays.bristles.on.size:
         notes.append("the bending of bristles: they slide steadily")
     return torques, slopes, tuple(notes)
