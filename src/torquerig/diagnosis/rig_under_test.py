@@ -21,13 +21,15 @@ def check_rig(rig: Rig) -> None:
     imposed = next(iter(rig.parts_of(ImposedMotion)), None)
     if imposed is not None and not driven:
         raise InputError(
-            f"the scenario imposes the motion {imposed.name!r} but measures {rig.measured!r}; write "
-            f"measured: {imposed.name}, or add a speed_controller that drives the motor"
+            f"the scenario imposes the motion {imposed.name!r} but measures {rig.measured!r}; write from: channel NAME "
+            f"into {imposed.name}, so that each recording states its motion, or measured: {imposed.name}, or add a "
+            "speed_controller that drives the motor"
         )
     if not driven:
         raise InputError(
-            "nothing in the scenario drives a motor; add a speed_controller, or, for a recorded motion, an "
-            "imposed_motion named under measured:"
+            "nothing in the scenario drives a motor; add a speed_controller, for a recorded torque of the motor a "
+            "torque_controller with from: channel NAME, or for a recorded motion an imposed_motion with from: channel "
+            "NAME, or one named under measured:"
         )
     if not rig.part(rig.measured).opens_node:
         raise InputError(

@@ -14,7 +14,7 @@ from torquerig.recordings.inputs import input_channel
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.recordings.replay import ReplayedMotion, replayed_motion
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion
+from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -80,9 +80,16 @@ class Moved:
 
 
 def imposed_part(rig: Rig) -> ImposedMotion | None:
-    """Return the part whose motion each recording states and whose effort is compared, or None."""
+    """Return the part whose motion each recording states, where that alone drives the rig, or None.
+
+    What is compared is its effort, where ``measured`` names it; else the torque in the measured spring.
+    """
     part = rig.part(rig.measured)
-    return part if isinstance(part, ImposedMotion) and part.recording is None else None
+    if isinstance(part, ImposedMotion):
+        return part if part.recording is None else None
+    driven = any(rig.parts_of(drive) for drive in (SpeedController, TorqueController, InductionDrive))
+    moved = [one for one in rig.parts_of(ImposedMotion) if one.from_ is not None]
+    return moved[0] if len(moved) == 1 and part.opens_node and not driven else None
 
 
 def moved(

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.motion.hum_of_a_run import hum_in, hums_of
-from torquerig.diagnosis.motion.moved import Moved, low_passed
+from torquerig.diagnosis.motion.moved import Moved, imposed_part, low_passed
 from torquerig.errors import SimulationError
 from torquerig.rig import terms
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion
 from torquerig.simulation.inputs import Span
 from torquerig.simulation.ready import ready
-from torquerig.simulation.simulator import stepped
+from torquerig.simulation.simulator import SETTLING, stepped
 
 Floats = NDArray[np.float64]
 
@@ -34,6 +34,14 @@ class GivenMotion(ImposedMotion):
         return (terms.ImposedMotion(name=self.name, on=rig.node(self.at), motion=self.given),)
 
 
+def _noiseless(rig: Rig) -> Rig:
+    """Return the rig with the compared place alone, its sensor without noise."""
+    sensor = rig.part(rig.measured)
+    if getattr(sensor, "noise_rms", 0.0):
+        rig = rig.changed(replace(sensor, noise_rms=0.0))  # type: ignore[call-arg]
+    return replace(rig, also_measured=())
+
+
 def predicted(rig: Rig, run: Moved) -> Floats:
     """Return the effort that ``rig`` takes for the motion of a run, low-passed as the measured one [N m] or [N].
 
@@ -41,13 +49,14 @@ def predicted(rig: Rig, run: Moved) -> Floats:
     too stiff to be stepped within reason.
     """
     far_off = np.full(run.effort.size, RUN_AWAY * float(np.abs(run.effort).max()))
-    part = rig.part(rig.measured)
-    assert isinstance(part, ImposedMotion)
+    part = imposed_part(rig)
+    assert part is not None
     given = GivenMotion(name=part.name, at=part.at, given=run.motion)
-    moving, hums = rig.changed(given).at(run.recording.run), hums_of(rig)
+    moving, hums = _noiseless(rig).changed(given).at(run.recording.run), hums_of(rig)
     for hum in hums:
         moving = moving.without(hum.name)
-    span = Span.of(duration=run.recording.samples / run.rate, settling=0.0, rate=run.rate, seed=0, wander=0.0)
+    settling = 0.0 if rig.measured == part.name else SETTLING  # a spring is loaded when the recording starts
+    span = Span.of(duration=run.recording.samples / run.rate, settling=settling, rate=run.rate, seed=0, wander=0.0)
     prepared = ready(moving, span, scenario="", substeps=None)
     if prepared.steps > _MOST_STEPS:
         return far_off
