@@ -102,6 +102,7 @@ def test_a_constant_per_peak_ampere_that_is_called_rms_is_refused(tmp_path):
         ("6 ohm per phase", 2, 6),
         ("6 ohm", 2, 6),
         ("6 ohm line-to-line ± 10 %", 2.7, 3.3),
+        ("6 ohm line-to-line @ 25 °C", 3 / (1 + 5 * 0.00393), 3 / (1 + 5 * 0.00393)),
     ],
 )
 def test_resistance_by_terminals_and_winding(tmp_path, figure, low, high):
@@ -187,6 +188,18 @@ def test_cogging_as_a_share_zero_to_peak(tmp_path, figure, low, high):
     assert motor.ripple.cogging_tolerance.bounds == pytest.approx((0, high))
 
 
+def test_a_maxon_sheet_as_printed(tmp_path):
+    """EC-i style: Kt 36.9 mNm/A, 259 rpm/V, 0.386 ohm phase to phase, 133 mA at 6110 rpm (six-step)."""
+    head = (HEAD + TORQUE + RIPPLE).replace("kind: pmsm", "kind: bldc")
+    motor = read(
+        tmp_path, "torque_constant: 36.9 mNm/A", "speed_constant: 259 rpm/V", "resistance: 0.386 Ω phase to phase",
+        "inductance: 0.065 mH phase to phase", "no_load_current: 133 mA dc", "no_load_speed: 6110 rpm", head=head,
+    )  # fmt: skip
+    assert motor.torque_constant.value == pytest.approx(0.0369)
+    assert motor.phase_resistance.value == pytest.approx(0.193)
+    assert motor.no_load_torque.value == pytest.approx(0.0369 * 0.133)
+
+
 def test_flywheel_effect_is_four_times_the_inertia(tmp_path):
     head = HEAD.replace("rotor_inertia", "#") + TORQUE + FRICTION + RIPPLE
     assert read(tmp_path, "flywheel_effect: 1.4e-4 kgf*m^2", head=head).rotor_inertia.value == pytest.approx(0.35e-4)
@@ -210,6 +223,10 @@ REFUSED = {
     ),
     "an unknown figure": (("voltage_constnt: 23.7 V/krpm",), None,
         "19: as_printed.voltage_constnt: unknown key; did you mean"),
+    "a word that does not fit": (("resistance: 5.7 ohm rms",), None,
+        "19: as_printed.resistance: '5.7 ohm rms': 'rms' does not fit here; fitting words are line-to-line, per phase"),
+    "a word at the second constant": (("torque_constant: 0.39 N*m/A", "voltage_constant: 2 V/krpm peak-to-peak"), None,
+        "20: as_printed.voltage_constant: '2 V/krpm peak-to-peak': 'peak-to-peak' does not fit here"),
     "a bare number": (("resistance: 5.7",), None, "19: as_printed.resistance: 5.7 is no figure with a unit"),
     "another unit": (("resistance: 5.7 mH line-to-line",), None,
         "as_printed.resistance: '5.7 mH' is an inductance; a resistance is wanted"),

@@ -8,6 +8,7 @@ import pytest
 from torquerig.catalog.printed.emf import NAMES, current_factors, factors_of, torque_constant
 from torquerig.catalog.printed.figure import read_figure
 from torquerig.catalog.printed.reading_of import readings, spoken
+from torquerig.errors import UnitError
 
 PSI = 0.0213  # [V s/rad] phase peak of Ke: pole pairs times flux linkage
 ANGLE = np.linspace(0, 2 * pi, 720_000, endpoint=False)
@@ -98,6 +99,24 @@ def test_kv_of_a_six_step_motor():
     assert found(six_step=True, speed_constant="150 rpm/V dc").low == pytest.approx(60 / (2 * pi * 150))
     sine = found(speed_constant="150 rpm/V dc")
     assert sine.low / sqrt(2) == pytest.approx(8.27 / 150, rel=1e-3)
+
+
+def test_a_voltage_of_a_delta_branch_may_be_either():
+    """In delta a branch has the voltage between two lines; a sheet may also mean the equivalent star."""
+    branch = found(voltage_constant="27.8 V/krpm per phase rms delta")
+    assert branch.low == pytest.approx(found(voltage_constant="27.8 V/krpm line-to-line rms").low)
+    assert branch.high == pytest.approx(found(voltage_constant="27.8 V/krpm per phase rms star").low)
+
+
+def test_the_name_of_a_model_motor_and_an_amplitude_are_read():
+    assert found(six_step=True, speed_constant="190 KV").low <= 60 / (2 * pi * 190)
+    assert found(torque_constant="0.46 N*m/A0-pk").low == pytest.approx(0.46 * sqrt(2))
+
+
+@pytest.mark.parametrize("text", ["0.46 N*m/A peak-to-peak", "0.46 N*m/A line-to-line rms"])
+def test_a_word_that_does_not_fit_is_refused(text):
+    with pytest.raises(UnitError, match="does not fit here; fitting words are rms, peak, dc"):
+        found(torque_constant=text)
 
 
 def test_a_constant_without_peak_or_rms_is_an_interval_that_covers_both():

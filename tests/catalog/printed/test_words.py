@@ -16,6 +16,10 @@ KE = [
     ("27.8 V/1000 r/min per phase peak", 27.8 / (1000 * RPM), {"phase", "peak"}),
     ("16 mV/rpm line-to-neutral rms", 0.016 / RPM, {"phase", "rms"}),
     ("39.3 Vpk/kRPM LL", 39.3 / (1000 * RPM), {"line", "peak"}),
+    ("27.8 Vll,rms/Krpm", 27.8 / (1000 * RPM), {"line", "rms"}),
+    ("27.8 V_LL_rms/kmin-1", 27.8 / (1000 * RPM), {"line", "rms"}),
+    ("27.8 Vrms(L-L)/kRPM", 27.8 / (1000 * RPM), {"line", "rms"}),
+    ("27.8 V/1000 min⁻¹ phase-phase eff", 27.8 / (1000 * RPM), {"line", "rms"}),
     ("0.265 V*s/rad line-to-line rms", 0.265, {"line", "rms"}),
     ("0.265 V/(rad/s) phase peak", 0.265, {"phase", "peak"}),
     ("0.265 V/rad/s", 0.265, set()),
@@ -40,6 +44,8 @@ def test_voltage_constants_in_the_spellings_of_makers(text, value, words):
         ("65.1 oz-in/A", 65.1 * 7.061551814226044e-3, set()),
         ("4.07 lb-in/A rms", 4.07 * 0.1129848290276167, {"rms"}),
         ("55 mNm/A dc", 0.055, {"dc"}),
+        ("0.46 Nm/A0-pk", 0.46, {"amplitude"}),
+        ("0.46 Nm/A_eff", 0.46, {"rms"}),
     ],
 )
 def test_torque_constants_in_the_spellings_of_makers(text, value, words):
@@ -50,6 +56,10 @@ def test_torque_constants_in_the_spellings_of_makers(text, value, words):
 
 def test_speed_constants_tolerances_ranges_and_duties():
     assert read_figure("340 rpm/V dc").ratio("rad/s", "V") == pytest.approx((340 * RPM, 340 * RPM))
+    assert read_figure("340 (r/min)/V").ratio("rad/s", "V")[0] == pytest.approx(340 * RPM)
+    assert read_figure("0.79 ohms @25°C").celsius == 25
+    assert read_figure("1.55 Ω/phase").quantity("ohm") == (1.55, 1.55)
+    assert read_figure("1.55 Ω/phase").words == {"phase"}
     assert read_figure("340 min-1/V").ratio("rad/s", "V")[0] == pytest.approx(340 * RPM)
     assert read_figure("5.7 ohm line-to-line ± 10 %").quantity("ohm") == pytest.approx((5.13, 6.27))
     both = read_figure({"low": "5 ohm", "high": "6 ohm", "as": "line-to-line"})
@@ -67,6 +77,7 @@ def test_speed_constants_tolerances_ranges_and_duties():
 @pytest.mark.parametrize(
     ("written", "sentence"),
     [
+        ("23,7 V/krpm", "has a decimal comma; write '23.7 V/krpm'"),
         (27.8, "27.8 is no figure with a unit"),
         ({"value": "1 ohm", "low": "1 ohm"}, "write either value, or low and high"),
         ({"value": "1 ohm", "per": "phase"}, "unknown key 'per'"),

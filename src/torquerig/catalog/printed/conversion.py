@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from torquerig.catalog.derived_keys import with_derived_keys
@@ -152,7 +152,9 @@ def _check_intermittent(made: _Sheet, continuous: tuple[float, float] | None) ->
 
 def _torque_constant(made: _Sheet) -> Converted | None:
     """Return the torque constant from Kt, Ke and kV together, and from what the entry states itself."""
-    figures = {key: figure for key in NAMES if (figure := getattr(made.sheet, key)) is not None}
+    wound = frozenset({made.sheet.winding}) if made.sheet.winding else frozenset()
+    printed = {key: figure for key in NAMES if (figure := getattr(made.sheet, key)) is not None}
+    figures = {key: replace(figure, words=figure.words | wound) for key, figure in printed.items()}
     own = made.stated("torque_constant", "N*m/Arms")
     if own is not None and "torque_constant" in figures:
         raise made.refuse("torque_constant", "is also stated as torque_constant of the entry; keep one of them")
@@ -164,13 +166,13 @@ def _torque_constant(made: _Sheet) -> Converted | None:
         )  # fmt: skip
     if not figures:
         return None
-    pairs = made.stated("pole_pairs", "1")
-    try:
-        found = torque_constant(
-            figures, six_step=made.six_step, pole_pairs=[int(end) for end in dict.fromkeys(pairs or ())]
-        )
-    except UnitError as error:
-        raise made.refuse(next(iter(figures)), str(error)) from None
+    pairs = [int(end) for end in dict.fromkeys(made.stated("pole_pairs", "1") or ())]
+    for key, figure in figures.items():
+        try:
+            torque_constant({key: figure}, six_step=made.six_step)
+        except UnitError as error:
+            raise made.refuse(key, str(error)) from None
+    found = torque_constant(figures, six_step=made.six_step, pole_pairs=pairs)
     if found.contradiction:
         key = next(key for key in ("voltage_constant", "speed_constant", "torque_constant") if key in figures)
         raise made.refuse(key, found.contradiction)

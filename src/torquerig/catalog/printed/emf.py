@@ -9,8 +9,9 @@ trapezoid of 120 degrees, whose rms is sqrt(7)/3 of the peak of a phase, and sqr
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from math import log, pi, sqrt
 
@@ -87,8 +88,13 @@ def emf_range(key: str, figure: Figure) -> tuple[float, float]:
         return figure.ratio("N*m", "A")
     if key == "voltage_constant":
         return figure.ratio("V", "rad/s", like="flux linkage")
-    low, high = figure.ratio("rad/s", "V")
+    low, high = replace(figure, low=_hobby(figure.low), high=_hobby(figure.high)).ratio("rad/s", "V")
     return 1 / high, 1 / low
+
+
+def _hobby(text: str) -> str:
+    """Return ``190 KV``, as motors of models are named, as ``190 rpm/V``."""
+    return re.sub(r"^([\d.]+)\s*[kK][vV]$", r"\1 rpm/V", text)
 
 
 def torque_constant(figures: Mapping[str, Figure], *, six_step: bool, pole_pairs: Sequence[int] = ()) -> TorqueConstant:
@@ -98,7 +104,7 @@ def torque_constant(figures: Mapping[str, Figure], *, six_step: bool, pole_pairs
     remains of the figure with the fewest readings.
     """
     found = {
-        key: readings(figure, emf_range(key, figure), factors_of(key, six_step=six_step))
+        key: readings(_of_branch(figure), emf_range(key, figure), factors_of(key, six_step=six_step))
         for key, figure in figures.items()
     }
     agreeing = [choice for choice in product(*found.values()) if _agree(choice)]
@@ -108,6 +114,11 @@ def torque_constant(figures: Mapping[str, Figure], *, six_step: bool, pole_pairs
     best = min(kept, key=lambda key: (_width(kept[key]), list(NAMES).index(key)))
     low, high = span(kept[best])
     return TorqueConstant(low, high, _words(best, figures, found, kept), best)
+
+
+def _of_branch(figure: Figure) -> Figure:
+    """Return a voltage per phase of a delta winding without that word: a branch has the voltage between two lines."""
+    return replace(figure, words=figure.words - {"phase"}) if {"phase", "delta"} <= figure.words else figure
 
 
 def _agree(choice: Iterable[Reading]) -> bool:

@@ -10,11 +10,13 @@ from typing import Any
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from torquerig.catalog.printed.words import DUTY, TOLERANCE, taken_apart
+from torquerig.catalog.printed.words import DUTY, TEMPERATURE, TOLERANCE, taken_apart
 from torquerig.errors import UnitError
 from torquerig.units import meanings, parse_quantity
+from torquerig.units.remedies import separated_number
 
 _NUMBER_AND_UNIT = re.compile(r"^\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(?P<unit>.*)$")
+_THOUSAND_TURNS = re.compile(r"(?<![\w])[kK](?:rpm|RPM|min-1|min⁻¹)(?![\w])")
 _KEYS = {"value", "low", "high", "as", "evidence", "source", "note"}
 
 
@@ -35,6 +37,8 @@ class Figure:
         Printed tolerance [1], 0 where none.
     duty : tuple of str and float
         Duty type (IEC 60034-1) and cyclic duration factor [1]; ``("S1", 1.0)`` where none is printed.
+    celsius : float or None
+        Temperature at which it holds [C]; None where none is printed.
     evidence, source, note : str
         Of this figure; empty where those of the sheet hold.
     """
@@ -45,6 +49,7 @@ class Figure:
     words: frozenset[str] = frozenset()
     spread: float = 0.0
     duty: tuple[str, float] = ("S1", 1.0)
+    celsius: float | None = None
     evidence: str = ""
     source: str = ""
     note: str = ""
@@ -110,6 +115,9 @@ def _text(written: Any) -> str:
 
 def _from_texts(low: str, high: str, words: str, further: Mapping[str, str]) -> Figure:
     said = f"{low} {words}".strip() if low == high else f"{low} .. {high} {words}".strip()
+    for text in (low, high):
+        if problem := separated_number(text):
+            raise UnitError(problem)
     spread, duty = _tolerance(said), _duty(said)
     ends, found = [], set(taken_apart(_without_marks(words))[1])
     for text in (low, high):
@@ -126,11 +134,16 @@ def _from_texts(low: str, high: str, words: str, further: Mapping[str, str]) -> 
     for one, other in (("rms", "peak"), ("line", "phase"), ("star", "delta"), ("peak-to-peak", "amplitude")):
         if {one, other} <= found:
             raise UnitError(f"{said!r} is both {one} and {other}; keep one of them")
-    return Figure(said, ends[0], ends[1], frozenset(found), spread, duty, **further)
+    return Figure(said, ends[0], ends[1], frozenset(found), spread, duty, _celsius(said), **further)
 
 
 def _without_marks(text: str) -> str:
-    return DUTY.sub(" ", TOLERANCE.sub(" ", text))
+    return DUTY.sub(" ", TOLERANCE.sub(" ", TEMPERATURE.sub(" ", text)))
+
+
+def _celsius(text: str) -> float | None:
+    found = TEMPERATURE.search(text)
+    return float(found[1]) if found else None
 
 
 def _tolerance(text: str) -> float:
@@ -159,12 +172,12 @@ def _ratio(text: str, *, over: str, under: str, like: str) -> float:
     match = _NUMBER_AND_UNIT.match(text)
     if match is None:
         raise UnitError(f"{text!r} does not start with a number; write it as printed")
-    unit = match["unit"].strip()
+    unit = _THOUSAND_TURNS.sub("krpm", match["unit"].strip())
     known = [one.factor for one in meanings(unit) if like and one.kind == like]
     if known:
         return float(match["number"]) * known[0]
     above, _, below = unit.partition("/") if over == "V" else unit.rpartition("/")
-    above, below = above.strip(), below.strip().removeprefix("(").removesuffix(")").strip()
+    above, below = (one.strip().removeprefix("(").removesuffix(")").strip() for one in (above, below))
     if not above or not below:
         raise UnitError(
             f"{text!r} has no unit of the kind {over} per {under}; write it as printed, such as {_SUCH[over]!r}"

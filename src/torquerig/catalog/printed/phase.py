@@ -16,6 +16,7 @@ PHASE = (
     factor("phase star", 1.0, "1"),
     factor("phase delta", 1 / 3, "1/3"),
 )
+COPPER, COLD = 0.00393, 20.0  # [1/K] IEC 60028, [C] the temperature of the entry's resistance
 UNITS = {"resistance": "ohm", "inductance": "H"}
 
 
@@ -33,10 +34,15 @@ def phase_value(key: str, figure: Figure, *, winding: str | None) -> Converted:
         factors = tuple(one for one in PHASE if winding in one.words)
     else:
         factors = PHASE
-    found = readings(figure, figure.quantity(UNITS[key]), factors)
+    cold = (
+        1 + COPPER * ((figure.celsius if figure.celsius is not None else COLD) - COLD) if key == "resistance" else 1.0
+    )
+    printed = figure.quantity(UNITS[key])
+    found = readings(figure, (printed[0] / cold, printed[1] / cold), factors)
     low, high = span(found)
     distinct = list(dict.fromkeys((one.factor.formula, _spoken(one.factor.words)) for one in found))
     words = f"{figure.text}, " + " or ".join(f"times {formula} ({said})" for formula, said in distinct)
+    words += f", over {cold:.4g} for {COLD:g} C" if cold != 1 else ""
     if high > low * (1 + 1e-12) and len({formula for formula, _ in distinct}) > 1:
         words += "; the sheet does not say which, so the interval covers all"
     return Converted(f"phase_{key}", low, high, UNITS[key], f"{key} {words}", key)

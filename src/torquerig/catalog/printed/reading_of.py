@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from torquerig.catalog.printed.figure import Figure
+from torquerig.errors import UnitError
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,8 @@ class Reading:
         return f"taken as {self.spoken}" if formula == "1" else f"times {formula} ({self.spoken})"
 
 
+WITHOUT_EFFECT = frozenset({"unstated", "of rated", "star", "delta"})
+"""Words that may stand next to any figure: the winding matters per phase only, where it is asked for."""
 SPOKEN = {"line": "line-to-line", "phase": "per phase", "star": "star", "delta": "delta", "rms": "rms", "peak": "peak",
           "dc": "dc", "peak-to-peak": "peak-to-peak", "amplitude": "amplitude"}  # fmt: skip
 
@@ -65,8 +68,20 @@ def factor(words: str, value: float | tuple[float, float], formula: str) -> Fact
 
 
 def readings(figure: Figure, printed: tuple[float, float], factors: Sequence[Factor]) -> list[Reading]:
-    """Return every reading of ``figure`` that its words allow; ``printed`` is its range in the printed kind [SI]."""
-    said = figure.words & {word for one in factors for word in one.words}
+    """Return every reading of ``figure`` that its words allow; ``printed`` is its range in the printed kind [SI].
+
+    Raises
+    ------
+    UnitError
+        Where a word does not fit to such a figure, so that it would be ignored.
+    """
+    known = {word for one in factors for word in one.words}
+    said = frozenset("peak" if word == "amplitude" and "amplitude" not in known else word for word in figure.words)
+    foreign = sorted(said - known - WITHOUT_EFFECT)
+    if foreign:
+        fitting = ", ".join(text for word, text in SPOKEN.items() if word in known)
+        raise UnitError(f"{figure.text!r}: {foreign[0]!r} does not fit here; fitting words are {fitting}")
+    said &= known
     return [Reading(one, printed[0] * one.low, printed[1] * one.high) for one in factors if said <= one.words]
 
 

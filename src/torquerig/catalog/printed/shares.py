@@ -29,8 +29,7 @@ def share_of_torque(key: str, figure: Figure, field: str, *, rated_torque: tuple
         Where a torque is printed and the rated torque is not known, or the unit is another.
     """
     printed, reference = _as_share(figure, rated_torque)
-    words = "peak" if "peak" in figure.words else ""
-    if words:
+    if "peak" in figure.words:
         raise UnitError(f"{figure.text!r}: peak-to-peak or amplitude? write 'peak-to-peak' or 'amplitude'")
     found = readings(figure, printed, SWINGS)
     how = " or ".join(one.conversion for one in found)
