@@ -14,9 +14,11 @@ from torquerig.simulation import kernel
 from torquerig.simulation.condensation.lowered_for import lower_for
 from torquerig.simulation.inputs import Span, filled, held_while_settling
 from torquerig.simulation.measured_places import Output, through_chains
+from torquerig.simulation.motor_limit import limits_reached
 from torquerig.simulation.outputs import as_arrays, channels_of
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.step_choice import StepChoice, step_choice
+from torquerig.simulation.step_watch import watched
 from torquerig.version import __version__
 
 SAMPLE_RATE = 25_000.0  # [Hz] the rig's converter
@@ -41,7 +43,8 @@ def simulate(
     wander : float
         Relative rms of the slow wander of the speed in steady runs [1].
     substeps : int, optional
-        Integration steps per sample; chosen from the fastest mode or event when not given (see ``step_choice``).
+        Integration steps per sample, taken unchecked; when not given, chosen from the fastest mode or event
+        (``step_choice``) and checked (``step_watch``).
     most_steps : int, optional
         The largest permitted number of steps.
 
@@ -52,7 +55,19 @@ def simulate(
         known, the cause.
     """
     span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
-    return stepped(ready(rig, span, scenario=scenario, substeps=substeps, most_steps=most_steps))
+    run = ready(rig, span, scenario=scenario, substeps=substeps, most_steps=most_steps)
+    return checked(run) if substeps is None and most_steps is None else stepped(run)
+
+
+def checked(run: Ready) -> Recording:
+    """Return what ``stepped`` returns; what is doubtful of it is under ``warnings`` of its origin, a sentence each."""
+    kept = np.empty((len(run.outputs), run.span.samples))
+    watch, failed, node = watched(run, kept)
+    if failed >= 0:
+        raise run.failure(failed, node)
+    warnings = [*watch.sentences(), *limits_reached(run, kept)]
+    origin = {**run.origin, "warnings": warnings} if warnings else run.origin
+    return recorded(run.rig, run.outputs, kept, rate=run.span.rate, origin=origin)
 
 
 def stepped(run: Ready) -> Recording:

@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.term_kinds import KINDS, Terms
-from torquerig.simulation.twin.shapes import strain_shares
+from torquerig.simulation.twin.shapes import STRAINED, strain_shares
 
 Floats = NDArray[np.float64]
 
 STEP_ANGLE = 0.6  # [rad] largest angle that the fastest mode may turn in one Runge-Kutta step
+CONTACT_ANGLE = (
+    0.3  # [rad] the same where the twist is in a gap: it bounces in half a period, and 0.6 costs 1 % a bounce
+)
 EVENT_ANGLE = 1.5  # [rad] the same for what is over within milliseconds; at 2.3 the wear rig chatters by 6 mN m
 STABLE_ANGLE = 2.6  # [rad] Runge-Kutta 4 is stable to 2.785 (decay) and 2.828 (oscillation); a little is kept back
 CREEPS = 3.0  # [1] speed over the smoothing of a sign, below which friction may change its direction
@@ -89,7 +92,9 @@ def _modes(lowered: Lowered) -> list[Rate]:
         place = "" if spring is None else f" (twist in {spring!r})"
         rate, frequency = float(abs(values[row])), float(values[row].imag / (2 * pi))
         what = f"the mode at {frequency:.4g} Hz{place}" if frequency else f"a damped motion{place}"
-        found.append(Rate(rate, what, spring=spring if frequency else None))
+        bounces = bool(shares[lowered.arrays.springs.half_gap > 0].sum() >= STRAINED)
+        allowed = CONTACT_ANGLE if bounces else STEP_ANGLE
+        found.append(Rate(rate, what, allowed, spring=spring if frequency else None))
     return found
 
 

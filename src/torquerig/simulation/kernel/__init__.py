@@ -27,7 +27,7 @@ from torquerig.simulation.kernel.keep import (
     SPEED,
     SPRING_TORQUE,
 )
-from torquerig.simulation.kernel.loop import integrate
+from torquerig.simulation.kernel.loop import integrate, integrate_part
 
 __all__ = [
     "ANGLE",
@@ -37,4 +37,5 @@ __all__ = [
     "SPEED",
     "SPRING_TORQUE",
     "integrate",
+    "integrate_part",
 ]

@@ -22,7 +22,7 @@ from torquerig.simulation.kernel.imposed import free, impose
 from torquerig.simulation.kernel.keep import keep
 from torquerig.simulation.kernel.rare import has_rare
 from torquerig.simulation.kernel.sources import sources_key
-from torquerig.simulation.kernel.work import work_for
+from torquerig.simulation.kernel.work import Work, work_for
 from torquerig.simulation.term_kinds import Terms
 
 LOCATED = 2.0**-22  # [1] share of a substep within which a kink is located
@@ -33,7 +33,7 @@ def _built(key: int) -> Callable[..., Any]:
     """Return the compiled loop; ``key`` is closed over so that the cache on disk is keyed by it."""
 
     @njit(cache=True, nogil=True, fastmath=FAST, **UNCOUNTED)
-    def advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work):
+    def advance(theta, omega, terms, outputs, rate, settling, substeps, kept, work, first, last):
         drives, loads, imposed, bristles = terms.drives, terms.loads, terms.imposed, terms.bristles
         moving, n_drives, n_bristles = theta.size - 1, drives.on.size, bristles.on.size  # moving: all but the ground
         cosine, sine, load_now, inverse_inertia = work.cosine, work.sine, work.load_now, work.inverse_inertia
@@ -53,7 +53,7 @@ def _built(key: int) -> Callable[..., Any]:
         near = LOCATED * h
         # terms that most rigs lack: one test skips them all; a key is never below 0
         rare = has_rare(terms) or key < 0
-        for sample in range(settling + kept.shape[2]):
+        for sample in range(first, last):
             if rare:
                 free(imposed, sample, inverse_inertia)
                 impose(imposed, sample, 0.0, period, theta, omega)
@@ -214,7 +214,34 @@ def integrate(
         -1, -1 when the run went through; else where a speed ceased to be finite (sample counted from the start of
         settling).
     """
+    whole = slice(0, settling + kept.shape[1])
+    return integrate_part(theta, omega, work_for(terms), terms, outputs, rate, settling, substeps, kept, whole)
+
+
+def integrate_part(
+    theta: Floats,
+    omega: Floats,
+    work: Work,
+    terms: Terms,
+    outputs: Outputs,
+    rate: float,
+    settling: int,
+    substeps: int,
+    kept: Floats,
+    part: slice,
+) -> tuple[int, int]:
+    """Step through the samples of ``part`` alone, from the state that the samples before it left.
+
+    Several parts one after the other give the bits of ``integrate``.
+
+    Parameters
+    ----------
+    theta, omega, work
+        The state, changed in place; from ``work_for`` at the start.
+    kept : ndarray, shape (outputs, samples)
+        Its first column is the sample ``settling``.
+    """
     failed: tuple[int, int] = advance(
-        theta, omega, terms, outputs, rate, settling, substeps, kept[np.newaxis], work_for(terms)
+        theta, omega, terms, outputs, rate, settling, substeps, kept[np.newaxis], work, part.start, part.stop
     )
     return failed

@@ -22,11 +22,11 @@ def _built(key: int) -> Callable[..., Any]:
     """Return the compiled loop over lanes; ``key`` is closed over so that the cache on disk is keyed by it."""
 
     @njit(cache=True, nogil=True, fastmath=FAST, **UNCOUNTED)
-    def advance_together(theta, omega, terms, outputs, rate, settling, substeps, kept, work):
+    def advance_together(theta, omega, terms, outputs, rate, settling, substeps, kept, work, last):
         if key < 0:  # never: it is named here to be closed over
             return -1, -1
         theta_, omega_, terms_, work_ = in_lanes(theta), in_lanes(omega), in_lanes(terms), in_lanes(work)
-        return advance(theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_)
+        return advance(theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_, 0, last)
 
     return advance_together
 
@@ -66,7 +66,9 @@ def integrate_together(
     kept = np.empty((LANES, outputs.kind.size, samples))
     together = ([of[rig] for rig in filling] for of in (theta, omega, terms, work))
     theta_, omega_, terms_, work_ = (_interleaved(each) for each in together)
-    failed, _ = advance_together(theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_)
+    failed, _ = advance_together(
+        theta_, omega_, terms_, outputs, rate, settling, substeps, kept, work_, settling + samples
+    )
     return kept if rigs == LANES else kept[:rigs].copy(), failed < 0
 
 

@@ -53,6 +53,11 @@ class Work(NamedTuple):
     load_now: Floats  # per load
 
 
+def copied(work: Work) -> Work:
+    """Return the same in arrays of their own."""
+    return Work(*(array.copy() for array in work))
+
+
 def work_for(terms: Terms) -> Work:
     """Return the arrays for a rig, all zero but for what the loop changes of the rig's own."""
     sizes = {
