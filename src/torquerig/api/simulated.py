@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import isinf
 from pathlib import Path
+from warnings import warn
 
 from torquerig.api.inputs import recording_from, scenario_from
 from torquerig.recordings.inputs import Inputs
@@ -12,12 +13,13 @@ from torquerig.recordings.recording import Recording
 from torquerig.scenario.input_checks import as_driven
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.input_channels import with_input_channels, with_inputs
+from torquerig.simulation.loop_stability import loop_warning
 from torquerig.simulation.simulator import simulate as simulate_rig
 
 
 def simulate(
     scenario: Scenario | str | Path, *, duration: float | None = None, seed: int = 1, truth: bool = True,
-    inputs: Recording | str | Path | None = None,
+    inputs: Recording | str | Path | None = None, steps: int | None = None,
 ) -> Recording:  # fmt: skip
     """Return what the torque sensor of a rig records.
 
@@ -33,6 +35,8 @@ def simulate(
     inputs : Recording, or path of its file, optional
         Whose channels drive the parts with ``from: channel``; length and, where the scenario states none, sample rate
         are then its own.
+    steps : int, optional
+        Integration steps per sample, > 0, taken unchecked; without it chosen from the fastest motion and checked.
 
     Returns
     -------
@@ -46,6 +50,12 @@ def simulate(
     SimulationError
         Where the state becomes non-finite; names the node and the time.
 
+    Warns
+    -----
+    UserWarning
+        Where the integration step is too coarse, the motion chaotic, the speed loop unstable, or the motor stalls or
+        stays at its torque limit; each with its remedy.
+
     Examples
     --------
     >>> import torquerig as tr
@@ -58,8 +68,11 @@ def simulate(
     recording = simulate_rig(
         made.rig, duration=default_length(made) if duration is None else duration, seed=seed,
         sample_rate=sample_rate_of(made), settling=made.recording.settling,
-        wander=made.operating_point.slow_speed_wander, scenario=made.title,
+        wander=made.operating_point.slow_speed_wander, scenario=made.title, substeps=steps,
     )  # fmt: skip
+    doubts = (*recording.origin.get("warnings", ()), loop_warning(made.rig, rate=recording.sample_rate))
+    for doubt in filter(None, doubts):
+        warn(doubt, stacklevel=2)
     recording = with_input_channels(recording, made.rig)
     return recording if truth else recording.without_truth()
 

@@ -26,6 +26,7 @@ from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
 from torquerig.simulation.input_channels import with_input_channels
+from torquerig.simulation.loop_stability import loop_warning
 from torquerig.simulation.measured_places import channel_name, what_is_read
 from torquerig.simulation.simulator import simulate
 from torquerig.simulation.true_lines import with_true_lines
@@ -57,13 +58,15 @@ from torquerig.units import parse_quantity
 @click.option("--inputs", type=click.Path(path_type=Path), default=None, metavar="RECORDING",
               help="Recording whose channels drive the parts with from: channel; its length is simulated.")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite an earlier recording of that name.")
+@click.option("--steps", type=click.IntRange(1), default=None, help="Integration steps a sample, taken unchecked. "
+              "Default: chosen from the fastest motion, and checked.")  # fmt: skip
 @click.option("--prove-step", is_flag=True, help="Run again with half the integration step and show the difference.")
 @profile_option
 @set_option
 @catalog_option
 def command(
     *, scenario: Path, motor: str | None, gearbox: str | None, duration: str | None, rate: float | None, seed: int,
-    out: Path, truth: bool, inputs: Path | None, force: bool, prove_step: bool, profile: str | None,
+    out: Path, truth: bool, inputs: Path | None, force: bool, steps: int | None, prove_step: bool, profile: str | None,
     settings: tuple[str, ...], catalogs: tuple[Path, ...],
 ) -> None:  # fmt: skip
     """Simulate SCENARIO and write the recording of its sensors.
@@ -83,7 +86,7 @@ def command(
     sample_rate, settling = _rate(rate) or sample_rate_of(made), made.recording.settling
     recording = simulate(
         made.rig, duration=seconds, seed=seed, sample_rate=sample_rate, wander=wander, settling=settling,
-        scenario=made.title,
+        scenario=made.title, substeps=steps,
     )  # fmt: skip
     recording = with_input_channels(recording, made.rig)
     kept = (
@@ -100,6 +103,9 @@ def command(
     )
     for worm in made.rig.parts_of(WormGear):
         click.echo(wrapped(worm.losses))
+    doubts = [*recording.origin.get("warnings", ()), loop_warning(made.rig, rate=sample_rate)]
+    for doubt in filter(None, doubts):
+        click.echo(wrapped(f"warning: {doubt}"))
     if "condensed" in recording.origin:
         click.echo(wrapped(recording.origin["condensed"]))
     if prove_step:

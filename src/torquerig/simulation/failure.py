@@ -42,7 +42,7 @@ def why_it_failed(rig: Rig, lowered: Lowered, terms: Terms, *, sample: int, step
     except TorquerigError:
         twin = None
     if twin is not None and not twin.stable:
-        return _unstable(twin)
+        return unstable(twin)
     return (
         "neither what is given, the step, nor the speed loop at its operating point explains it; look at terms that "
         "grow with speed (quadratic drag) and at a motor without a torque limit to speak of"
@@ -59,7 +59,8 @@ def _not_a_number(lowered: Lowered, terms: Terms, sample: int) -> str:
     return next((name for name, values in given if not np.isfinite(values[: sample + 2]).all()), "")
 
 
-def _unstable(twin: Twin) -> str:
+def unstable(twin: Twin) -> str:
+    """Return how an unstable speed loop swings and grows, with a remedy, in one clause."""
     roots = twin.sampled_loop.poles()
     worst = roots[roots.real.argmax()]
     crossed = [one.lower_gain for one in twin.margins() if one.lower_gain is not None]

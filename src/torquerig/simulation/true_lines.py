@@ -50,7 +50,7 @@ def with_true_lines(
         return recording
     clean = simulate(
         without_lines(rig), duration=recording.duration, seed=seed, sample_rate=recording.sample_rate, wander=wander,
-        settling=settling,
+        settling=settling, substeps=recording.origin.get("substeps"),
     )  # fmt: skip
     wrong, left = (one.torque() - one.channels[load].in_si() for one in (recording, clean))
     of_load = recording.channels[load]

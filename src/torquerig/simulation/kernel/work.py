@@ -55,7 +55,8 @@ class Work(NamedTuple):
 
 def copied(work: Work) -> Work:
     """Return the same in arrays of their own."""
-    return Work(*(array.copy() for array in work))
+    arrays: dict[str, NDArray[Any]] = {name: array.copy() for name, array in work._asdict().items()}
+    return Work(**arrays)
 
 
 def work_for(terms: Terms) -> Work:
