@@ -16,7 +16,7 @@ from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready
 
 ALLOWED = 1e-3  # [1] change by half the step, rms of a stretch over the rms of the whole signal
-ALLOWED_IN_GAPS = 1e-4  # [1] the same of a rig with gaps: what single bounces change adds up between the stretches
+BURST = 100.0  # [1] largest change over the median one from which on it comes in bursts: bounces in a gap
 STRETCHES = 8  # of a recording, evenly spread, and one more at each reversal of the set-point
 SHARE, SHARE_IN_GAPS, LONGEST = 0.002, 0.005, 0.025  # [1, 1, s] length of one; each costs twice, for its step is half
 DISTURBED, DISTURBED_LONGEST = 0.025, 0.1  # [1, s] length of the two stretches from a disturbed state
@@ -61,8 +61,8 @@ class StepWatch:
             )
         elif self.change * exp(min(700.0, self.growth * self.duration)) > ALLOWED:
             yield (
-                f"the motion is chaotic: a gap rattles, and a small change grows by a factor e in "
-                f"{1000 / self.growth:.3g} ms; no step makes single samples reproducible, so compare rms and spectra"
+                "the motion is chaotic or unstable: a small change grows by a factor e in "
+                f"{1000 / self.growth:.3g} ms; no step makes single samples reproducible, so compare rms and spectra, not samples"
             )
 
 
@@ -70,10 +70,12 @@ def watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
     """Fill ``kept`` as ``kernel.integrate`` does, to the same bits, and return the check and where the run failed.
 
     At the start of each stretch the state is copied and run on with half the step; so a stretch sees gaps, friction and
-    loop as they are at that time, and not the start of the rig. A rig with gaps is also run on from a disturbed state.
+    loop as they are at that time, and not the start of the rig. Changes that come in bursts are allowed only half the
+    share of the recording that the stretches see, because the others add up, and larger ones are among them. A rig that
+    may make a difference grow is also run on from a disturbed state.
     """
     course, span = _Course(run, kept), run.span
-    changes, growths = [(0.0, 0.0)], []
+    changes, growths, seen = [(0.0, 0.0)], [], 0.0
     end = span.settling + span.samples
     for part, look in sorted(_stretches(run), key=lambda one: one[0].start):
         if part.start < course.here or part.stop > end:
@@ -83,13 +85,15 @@ def watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
             growths.append(look(course, part.stop))
         else:
             changes.append((look(course, part.stop), (part.start - span.settling) / span.rate))
+            seen += (part.stop - part.start) / span.samples
     course.on(end)
     size = float(np.sqrt(np.mean(kept[0] ** 2))) if course.failed[0] < 0 else 0.0
     change, at = max(changes)
+    bursts = _has_gaps(run) and change > BURST * float(np.median([one for one, _ in changes]))
     grown = sum(growths) / len(growths) if growths else 0.0
     watch = StepWatch(
         change=change / size if size else 0.0, at=at, steps=run.steps, growth=max(0.0, grown),
-        allowed=ALLOWED_IN_GAPS if _has_gaps(run) else ALLOWED, duration=span.samples / span.rate,
+        allowed=ALLOWED * (0.5 * seen if bursts else 1.0), duration=span.samples / span.rate,
     )  # fmt: skip
     return watch, *course.failed
 
@@ -161,6 +165,11 @@ def _has_gaps(run: Ready) -> bool:
     return bool(run.terms.springs.half_gap.any())
 
 
+def _may_grow(run: Ready) -> bool:
+    """Whether a rig has what is not passive: friction that falls with speed, gears that lose by direction."""
+    return bool(run.terms.springs.loss_half.any() or (run.terms.frictions.excess > 0).any())
+
+
 def _stretches(run: Ready) -> Iterator[tuple[slice, Callable[[_Course, int], float]]]:
     """Yield the samples of each stretch, counted from the start of settling, and what is done there."""
     span, gaps = run.span, _has_gaps(run)
@@ -172,8 +181,9 @@ def _stretches(run: Ready) -> Iterator[tuple[slice, Callable[[_Course, int], flo
         turned = np.flatnonzero(np.signbit(wanted[1:]) != np.signbit(wanted[:-1]))[:STRETCHES]
         starts += [span.settling + max(0, int(one) - length // 2) for one in turned]
     yield from ((slice(start, start + length), _halved) for start in starts)
-    if gaps:
+    places = (0.13, 0.38, 0.63, 0.88) if gaps else (0.38, 0.88) if _may_grow(run) else ()  # between the others
+    if places:
         length = max(PIECES, int(min(DISTURBED_LONGEST * span.rate, DISTURBED * whole)))
-        for share in (0.38, 0.76):  # between the others
+        for share in places:
             start = span.settling + int(share * span.samples)
             yield slice(start, start + length), _disturbed
