@@ -30,6 +30,7 @@ from torquerig.rig.parts import (
     SpeedController,
     TorqueController,
     TorqueSensor,
+    WormGear,
 )  # fmt: skip
 from torquerig.rig.steady import steady_torque
 from torquerig.rig.terms import GROUND, AppliedTorque, Friction, Term
@@ -187,6 +188,10 @@ STATED: dict[str, Part] = {
         name="x", after="motor", pinion_diameter=0.1, wheel_diameter=0.1, belt_length=1.0, belt_stiffness=1e5,
         strand_damping=100.0, wheel_inertia=1e-3,
     ),
+    "worm_gear": WormGear(
+        name="x", after="motor", starts=1, wheel_teeth=30, lead_angle=0.5, friction=0.0, stiffness=500.0, damping=0.1,
+        wheel_inertia=1e-3,
+    ),
     "link": Link(name="x", after="motor", stiffness=500.0, damping=0.1, mass=1e-3),
     "force_sensor": ForceSensor(name="x", after="motor", stiffness=500.0, damping=0.1, mass=1e-3, bandwidth=1e3),
 }  # fmt: skip
@@ -194,13 +199,14 @@ STATED: dict[str, Part] = {
 
 @pytest.mark.parametrize("kind", STATED)
 def test_friction_of_every_part_costs_its_torque(kind: str) -> None:
-    """Coulomb 0.3 and viscous 0.01 at 20 rad/s: 0.5 N m more of the motor, forward and backward."""
+    """Coulomb 0.3 and viscous 0.01 at 20 rad/s: 0.5 N m more behind the ratio, forward and backward."""
     part = replace(STATED[kind], coulomb=0.3, viscous=0.01)  # type: ignore[call-arg]
     motor = Motor(name="motor", inertia=2e-4, torque_limit=5.0)
     loop = SpeedController(name="loop", kp=0.05, ki=0.5)
+    ratio = getattr(part, "ratio", 1.0)
     for way in (1.0, -1.0):
-        rig = Rig((motor, part, loop), Run(speed=20.0 * way), measured="x")
-        assert steady_torque(rig, "motor") == pytest.approx(0.5 * way)
+        rig = Rig((motor, part, loop), Run(speed=20.0 * ratio * way), measured="x")
+        assert steady_torque(rig, "motor") == pytest.approx(0.5 * way / ratio)
 
 
 def test_every_part_that_opens_a_shaft_takes_friction_and_says_nothing_without() -> None:

@@ -62,7 +62,7 @@ class StepWatch:
         elif self.change * exp(min(700.0, self.growth * self.duration)) > ALLOWED:
             yield (
                 "the motion is chaotic or unstable: a small change grows by a factor e in "
-                f"{1000 / self.growth:.3g} ms; no step makes single samples reproducible, so compare rms and spectra, not samples"
+                f"{1000 / self.growth:.3g} ms; no step makes single samples reproducible; compare rms and spectra"
             )
 
 
@@ -74,6 +74,11 @@ def watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
     share of the recording that the stretches see, because the others add up, and larger ones are among them. A rig that
     may make a difference grow is also run on from a disturbed state.
     """
+    with np.errstate(over="ignore", invalid="ignore"):  # a run may be on its way to infinity
+        return _watched(run, kept)
+
+
+def _watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
     course, span = _Course(run, kept), run.span
     changes, growths, seen = [(0.0, 0.0)], [], 0.0
     end = span.settling + span.samples
@@ -87,7 +92,7 @@ def watched(run: Ready, kept: Floats) -> tuple[StepWatch, int, int]:
             changes.append((look(course, part.stop), (part.start - span.settling) / span.rate))
             seen += (part.stop - part.start) / span.samples
     course.on(end)
-    size = float(np.sqrt(np.mean(kept[0] ** 2))) if course.failed[0] < 0 else 0.0
+    size = rms(kept[0]) if course.failed[0] < 0 else 0.0
     change, at = max(changes)
     bursts = _has_gaps(run) and change > BURST * float(np.median([one for one, _ in changes]))
     grown = sum(growths) / len(growths) if growths else 0.0
@@ -133,7 +138,7 @@ def _halved(course: _Course, until: int) -> float:
     if finer.failed[0] >= 0 or course.failed[0] >= 0:
         return np.inf
     moved = finer.kept[0] - course.kept[0, start : until - course.first]
-    return float(np.sqrt(np.mean(moved**2)))
+    return rms(moved)
 
 
 def _disturbed(course: _Course, until: int) -> float:
@@ -159,6 +164,12 @@ def _disturbed(course: _Course, until: int) -> float:
         energies.append(float(inertia @ (course.omega - first.omega) ** 2))
     grown = (energies[-1] + energies[-2]) / 2 / float(inertia @ pushed**2)
     return log(max(grown, 1e-300)) / 2 / ((until - start) * (1 - 1 / PIECES) / course.run.span.rate)
+
+
+def rms(values: Floats) -> float:
+    """Return the root of the mean square, also of values whose squares are beyond a float."""
+    largest = float(np.abs(values).max(initial=0.0))
+    return largest * float(np.sqrt(np.mean((values / largest) ** 2))) if largest else 0.0
 
 
 def _has_gaps(run: Ready) -> bool:

@@ -73,7 +73,7 @@ class Reduction(NamedTuple):
 def is_plain(spring: Spring) -> bool:
     """Whether a spring is linear and the same at every angle."""
     special = spring.gap or spring.error or spring.stiffness_waves or spring.rest
-    return not special and spring.efficiency == 1.0
+    return not special and spring.efficiency == 1.0 and spring.backward_efficiency in (None, 1.0)
 
 
 def is_drag(term: Term) -> bool:
