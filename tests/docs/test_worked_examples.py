@@ -12,11 +12,14 @@ import pytest
 import torquerig
 from torquerig.catalog.motor import Motor
 from torquerig.catalog.reading import load_catalog, read_entry
+from torquerig.cli.diagnose_check import checked
 from torquerig.diagnosis.motion.diagnose_motion import diagnose_motion, under_measured_motion
 from torquerig.document import read_document
 from torquerig.recordings.files import read_recording
+from torquerig.recordings.files.sidecar import read_sidecar
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
+from torquerig.simulation.input_channels import driven_parts
 from torquerig.simulation.linear import matrices
 from torquerig.simulation.lower import lower
 from torquerig.simulation.simulator import simulate
@@ -104,9 +107,45 @@ def test_two_stage_branch_turns_and_sounds_as_its_page_says() -> None:
 def test_howto_describe_your_own_rig_prints_the_lines_of_the_shipped_scenario() -> None:
     shipped = (ROOT / "scenarios" / "two_stage_branch.yaml").read_text(encoding="utf-8")
     page = (ROOT / "docs" / "howto-describe-your-own-rig.md").read_text(encoding="utf-8")
-    printed = [line for block in re.findall(r"```yaml\n(.*?)```", page, re.DOTALL) for line in block.splitlines()]
+    other = re.sub(r"<!-- file: \S+ -->\n```yaml\n.*?```", "", page, flags=re.DOTALL)  # rigs and sidecars of their own
+    printed = [line for block in re.findall(r"```yaml\n(.*?)```", other, re.DOTALL) for line in block.splitlines()]
     stated = {line.split("#")[0].rstrip() for line in shipped.splitlines()}
     assert [line for line in printed if line.rstrip() not in stated] == []
+
+
+def test_several_sensors_of_howto_describe_your_own_rig_are_written(tmp_path: Path) -> None:
+    """Each place has its column; the parts under measured inputs are of that rig too."""
+    page, file = "howto-describe-your-own-rig.md", tmp_path / "several_sensors.yaml"
+    file.write_text(example(page, file.name), encoding="utf-8")
+    made = read_scenario(read_document(file), load_catalog(ROOT / "catalogs"), seed=1)
+    run = simulate(made.rig, duration=0.2, seed=1)
+    of = {name: one.of for name, one in run.channels.items() if not one.truth}
+    assert of == {
+        "output_sensor_V": "output_sensor", "input_sensor_V": "input_sensor", "tacho_rad_s": "tacho",
+        "motor_current_A": "motor_current",
+    }  # fmt: skip
+    assert run.channels["input_sensor_V"].si_per_unit < 0
+    whole = example(page, file.name) + example(page, "inputs.yaml")
+    file.write_text(re.sub(r"  speed_controller:.*\n", "", whole), encoding="utf-8")
+    driven = read_scenario(read_document(file), load_catalog(ROOT / "catalogs"), seed=1)
+    assert [part.from_ for part in driven_parts(driven.rig)] == ["channel torque", "channel motor_speed"]
+    file.write_text(example(page, "input_channel.yaml"), encoding="utf-8")
+    assert read_sidecar(file).channels["brake_mV"].si_per_unit == 0.005
+
+
+def test_shaft_line_of_howto_diagnose_measured_motion_is_driven_by_its_recording(tmp_path: Path) -> None:
+    page = "howto-diagnose-measured-motion.md"
+    for name in ("shaft_line.yaml", "line1.yaml"):
+        (tmp_path / name).write_text(example(page, name), encoding="utf-8")
+    wave = np.sin(0.1 * np.arange(600))
+    rows = np.column_stack([1 + 0.3 * wave, 1.2 + 0.3 * wave, 0.5 + 0.2 * wave, np.linspace(300, 320, 600)])
+    header = "outer_V,inner_V,brake_Nm,speed_rpm"
+    np.savetxt(tmp_path / "line1.csv", rows, delimiter=",", header=header, comments="")
+    made = read_scenario(read_document(tmp_path / "shaft_line.yaml"), load_catalog(ROOT / "catalogs"), seed=1)
+    shown = checked(made, [read_recording(tmp_path / "line1.csv")])
+    text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    for line in re.findall(r"^line1\.csv: .*$", text, re.MULTILINE):
+        assert line in shown
 
 
 @pytest.mark.long
