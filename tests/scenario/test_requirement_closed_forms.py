@@ -20,7 +20,8 @@ ROTOR, WHEEL = 1e-4, 2e-3
 INERTIA = ROTOR + WHEEL / RATIO**2 / EFFICIENCY  # while it accelerates
 
 
-def rig(*, time: tuple[float, ...], speed: tuple[float, ...], load: tuple[float, ...], mean: float | None) -> Rig:
+def rig(*, time: tuple[float, ...], speed: tuple[float, ...], load: tuple[float, ...], mean: float | None,
+        held: bool = True) -> Rig:  # fmt: skip
     """Return a motor, a gear and a wheel; ``mean`` is that of its load, None without one."""
     loads: tuple[Part, ...] = ()
     if mean is not None:
@@ -34,7 +35,7 @@ def rig(*, time: tuple[float, ...], speed: tuple[float, ...], load: tuple[float,
         SpeedController(name="loop", kp=0.05, ki=1.0),
         *loads,
     )
-    rows = Breakpoints(time=time, speed=speed, load=load)
+    rows = Breakpoints(time=time, speed=speed, load=load, held=(held,) * len(time))
     run = Run(speed=SPEED, profile="csv", set_points=Tabulated(rows=rows, repeats=None), occupancy_percent=0.0)
     return Rig(parts, run, measured="gearbox")
 
@@ -66,6 +67,16 @@ def test_intermittent_duty_counts_its_load_for_its_share_of_the_time(mean: float
     course = {"time": (0.0, 0.4, 0.4, 1.0), "speed": (SPEED,) * 4, "load": (3.0, 3.0, 0.0, 0.0)}
     made = drive_requirement(rig(**course, mean=mean), duration=1.0)
     assert made.rms_torque == pytest.approx(sqrt(0.4) * 3.0 / RATIO / EFFICIENCY, rel=1e-3)
+
+
+@LOADED
+@pytest.mark.parametrize("held", [True, False])
+def test_a_stated_torque_is_held_at_rest(mean: float | None, held: bool) -> None:
+    course = {"time": (0.0, 0.4, 0.4, 1.0), "speed": (SPEED, SPEED, 0.0, 0.0), "load": (0.0, 0.0, 3.0, 3.0)}
+    made = drive_requirement(rig(**course, mean=mean, held=held), duration=1.0)
+    at_rest = (~made.step) & (made.speed == 0).all(axis=1)
+    assert made.torque[at_rest] == pytest.approx(3.0 / RATIO / EFFICIENCY if held else 0.0, rel=1e-3)
+    assert made.duration[at_rest].sum() == pytest.approx(0.6, abs=0.01)  # the stop takes 4 ms of it
 
 
 def test_a_train_with_two_ends_asks_where_the_load_acts() -> None:

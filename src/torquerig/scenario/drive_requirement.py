@@ -92,7 +92,8 @@ def drive_requirement(rig: Rig, *, duration: float) -> DriveRequirement:
         if span <= 0:
             continue
         load = (None, None) if corners.load is None else (corners.load[row], corners.load[row + 1])
-        pieces.add(span, (corners.speed[row], corners.speed[row + 1]), load, before, corners.time[row])
+        held = corners.held is not None and corners.held[row] and corners.held[row + 1]
+        pieces.add(span, (corners.speed[row], corners.speed[row + 1]), load, before, corners.time[row], held=held)
         before = corners.speed[row + 1]
     return pieces.made()
 
@@ -106,8 +107,9 @@ class _Pieces:
         self.late: list[str] = []
 
     def add(
-        self, span: float, speed: tuple[float, float], load: tuple[float | None, float | None], before: float, at: float
-    ) -> None:
+        self, span: float, speed: tuple[float, float], load: tuple[float | None, float | None], before: float,
+        at: float, *, held: bool,
+    ) -> None:  # fmt: skip
         """Add one linear piece; where it does not start at the speed ``before``, add the step first."""
         slope = (speed[1] - speed[0]) / span
         if abs(speed[0] - before) > 1e-9 * max(1.0, abs(before)):
@@ -116,7 +118,11 @@ class _Pieces:
             speed = (speed[0] + slope * taken, speed[1])
         if span > 0:
             way = np.sign(speed[0] + speed[1])
-            torque = [self.train.torque(one, slope, load=pull, way=way) for one, pull in zip(speed, load, strict=True)]
+            pulls = zip(speed, load, strict=True)
+            if held and way == 0:
+                torque = [self.train.holding_torque(pull or 0.0) for pull in load]
+            else:
+                torque = [self.train.torque(one, slope, load=pull, way=way) for one, pull in pulls]
             self.rows.append((span, speed, (torque[0], torque[1]), False))
 
     def _step(self, before: float, after: float, load: float | None, at: float, span: float) -> float:
@@ -155,6 +161,7 @@ def _split_at_rest(corners: Breakpoints) -> Breakpoints:
     """Return the same corners with a point at each zero of the speed, where friction and load change sign."""
     time, speed = list(corners.time), list(corners.speed)
     load = None if corners.load is None else list(corners.load)
+    held = None if corners.held is None else list(corners.held)
     for row in reversed(range(len(time) - 1)):
         if speed[row] * speed[row + 1] < 0 and time[row + 1] > time[row]:
             share = speed[row] / (speed[row] - speed[row + 1])
@@ -162,4 +169,9 @@ def _split_at_rest(corners: Breakpoints) -> Breakpoints:
             speed.insert(row + 1, 0.0)
             if load is not None:
                 load.insert(row + 1, load[row] + share * (load[row + 1] - load[row]))
-    return Breakpoints(time=tuple(time), speed=tuple(speed), load=None if load is None else tuple(load))
+            if held is not None:
+                held.insert(row + 1, held[row] and held[row + 1])
+    return Breakpoints(
+        time=tuple(time), speed=tuple(speed), load=None if load is None else tuple(load),
+        held=None if held is None else tuple(held),
+    )  # fmt: skip

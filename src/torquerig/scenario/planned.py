@@ -40,6 +40,7 @@ def planned(written: DutyCycleText | TableText, rig: Rig, *, motor_turns: float,
             speed=(one.motor_speed or 0.0) if one.output_speed is None else one.output_speed * motor_turns,
             ramp=one.ramp,
             load=_load(one, rig) if loaded else None,
+            held=one.load_torque is not None,
         )
         for one in written.segments
     ]

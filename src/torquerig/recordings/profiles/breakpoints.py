@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,11 +20,15 @@ class Breakpoints:
         [rad/s]
     load : tuple of float, shape (points,), or None
         Torque against the wear part's motion [N m]; None: the rig's load applies.
+    held : tuple of bool, shape (points,), or None
+        Whether the drive must hold that torque at rest too, such as a weight; None: nowhere, as of a load that only
+        resists motion.
     """
 
     time: tuple[float, ...]
     speed: tuple[float, ...]
     load: tuple[float, ...] | None = None
+    held: tuple[bool, ...] | None = None
 
     @property
     def length(self) -> float:
@@ -38,7 +42,7 @@ class Breakpoints:
 
     def times(self, factor: float) -> Breakpoints:
         """Return the same with every speed multiplied by ``factor`` [1], such as from output to motor speed."""
-        return Breakpoints(time=self.time, speed=tuple(factor * one for one in self.speed), load=self.load)
+        return replace(self, speed=tuple(factor * one for one in self.speed))
 
     def speed_at(self, time: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the speed [rad/s] at ``time`` [s]; constant before the first and after the last point."""

@@ -24,12 +24,15 @@ class Segment:
         Whether it is reached linearly over the segment; otherwise it is constant from the start.
     load : float or None
         Mean torque against the wear part's motion [N m]; None: the rig's load applies.
+    held : bool
+        Whether the drive must hold the load at rest too.
     """
 
     duration: float
     speed: float
     ramp: bool = False
     load: float | None = None
+    held: bool = False
 
 
 def duty_cycle(segments: Sequence[Segment], *, repeats: int | None = None) -> Tabulated:
@@ -47,17 +50,21 @@ def duty_cycle(segments: Sequence[Segment], *, repeats: int | None = None) -> Ta
     stated = [one.load is not None for one in segments]
     if any(stated) and not all(stated):
         raise InputError(f"segment {stated.index(False) + 1} states no load, but others do; give every segment one")
-    time, speed, load = [0.0], [_start(segments, 0)], [segments[0].load or 0.0]
+    time, speed, load, held = [0.0], [_start(segments, 0)], [segments[0].load or 0.0], [segments[0].held]
     for number, one in enumerate(segments):
         if not one.duration > 0:
             raise InputError(f"segment {number + 1} lasts {one.duration:g} s; a segment lasts more than 0 s")
         first = (time[-1], _start(segments, number), one.load or 0.0)
         last = (first[0] + one.duration, one.speed, one.load or 0.0)
         for point in (first, last):
-            if point != (time[-1], speed[-1], load[-1]):
+            if (*point, one.held) != (time[-1], speed[-1], load[-1], held[-1]):
                 for kept, value in zip((time, speed, load), point, strict=True):
                     kept.append(value)
-    rows = Breakpoints(time=tuple(time), speed=tuple(speed), load=tuple(load) if all(stated) else None)
+                held.append(one.held)
+    rows = Breakpoints(
+        time=tuple(time), speed=tuple(speed), load=tuple(load) if all(stated) else None,
+        held=tuple(held) if any(held) else None,
+    )  # fmt: skip
     return Tabulated(rows=rows, repeats=repeats, name="duty_cycle")
 
 

@@ -54,6 +54,7 @@ def read_profile(path: Path) -> tuple[Breakpoints, bool]:
         time=tuple(used["time_s"].tolist()),
         speed=tuple((used[found[0]] * UNITS["speed"]["rpm"]).tolist()),
         load=tuple(used[load].tolist()) if load else None,
+        held=(True,) * used["time_s"].size if load else None,
     )
     return breakpoints, SPEEDS[found[0]]
 
