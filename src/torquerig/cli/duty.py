@@ -17,6 +17,7 @@ from torquerig.rig.parts import WormGear
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.requirement_check import check_requirement, entry_of
+from torquerig.scenario.unused import unused_by_run
 from torquerig.study.one_drive import scenario_or_candidate
 from torquerig.thermal.duty_temperatures import DutyTemperatures, temperatures_of_duty
 from torquerig.thermal.duty_text import duty_rows, figure_rows, verdict_sentence
@@ -35,6 +36,7 @@ class _DutyOfMotor:
     entry: Motor
     title: str
     flags: tuple[str, ...] = ()
+    unused: tuple[str, ...] = ()
 
 
 @click.command("duty")
@@ -92,7 +94,13 @@ def command(
         flags = check_requirement(made, catalog, duration=length)
         requirement = drive_requirement(made.rig, duration=length)
         title = f"{entry.name}, {ratio_text(made.rig)}, {made.rig.run.profile}, {length:g} s"
-        of_motor = _DutyOfMotor(duty=duty_of_requirement(requirement), entry=entry, title=title, flags=flags)
+        of_motor = _DutyOfMotor(
+            duty=duty_of_requirement(requirement),
+            entry=entry,
+            title=title,
+            flags=flags,
+            unused=unused_by_run(made),
+        )
     copies = thermal_variants(entry)
     judged = temperatures_of_duty(of_motor.duty, copies, ambient=ambient)
     _print_duty(of_motor, copies, judged, ambient=ambient)
@@ -110,6 +118,8 @@ def _print_duty(of_motor: _DutyOfMotor, copies: ThermalVariants, judged: DutyTem
     click.echo(wrapped(verdict_sentence(judged, copies)))
     for flag in of_motor.flags:
         click.echo(wrapped(f"flagged: {flag}"))
+    for unused in of_motor.unused:
+        click.echo(wrapped(f"stated and not used: {unused}"))
     click.echo("\nassumed, because no document states these values:")
     for name, text in copies.assumed.items():
         click.echo(wrapped(f"{name}: {text}"))

@@ -25,6 +25,7 @@ from torquerig.rig.parts import WormGear
 from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
+from torquerig.scenario.unused import unused_by_simulation
 from torquerig.simulation.input_channels import with_input_channels
 from torquerig.simulation.loop_stability import loop_warning
 from torquerig.simulation.measured_places import channel_name, what_is_read
@@ -112,6 +113,8 @@ def command(
         click.echo(wrapped(_proof(made, duration=seconds, seed=seed, sample_rate=sample_rate)))
     for flag in flags:
         click.echo(wrapped(f"flagged: {flag}"))
+    for unused in unused_by_simulation(made):
+        click.echo(wrapped(f"stated and not used: {unused}"))
     if made.assumed:
         click.echo("assumed, because no document states these values:")
         click.echo(grid([["value", "taken"], *([key, text] for key, text in made.assumed.items())]))

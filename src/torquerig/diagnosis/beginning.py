@@ -112,7 +112,11 @@ def _begun(scenario: Scenario, recordings: Sequence[Recording], progress: Progre
         at_other = _calibrated(scenario, recordings, nominal, other)
         if at_other.before.model.cost < before.model.cost:
             faults, (runs, before, held) = other, at_other
-    untrue = (*faults.untrue, *off_ratios(sheets, runs, nominal), *off_set_points(recordings, runs))
+    untrue = (
+        *faults.untrue,
+        *off_ratios(sheets, runs, nominal),
+        *off_set_points(recordings, runs, error_max=scenario.operating_point.speed_set_point_error_max),
+    )
     before = replace(before, thresholds=thresholds, stated_gap=0.0 if own_gap is None else own_gap.stated)
     return Beginning(
         scenario=scenario, whole=whole, own_gap=own_gap, faults=faults, runs=runs, untrue=untrue, before=before,

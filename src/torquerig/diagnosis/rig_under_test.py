@@ -12,7 +12,8 @@ from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
 
-SPEED_KEPT = 0.03  # a set-point is kept within a per cent; beyond this the sheet and the encoder tell of two speeds
+SPEED_ERROR = 0.01  # of a set-point, where the scenario states no largest error
+TWO_SPEEDS = 3.0  # largest errors of a set-point, beyond which the sidecar and the encoder have two speeds
 
 
 def check_rig(rig: Rig) -> None:
@@ -50,14 +51,18 @@ def check_recordings(recordings: Sequence[Recording]) -> None:
         )
 
 
-def off_set_points(recordings: Sequence[Recording], runs: Sequence[Observed]) -> Iterator[tuple[str, Mismatch]]:
+def off_set_points(
+    recordings: Sequence[Recording], runs: Sequence[Observed], *, error_max: float
+) -> Iterator[tuple[str, Mismatch]]:
     """Yield a sentence and a mismatch for each steady run that turns at another speed than its sheet says.
 
-    By its angle channel, or by the lines of its torque.
+    By its angle channel, or by the lines of its torque. ``error_max`` is the largest error of a set-point that the
+    scenario states [1]; 0 where it states none.
     """
+    kept = TWO_SPEEDS * (error_max or SPEED_ERROR)
     for recording, run in zip(recordings, runs, strict=True):
         stated, real = recording.run.speed, abs(run.mean_speed)
-        if not (run.steady and stated) or abs(real / stated - 1) <= SPEED_KEPT:
+        if not (run.steady and stated) or abs(real / stated - 1) <= kept:
             continue
         rpm, said = real * 30 / pi, stated * 30 / pi
         by = run.origin.removeprefix("from ")

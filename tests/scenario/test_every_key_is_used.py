@@ -1,0 +1,211 @@
+"""Every key of every shipped scenario counts: another value changes a result, is refused, or is reported as unused."""
+
+from __future__ import annotations
+
+import copy
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import pytest
+
+from torquerig.catalog.reading import Catalog, load_catalog
+from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
+from torquerig.diagnosis.fitting.knobs import nuisance_knobs
+from torquerig.document import Document, read_document
+from torquerig.errors import TorquerigError
+from torquerig.rig.drive_train import driven_motor
+from torquerig.scenario.drive_requirement import drive_requirement
+from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.model import Scenario
+from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.unused import unused_by_simulation
+from torquerig.simulation.simulator import simulate
+from torquerig.study import drive_run
+from torquerig.study.candidates import candidates, scenario_of
+from torquerig.study.criteria import criteria_of, requirements_of
+from torquerig.study.definition import Study, open_study
+from torquerig.study.operating_points import points_of
+
+LENGTH, SETTLING = 0.05, 0.02  # [s] of the simulated stretch: 1250 samples at 25 kHz
+Path = tuple[Any, ...]
+
+
+@cache
+def catalog() -> Catalog:
+    return load_catalog(shipped_folder())
+
+
+@cache
+def documents() -> dict[str, Document]:
+    found = {path.name: read_document(path) for path in sorted(shipped_scenarios().glob("*.yaml"))}
+    return {name: one for name, one in found.items() if isinstance(one.data, dict) and "rig" in one.data}
+
+
+def leaves(data: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
+    """Yield every value that is no mapping or list, with its path."""
+    if isinstance(data, dict | list):
+        for key, value in data.items() if isinstance(data, dict) else enumerate(data):
+            yield from leaves(value, (*path, key))
+    else:
+        yield path, data
+
+
+def others(value: Any) -> tuple[Any, ...]:
+    """Return other values of one kind: 7 % more, half of it, a neighbouring count, the other word."""
+    if isinstance(value, bool):
+        return (not value,)
+    if isinstance(value, int):
+        return value + 1, value - 1, 2 * value + 1
+    if isinstance(value, float):
+        return value * 1.07 + (0.01 if value == 0 else 0.0), value * 0.5
+    number = re.match(r"^([+-]?[\d.]+(?:[eE][+-]?\d+)?)( .*|)$", str(value))
+    if number is None:
+        return (f"{value}x",)
+    return tuple(f"{factor * float(number[1]) or factor}{number[2]}" for factor in (1.07, 0.5))
+
+
+def changed(document: Document, path: Path, value: Any) -> Document:
+    data = copy.deepcopy(document.data)
+    held = data
+    for key in path[:-1]:
+        held = held[key]
+    held[path[-1]] = value
+    return replace(document, data=data)
+
+
+def as_simulated(document: Document) -> object:
+    made = read(document)
+    reading = simulate(
+        made.rig, duration=LENGTH, seed=1, wander=made.operating_point.slow_speed_wander, settling=SETTLING,
+        sample_rate=made.recording.sample_rate,
+    )  # fmt: skip
+    return {name: channel.values.tobytes() for name, channel in reading.channels.items()}
+
+
+def as_read(document: Document) -> object:
+    made = read(document)
+    return made.title, made.rig.terms(), made.rig.stages(), made.recording, kinematics_of(made.rig).lines()
+
+
+def as_fitted(document: Document) -> object:
+    """What a diagnosis fits, and beyond which error of the speed it reports the sidecar."""
+    made = read(document)
+    knobs = nuisance_knobs(made.rig, made.uncertainties, occupancies=[])
+    return knobs, made.operating_point.speed_set_point_error_max
+
+
+def as_sized_over_its_cycle(document: Document) -> object:
+    if "duty_cycle" not in document.data.get("operating_point", {}):
+        return None
+    made = read(changed(document, ("operating_point", "profile"), "duty_cycle"))
+    if driven_motor(made.rig) is None:
+        return None
+    needed = drive_requirement(made.rig, duration=1.0)
+    return needed.duration.tolist(), needed.speed.tolist(), needed.torque.tolist()
+
+
+def as_loaded_elsewhere(document: Document) -> object:
+    """The terms at every occupancy at which a load is stated."""
+    made = read(document)
+    tables = [getattr(part, "mean_by_occupancy_percent", {}) for part in made.rig.parts]
+    known = sorted({each for table in tables for each in table})
+    return [made.rig.at(replace(made.rig.run, occupancy_percent=each)).terms() for each in known]
+
+
+def as_decided(document: Document) -> object:
+    study = open_study(document, catalog())
+    return candidates(study), requirements_of(study), criteria_of(study), points_of(study)
+
+
+def as_driven(document: Document) -> object:
+    """A candidate of the study, of the largest ratio, and the filters on it."""
+    study = open_study(document, catalog())
+    made = scenario_of(candidates(study)[-1], study, seed=study.settings.seed)
+    return [*study.chains(made)], made.rig.terms(), drive_run.settling_of(study.settings.speed_loop)
+
+
+def read(document: Document) -> Scenario:
+    return read_scenario(document, catalog(), seed=1)
+
+
+OF_A_RUN: tuple[Callable[[Document], object], ...] = (
+    as_read, as_fitted, as_sized_over_its_cycle, as_loaded_elsewhere, as_simulated,
+)  # fmt: skip
+OF_A_STUDY: tuple[Callable[[Document], object], ...] = (as_decided, as_driven)
+OF_WHOLE_STUDIES = {("study", "duration"), ("study", "seed"), ("study", "draws")}
+"""Keys that only whole runs show; length and seed are tested below, the draws in tests/study/."""
+
+
+def counts(document: Document, path: Path, value: Any, known: dict[str, object]) -> bool:
+    other = changed(document, path, value)
+    for result in OF_A_STUDY if path[0] == "study" else OF_A_RUN:
+        try:
+            found = result(other)
+        except TorquerigError:
+            return True
+        if found != known.setdefault(result.__name__, result(document)):
+            return True
+    return False
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", documents())
+def test_another_value_of_every_key_changes_a_result_or_is_reported(name: str) -> None:
+    document, known = documents()[name], dict[str, object]()
+    unused = [text.split(":")[0] for text in unused_by_simulation(read(document))]
+    silent = [
+        ".".join(map(str, path))
+        for path, value in leaves(document.data)
+        if path not in OF_WHOLE_STUDIES
+        and path[-1] != "purpose"  # printed in the report
+        and not any(counts(document, path, other, known) for other in others(value))
+    ]
+    assert [one for one in silent if not any(one.startswith(each) for each in unused)] == []
+
+
+class _Asked(Exception):
+    """Ends a drive's run when its first recording is asked for."""
+
+
+def test_the_length_and_the_seed_of_a_study_are_those_of_its_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    document = documents()["wear_rig.yaml"]
+    asked: list[tuple[float, int]] = []
+
+    def recorded(_: object, *, duration: float, seed: int, **__: object) -> None:
+        asked.append((duration, seed))
+        raise _Asked
+
+    monkeypatch.setattr(drive_run, "simulate", recorded)
+    for key, value in (("duration", "7 s"), ("seed", 5)):
+        study: Study = open_study(changed(document, ("study", key), value), catalog())
+        with pytest.raises(_Asked):
+            drive_run.run_drive(candidates(study)[0], study)
+    assert asked == [(7.0, 1), (10.0, 5)]
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({("operating_point", "load", "particle_size"): "0.6 mm"}, "operating_point.load.particle_size"),
+        ({("operating_point", "load", "occupancy"): "7 %"}, "operating_point.load.occupancy"),
+    ],
+)
+def test_a_condition_that_no_part_depends_on_is_reported(changes: dict[Path, Any], said: str) -> None:
+    document = documents()["wear_rig.yaml"]
+    data = copy.deepcopy(document.data)
+    del data["rig"]["load"], data["rig"]["shaft"]
+    bare = replace(document, data=data)
+    for path, value in changes.items():
+        bare = changed(bare, path, value)
+    assert said in [text.split(":")[0] for text in unused_by_simulation(read(bare))]
+
+
+def test_a_cycle_states_its_own_speed_and_length() -> None:
+    cycle = changed(documents()["wear_rig.yaml"], ("operating_point", "profile"), "duty_cycle")
+    keys = [text.split(":")[0] for text in unused_by_simulation(read(cycle))]
+    assert "operating_point.output_speed" in keys
+    assert "operating_point.slow_speed_wander" in keys
+    assert "operating_point.duty_cycle" not in keys
