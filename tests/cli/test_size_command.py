@@ -58,3 +58,31 @@ def test_every_drive_in_one_table(capsys):
 )
 def test_what_is_refused(capsys, arguments, told):
     assert told in said(capsys, "size", WEAR_RIG, *arguments, code=2)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("--shell", "drive.xml"), "a shell is written as .json or .aasx"),
+        (("--shell", "here.json"), "here.json: is there already; overwrite it with --force"),
+        (("--all", "--shell", "drive.json"), "and --shell"),
+    ],
+)
+def test_a_shell_that_cannot_be_written_is_refused_before_the_sizing(capsys, arguments, told):
+    Path("here.json").write_text("{}", encoding="utf-8")
+    assert told in said(capsys, "size", WEAR_RIG, *arguments, code=2)
+    assert Path("here.json").read_text(encoding="utf-8") == "{}"
+
+
+@pytest.mark.long
+def test_a_shell_of_a_table_profile_holds_the_motion(capsys):
+    table = "time_s,output_speed_rpm,torque_Nm\n0,0,1\n5,200,1\n60,200,3.8\n"
+    Path("cycle.csv").write_text(table, encoding="utf-8")
+    drive = ("--motor", "HDS6A-0104A", "--gearbox", "reference-5-1")
+    text = said(capsys, "size", WEAR_RIG, *drive, "--profile", "cycle.csv", "--shell", "drive.aasx")
+    assert "drive.aasx: written\n" in text
+    said(capsys, "catalog", "import", "drive.aasx", "axis")
+    assert Path("axis/profile.csv").read_text(encoding="utf-8") == table
+    assert 'ManufacturerOrderCode "HDS6A-0104A"' in Path("axis/requirements.yaml").read_text(encoding="utf-8")
+    text = said(capsys, "size", WEAR_RIG, *drive, "--shell", "drive.json")
+    assert "drive.json: written; without the motion of the load, which only .aasx holds" in text

@@ -61,7 +61,7 @@ def command(
     """
     if every and (motor or gearbox or picture or shell):
         raise InputError(
-            "--all sizes every motor x gearbox of the study; remove --motor, --gearbox, --picture, --shell"
+            "--all sizes every motor x gearbox of the study; remove --motor, --gearbox and --picture, and --shell"
         )
     if shell is not None:
         from torquerig.cli.size_shell import check_shell, write_sizing_shell

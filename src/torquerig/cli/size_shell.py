@@ -16,6 +16,7 @@ from torquerig.metrics.sizing.drive_sizing import sizing
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.reporting.sizing.sizing_text import verdict_text
+from torquerig.rig.reading_place import reading_place
 from torquerig.version import __version__
 
 
@@ -31,21 +32,19 @@ def write_sizing_shell(path: Path, drive: SizedDrive, *, title: str, ambient: fl
     """Write the sizing of a drive; an ``.aasx`` also holds the motion where the profile states speed and load."""
     sized = sizing(drive, ambient=ambient)
     motion = _motion(drive) if path.suffix == ".aasx" else None
-    names = {"Motor": drive.motor_name, **({"Gearbox": drive.gearbox.name} if drive.gearbox else {})}
+    components = [("Motor", drive.motor_name), *(("Gearbox", box.name) for box in drive.gearboxes.values())]
     figures = {
         name: SizedFigure(value=_number(one.value), low=_number(one.low), high=_number(one.high))
         for name, one in sized.figures.items()
     }
     record = SizedDriveRecord(
         title=title, tool=f"torquerig {__version__}", date=datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
-        components=names, verdict=verdict_text(sized), has_motion=motion is not None,
+        components=components, verdict=verdict_text(sized), has_motion=motion is not None,
         figures=figures,
     )  # fmt: skip
     files = {MOTION_FILE: motion_file(motion).encode()} if motion else {}
     write_shell(path, environment_of(record, identifier=f"urn:uuid:{uuid4()}"), files)
-    left = "" if motion else "; without the motion of the load" + (
-        ", which only .aasx holds" if path.suffix == ".json" else ", whose torque the profile does not state"
-    )  # fmt: skip
+    left = "" if motion else f"; without the motion of the load, {_why_not(drive, path)}"
     click.echo(f"{path}: written{left}")
 
 
@@ -54,8 +53,19 @@ def _number(value: float | None) -> float:
 
 
 def _motion(drive: SizedDrive) -> Motion | None:
+    """Return the motion of the load; None where it is not stated as a table with torque, or moves in a line."""
     profile = drive.rig.run.set_points
-    if not isinstance(profile, Tabulated) or profile.rows.load is None:
+    if _in_a_line(drive) or not isinstance(profile, Tabulated) or profile.rows.load is None:
         return None
     output = profile.rows.times(1 / drive.ratio)
     return Motion(output.time, output.speed, profile.rows.load)
+
+
+def _in_a_line(drive: SizedDrive) -> bool:
+    return drive.rig.in_a_line(drive.rig.part(reading_place(drive.rig)))
+
+
+def _why_not(drive: SizedDrive, path: Path) -> str:
+    if path.suffix == ".json":
+        return "which only .aasx holds"
+    return "which moves in a line" if _in_a_line(drive) else "whose torque the profile does not state"

@@ -156,7 +156,7 @@ def test_xml_is_read_as_json_is(tmp_path):
 def test_a_sizing_that_is_written_is_read_back(tmp_path):
     figures = {"rms_torque": SizedFigure(NAN, 0.4, 0.5), "peak_torque_use": SizedFigure(0.2, NAN, NAN)}
     record = SizedDriveRecord(
-        title="wear rig", tool="torquerig", date="2026-01-31T12:00:00Z", components={"Motor": "M", "Gearbox": "G"},
+        title="wear rig", tool="torquerig", date="2026-01-31T12:00:00Z", components=[("Motor", "M"), ("Gearbox", "G")],
         figures=figures, verdict="holds", has_motion=True,
     )  # fmt: skip
     made = environment_of(record, identifier="urn:uuid:1")
@@ -173,6 +173,19 @@ def test_a_sizing_that_is_written_is_read_back(tmp_path):
     first = path.read_bytes()
     write_shell(path, made, {MOTION_FILE: motion_file(motion).encode()})
     assert path.read_bytes() == first
+
+
+def test_the_use_of_several_gearboxes_is_not_written_as_that_of_one(tmp_path):
+    record = SizedDriveRecord(
+        title="t", tool="t", date="2026-01-31T12:00:00Z",
+        components=[("Motor", "M"), ("Gearbox", "G"), ("Gearbox", "H")],
+        figures={"gearbox_peak_use": SizedFigure(0.5, NAN, NAN)}, verdict="holds",
+    )  # fmt: skip
+    path = tmp_path / "drive.json"
+    write_shell(path, environment_of(record, identifier="urn:uuid:1"), {})
+    unused = read(path).unused
+    assert not [one for one in unused if "MainComponent02/Max" in one or "MainComponent03/Max" in one]
+    assert any("the worst of them" in one for one in unused)
 
 
 def test_every_written_figure_is_one_of_a_sizing():

@@ -57,8 +57,9 @@ class SizedDriveRecord:
     ----------
     title, tool, date : str
         Name of the project, of this program with its version, and date and time in UTC (``2026-01-31T12:00:00Z``).
-    components : mapping of str to str
-        ``Motor`` and ``Gearbox`` to their names in the catalog.
+    components : sequence of (str, str)
+        ``Motor`` or ``Gearbox``, and the name in the catalog. The figures of gearboxes are written where there is one
+        of them: of several they are those of the gearbox that uses most of its limits.
     figures : mapping of str to SizedFigure
         By the names of ``torquerig size``.
     verdict : str
@@ -70,7 +71,7 @@ class SizedDriveRecord:
     title: str
     tool: str
     date: str
-    components: Mapping[str, str]
+    components: Sequence[tuple[str, str]]
     figures: Mapping[str, SizedFigure]
     verdict: str
     has_motion: bool = False
@@ -112,7 +113,7 @@ def _requirements(record: SizedDriveRecord) -> dict[str, Any]:
 
 
 def _result(record: SizedDriveRecord) -> dict[str, Any]:
-    parts = [_component(kind, name, record, number) for number, (kind, name) in enumerate(record.components.items(), 1)]
+    parts = [_component(kind, name, record, number) for number, (kind, name) in enumerate(record.components, 1)]
     messages = [
         _message(f"Message{number:02d}", word, text) for number, (word, text) in enumerate(_messages(record), 1)
     ]
@@ -123,7 +124,7 @@ def _component(kind: str, name: str, record: SizedDriveRecord, number: int) -> d
     texts = {"ManufacturerName": NOT_KNOWN, "ManufacturerArticleNumber": name, "ManufacturerOrderCode": name}
     elements = [_property("MainComponentType", kind, "xs:string")]
     elements += [_property(key, text, "xs:string", meaning=ECLASS[key]) for key, text in texts.items()]
-    for id_short, (figure, factor) in FIGURES[kind].items():
+    for id_short, (figure, factor) in _figures(record, kind).items():
         held = record.figures.get(figure)
         if held is not None and not isnan(held.worst):
             elements.append(_property(id_short, f"{held.worst * factor:.9g}", "xs:double"))
@@ -133,10 +134,20 @@ def _component(kind: str, name: str, record: SizedDriveRecord, number: int) -> d
     }  # fmt: skip
 
 
+def _figures(record: SizedDriveRecord, kind: str) -> Mapping[str, tuple[str, float]]:
+    return {} if _of_several(record, kind) else FIGURES[kind]
+
+
+def _of_several(record: SizedDriveRecord, kind: str) -> bool:
+    return sum(one == kind for one, _ in record.components) > 1
+
+
 def _messages(record: SizedDriveRecord) -> Sequence[tuple[str, str]]:
     found = [("Information", record.verdict)]
-    for kind in record.components:
-        for id_short, (figure, factor) in FIGURES[kind].items():
+    if _of_several(record, "Gearbox"):
+        found.append(("Warning", "The use of the gearboxes is not written: the sizing gives that of the worst of them"))
+    for kind in dict.fromkeys(kind for kind, _ in record.components):
+        for id_short, (figure, factor) in _figures(record, kind).items():
             held = record.figures.get(figure)
             if held is None or isnan(held.worst):
                 found.append(("Warning", f"{kind}, {id_short}: not known, because the catalog leaves data open"))
