@@ -91,3 +91,9 @@ def test_a_tacho_that_cannot_serve_is_refused():
     many = Channel(values=(np.mod(TRUE / (2 * pi) * 40.37, 1.0) < 0.3) * 1.0, quantity="tacho", unit="V")
     with pytest.raises(RecordingError, match="do not follow from"):
         motor_angle_from_tacho(recording(tacho=many), ratio=5.0)
+
+
+def test_a_tacho_on_the_output_shaft_counts_by_the_ratio():
+    # one pulse per output turn at 5:1: a fifth of a pulse per motor turn
+    stated = recording(tacho=tacho(0.2), others={"tacho_pulses_per_output_turn": 1})
+    assert "0.2 pulses a motor turn" in motor_angle_from_tacho(stated, ratio=5.0).origin

@@ -258,5 +258,5 @@ def _draw(
 
 
 def _refuse_picture_without_speed(sheet: Recording) -> None:
-    if not sheet.run.speed and not any(sheet.find(quantity) for quantity in SOURCES):
+    if not sheet.run.speed and not any(sheet.find(quantity) for quantity in (*SOURCES, "tacho")):
         raise InputError(f"{sheet.name}: the sidecar has no speed_rpm, so the order lines have no frequency; add it")

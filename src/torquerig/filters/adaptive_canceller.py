@@ -10,8 +10,7 @@ import numpy as np
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.orders.analysis.order_envelope import resolved_orders
-from torquerig.orders.angle.measured_angle import measured_motor_angle
-from torquerig.orders.angle.tacho import motor_angle_from_tacho
+from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.orders.line_sums.sums import adaptively_cancelled
 from torquerig.recordings.set_point import set_point_profile, set_point_speed
 
@@ -80,7 +79,7 @@ class AdaptiveCanceller:
 
 
 def _turned(recording: Recording, ratio: float) -> NDArray[np.float64]:
-    angle = measured_motor_angle(recording, ratio=ratio) or motor_angle_from_tacho(recording, ratio=ratio)
+    angle = recorded_motor_angle(recording, ratio=ratio)
     if angle is not None:
         return angle.values
     return np.cumsum(set_point_profile(recording, "adaptive notches")) / recording.sample_rate

@@ -10,7 +10,7 @@ import numpy as np
 
 from torquerig.errors import RecordingError
 from torquerig.filters.selected_bins import bins_at, bins_within
-from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.recordings.set_point import set_point_profile
 
 if TYPE_CHECKING:
@@ -161,12 +161,16 @@ def _effect(
 
 def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64] | None, str]:
     """Return the motor speed at each sample [rad/s] and its source."""
-    angle = measured_motor_angle(recording, ratio=ratio)
+    without = "neither a channel nor a set-point"
+    try:
+        angle = recorded_motor_angle(recording, ratio=ratio)
+    except RecordingError as error:  # of a tacho, which the chain may not need
+        angle, without = None, str(error)
     if angle is not None:
         return np.gradient(angle.values) * recording.sample_rate, angle.origin
     if recording.run.speed:
         return set_point_profile(recording, "energies"), "from the set-point; the real speed may differ"
-    return None, "no speed: neither a channel nor a set-point"
+    return None, f"no speed: {without}"
 
 
 def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], recording: Recording) -> float:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.moving_mean import moving_mean
-from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.recordings.set_point import set_point_speed
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ class RevolutionMean:
 
     def apply(self, recording: Recording) -> Recording:
         """Return ``recording`` with its torque averaged; RecordingError where it is shorter than the window."""
-        angle = measured_motor_angle(recording, ratio=self.ratio)
+        angle = recorded_motor_angle(recording, ratio=self.ratio)
         rate = recording.sample_rate
         speed = set_point_speed(recording, "means over turns") if angle is None else angle.mean_speed(rate)
         window = round(self.turns * self.ratio * 2 * pi / abs(speed) * rate) if speed else recording.samples + 1

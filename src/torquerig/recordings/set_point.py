@@ -8,6 +8,7 @@ import numpy as np
 
 from torquerig.errors import RecordingError
 from torquerig.recordings.channel_angle import unsmoothed_angle_of
+from torquerig.recordings.tacho_edges import rising_edges, stated_pulses
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -57,7 +58,19 @@ def _measured(recording: Recording) -> float | None:
         angle = unsmoothed_angle_of(channel)
         turned = float(angle[-1] - angle[0]) / (angle.size - 1) * recording.sample_rate
         return turned * factor if np.isfinite(turned) else None
-    return None
+    return _by_tacho(recording)
+
+
+def _by_tacho(recording: Recording) -> float | None:
+    """Return the mean motor speed [rad/s] by a tacho whose pulses per turn are stated, None where there is none."""
+    name = recording.find("tacho")
+    pulses = stated_pulses(recording.run, ratio=recording.run.gear_ratio)
+    if name is None or pulses is None or recording.samples < 2:
+        return None
+    edges = rising_edges(recording.channels[name].values)
+    if edges.size < 2:
+        return None
+    return float((edges.size - 1) / (edges[-1] - edges[0])) * recording.sample_rate * 2 * np.pi / pulses
 
 
 def set_point_profile(recording: Recording, purpose: str) -> NDArray[np.float64]:

@@ -78,7 +78,7 @@ def test_close_matches_are_keys_of_the_same_mapping(tmp_path: Path) -> None:
         ("run: {set_point: {time_s: [0], speed_rpm: [0], rate: 3}}\n", "known are load_Nm, repeats, speed_rpm, time_s"),
         (
             "channels: {a: {quantity: torque, unit: V, Nm_per_V: 1, motor: 3}}\n",
-            "known are of, quantity, role, tare, truth",
+            "known are of, pulses_per_rev, quantity, role, shaft, tare, teeth, truth",
         ),
     ):
         with pytest.raises(InputError, match=said):
@@ -98,7 +98,7 @@ def test_close_matches_are_keys_of_the_same_mapping(tmp_path: Path) -> None:
         ),
         (
             "channels:\n  a:\n    quantity: torque\n    unit: Nm\n    trth: true\n",
-            r"run1\.yaml:5: channels\.a\.trth: unknown key; did you mean 'truth'",
+            r"run1\.yaml:5: channels\.a\.trth: unknown key; did you mean 'teeth' or 'truth'",
         ),
         ("channels:\n  a:\n    quantity: torque\n", r"run1\.yaml:2: channels\.a: the key 'unit' is missing"),
         ("channels: {a: 5}\n", r"run1\.yaml:1: channels\.a: "),

@@ -14,8 +14,9 @@ from torquerig.diagnosis.linear.twin import Twin
 from torquerig.diagnosis.looking.own_factor import own_factor
 from torquerig.diagnosis.side_by_side import of_each
 from torquerig.mechanisms import TorqueRipple
-from torquerig.orders.angle.measured_angle import MotorAngle, measured_motor_angle
+from torquerig.orders.angle.measured_angle import MotorAngle
 from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
+from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.orders.angle.wide_speed_search import wide_speed_search
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.set_point import set_point_speed
@@ -77,7 +78,7 @@ def _scaled(angle: ShaftAngle, factor: float, *, own: bool) -> ShaftAngle:
 def _told(recording: Recording, *, rig: Rig, also: Sequence[float]) -> ShaftAngle | None:
     """Return the angle that was measured or, in a steady run, is followed."""
     asked = _asked(recording)
-    angle = measured_motor_angle(recording, ratio=kinematics_of(rig).ratio)
+    angle = recorded_motor_angle(recording, ratio=kinematics_of(rig).ratio)
     measured = angle is not None
     if angle is None and asked:
         angle = _followed(recording, rig, also)

@@ -92,6 +92,8 @@ def hit_response(
     Heights are relative to the mean level in the two decay times before the hit. Remaining lines are not removed from
     the windows, so that a line of half the hit's height changes peak and rise, as it does in a plot.
     """
+    if load.size and load.mean() < 0:  # a load of the other sign hits the other way
+        reading, load = -reading, -load
     begins = hits_of(load, rate, decay=decay)
     shown = [_one(reading, load, int(begin), rate, late=round(delay * rate), decay=decay) for begin in begins]
     kept = np.array([one for one in shown if one is not None])

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from torquerig.errors import TorquerigError
 from torquerig.orders.angle.best_angle import best_motor_angle
-from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.recordings.recording import Channel
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def with_known_angle(recording: Recording, lines: Sequence[KinematicLine]) -> Re
     from the chain in speed, too. A recording without usable angle is returned unchanged.
     """
     ratio = lines[0].output_order / lines[0].motor_order if lines else recording.run.gear_ratio or 1.0
-    if measured_motor_angle(recording, ratio=ratio) is not None:
+    if recorded_motor_angle(recording, ratio=ratio) is not None:
         return recording
     try:
         angle = best_motor_angle(recording, lines)

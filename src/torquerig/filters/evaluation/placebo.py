@@ -12,7 +12,7 @@ import numpy as np
 from torquerig.filters.evaluation.known_angle import with_known_angle
 from torquerig.filters.evaluation.order_shift import comb_lines, comb_teeth, empty_order_shifts, order_shifted
 from torquerig.filters.evaluation.shifted_chain import shiftable_lines, shifted_chain, widest_half_width
-from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.angle.tacho import recorded_motor_angle
 
 if TYPE_CHECKING:
     from torquerig.filters.chains.filter_chain import Chain
@@ -112,7 +112,7 @@ def _of_combs(chain: Chain, recording: Recording, *, known: Sequence[KinematicLi
     turns = empty_order_shifts(chain, known=known or lines)
     given = with_known_angle(recording, lines)
     ratio = lines[0].output_order / lines[0].motor_order if lines else recording.run.gear_ratio or 1.0
-    angle = measured_motor_angle(given, ratio=ratio)
+    angle = recorded_motor_angle(given, ratio=ratio)
     whole = float(given.torque().var())
     if not turns or angle is None or not whole > 0:
         return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import copysign
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,9 +54,9 @@ class StepResponse:
 def step_response(stage: Stage, recording: Recording, *, decay: float = WEAR_PART.hit_decay) -> StepResponse:
     """Return the response of ``stage`` to a step and a hit as high as the torque's standard deviation.
 
-    Both are added in the middle of the recording, and the output without them is subtracted; the hit decays in
-    ``decay`` [s]. For a linear chain this is
-    the step response; for an adaptive one it is the response to a change of this size.
+    Both are added in the middle of the recording, in the direction of the mean torque, and the output without them is
+    subtracted; the hit decays in ``decay`` [s]. For a linear chain this is the step response; for an adaptive one it
+    is the response to a change of this size.
 
     Raises
     ------
@@ -70,6 +71,7 @@ def step_response(stage: Stage, recording: Recording, *, decay: float = WEAR_PAR
         raise RecordingError(
             f"{recording.name}: the torque is constant, so that a step has no height; is the sensor connected?"
         )
+    height = copysign(height, float(torque.mean()))
     plain = stage.apply(recording).torque()
     time = (np.arange(torque.size) - at) / recording.sample_rate
     step = (time >= 0).astype(np.float64)

@@ -44,11 +44,14 @@ def hops_of(angle: Floats, *, ratio: float) -> Hops | None:
     Parameters
     ----------
     angle : ndarray, shape (samples,)
-        Of the motor [rad]; it may stop or turn back.
+        Of the motor [rad]; it may stop or turn back. One that falls on the whole is mirrored, so that a reversed
+        recording has the same lines to the last digit.
     ratio : float
         Motor turns per output turn [1].
     """
     turns = angle / (2 * np.pi)
+    if angle.size and angle[-1] < angle[0]:
+        np.negative(turns, out=turns)
     turned = np.zeros(turns.size)
     steps = np.diff(turns)
     np.cumsum(np.abs(steps, out=steps), out=turned[1:])

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from torquerig.orders.angle.measured_angle import MotorAngle, measured_motor_angle
+from torquerig.orders.angle.measured_angle import MotorAngle
 from torquerig.orders.angle.speed_from_torque import motor_angle_from_torque
-from torquerig.orders.angle.tacho import motor_angle_from_tacho
+from torquerig.orders.angle.tacho import recorded_motor_angle
 
 if TYPE_CHECKING:
     from torquerig.orders.kinematics.kinematic_lines import KinematicLine
@@ -44,11 +44,7 @@ def best_motor_angle(recording: Recording, lines: Sequence[KinematicLine], *, ra
         Where no source is usable.
     """
     ratio = _ratio(recording, lines) if ratio is None else ratio
-    return (
-        measured_motor_angle(recording, ratio=ratio)
-        or motor_angle_from_tacho(recording, ratio=ratio)
-        or motor_angle_from_torque(recording, lines)
-    )
+    return recorded_motor_angle(recording, ratio=ratio) or motor_angle_from_torque(recording, lines)
 
 
 def best_motor_speed(recording: Recording, lines: Sequence[KinematicLine]) -> MotorSpeed:

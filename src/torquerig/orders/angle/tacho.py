@@ -7,16 +7,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import RecordingError
-from torquerig.orders.angle.measured_angle import MotorAngle, of_ends
+from torquerig.orders.angle.measured_angle import MotorAngle, measured_motor_angle, of_ends
 from torquerig.recordings.set_point import set_point_speed
+from torquerig.recordings.tacho_edges import rising_edges, stated_pulses
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from torquerig.recordings.recording import Recording
 
-PULSES_KEY = "tacho_pulses_per_motor_turn"
 _SET_POINT_ERROR = 0.015  # [1] largest relative deviation of the speed from the set-point
+
+
+def recorded_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAngle | None:
+    """Return the motor's angle from an angle or speed channel, else from a tacho; None where there is neither.
+
+    Raises
+    ------
+    RecordingError
+        For a tacho that does not give an angle (:func:`motor_angle_from_tacho`).
+    """
+    return measured_motor_angle(recording, ratio=ratio) or motor_angle_from_tacho(recording, ratio=ratio)
 
 
 def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> MotorAngle | None:
@@ -25,8 +34,9 @@ def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> Motor
     Parameters
     ----------
     recording : Recording
-        With a channel of quantity tacho. The sidecar's ``run`` may state the pulses per motor turn as
-        ``tacho_pulses_per_motor_turn``; otherwise they are the multiple of 1 / ratio that fits the set-point.
+        With a channel of quantity tacho. The sidecar may state its pulses per turn (``pulses_per_rev`` or ``teeth``,
+        and ``shaft: output`` where it is on the output shaft); otherwise they are the multiple of 1 / ratio that fits
+        the set-point.
     ratio : float
         Motor turns per output turn [1].
 
@@ -65,28 +75,11 @@ def motor_angle_from_tacho(recording: Recording, *, ratio: float = 1.0) -> Motor
     return of_ends(np.asarray(angle), f"from the tacho {name}, {pulses:g} pulses a motor turn", ends_sd)
 
 
-def rising_edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the positions [samples, with fractions] where a pulse train rises through its middle, shape (edges,)."""
-    if values.size < 3:
-        return np.zeros(0)
-    low, high = np.percentile(values, [5, 95])
-    if high <= low:  # pulses shorter than a twentieth of the period
-        low, high = values.min(), values.max()
-    if high <= low:
-        return np.zeros(0)
-    middle, armed = 0.5 * (low + high), 0.5 * (low + high) - 0.25 * (high - low)
-    above = np.flatnonzero((values[1:] >= middle) & (values[:-1] < middle))
-    low_before = np.maximum.accumulate(np.where(values < armed, np.arange(values.size), -1))[above]
-    kept = np.flatnonzero(np.diff(low_before, prepend=-1) > 0)  # one edge per pulse in spite of noise
-    at = above[kept]
-    return np.asarray(at + (middle - values[at]) / (values[at + 1] - values[at]))
-
-
 def _pulses_per_turn(recording: Recording, frequency: float, ratio: float) -> float:
-    stated = recording.run.others.get(PULSES_KEY)
-    if isinstance(stated, int | float) and not isinstance(stated, bool) and stated > 0:
-        return float(stated)
-    remedy = f"add to the sidecar: run: {{{PULSES_KEY}: N}}, with the pulses in one turn of the motor as N"
+    stated = stated_pulses(recording.run, ratio=ratio)
+    if stated is not None:
+        return stated
+    remedy = "add to its channel in the sidecar: pulses_per_rev: N, and shaft: output where it is not on the motor"
     speed = abs(set_point_speed(recording, "pulses of a tacho")) / (2 * np.pi)
     whole, parts = round(frequency / speed), round(frequency / speed * ratio)
     for pulses in (float(whole), parts / ratio):

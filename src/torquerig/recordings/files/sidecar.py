@@ -21,6 +21,7 @@ from torquerig.recordings.files.sidecar_schema import (
 )
 from torquerig.recordings.recording import Channel
 from torquerig.recordings.run import Profile, Run
+from torquerig.recordings.tacho_statement import PULSES, tacho_conditions
 from torquerig.units import UNITS
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ def sidecar_from(document: Document) -> Sidecar:
         path=document.path,
         sample_rate=written.sample_rate_Hz,
         channels=channels,
-        run=_run(document, written.run or WrittenRun(), written.notes, teeth=written.teeth),
+        run=_run(document, written),
         origin=written.origin or {},
     )
 
@@ -138,7 +139,8 @@ def _pruned(document: Document) -> tuple[Document, dict[str, dict[str, Any]]]:
             entries[name] = entry
             if isinstance(entry, dict):
                 _refuse_decimal_comma(document, str(name), entry)
-                scales[name] = {str(key): value for key, value in entry.items() if "_per_" in str(key)}
+                scaling = {str(key): value for key, value in entry.items() if "_per_" in str(key)}
+                scales[name] = {key: value for key, value in scaling.items() if key != PULSES}
                 entries[name] = {key: value for key, value in entry.items() if str(key) not in scales[name]}
         data["channels"] = entries
     return replace(document, data=data), scales
@@ -195,11 +197,12 @@ def _entry(document: Document, name: str, entry: WrittenChannel, scales: Mapping
     )  # fmt: skip
 
 
-def _run(document: Document, written: WrittenRun, notes: Any, *, teeth: Any) -> Run:
-    stated = {key: getattr(written, key) for key in IN_OTHERS}
+def _run(document: Document, sidecar: WrittenSidecar) -> Run:
+    written, notes = sidecar.run or WrittenRun(), sidecar.notes
+    stated = {key: getattr(written, key) for key in IN_OTHERS} | tacho_conditions(document, sidecar)
     both = [note for note in (notes, written.notes) if note is not None]
     stated["notes"] = both if len(both) > 1 else both[0] if both else None
-    stated["teeth"] = teeth
+    stated["teeth"] = sidecar.teeth
     speed, size = written.speed_rpm, written.particle_size_mm
     return Run(
         motor=written.motor,

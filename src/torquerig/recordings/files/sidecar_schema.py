@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from torquerig.errors import did_you_mean
 from torquerig.recordings.quantities import QUANTITIES, ROLES
 from torquerig.recordings.run import PROFILES
+from torquerig.recordings.tacho_edges import PER_MOTOR_TURN, PER_OUTPUT_TURN
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, TypeAdapter
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 FASTEST = 1e7  # [rpm] a hundred times the fastest spindles
 LONGEST = 1e9  # [s] 30 years
-IN_OTHERS = ("pole_pairs", "slots", "tacho_pulses_per_motor_turn", "notes")
+IN_OTHERS = ("pole_pairs", "slots", PER_MOTOR_TURN, PER_OUTPUT_TURN, "notes")
 """Keys of ``run:`` that a :class:`~torquerig.recordings.run.Run` keeps in ``others``."""
 
 
@@ -79,6 +80,9 @@ class WrittenChannel:
     of: str | None = None
     role: Annotated[str, _Word(partial(_one_of, ROLES, "role"))] | None = None
     tare: bool = False
+    pulses_per_rev: Annotated[float, _Number(gt=0, le=1e6)] | None = None
+    teeth: Annotated[int, _Count()] | None = None
+    shaft: Annotated[str, _Word(partial(_one_of, ("motor", "output"), "shaft of a tacho"))] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,6 +122,7 @@ class WrittenRun:
     pole_pairs: Annotated[int, _Count(le=10_000)] | None = None
     slots: Annotated[int, _Count(ge=0, le=10_000)] | None = None
     tacho_pulses_per_motor_turn: Annotated[float, _Number(gt=0, le=1e6)] | None = None
+    tacho_pulses_per_output_turn: Annotated[float, _Number(gt=0, le=1e6)] | None = None
     notes: Any = None
     others: dict[str, Any] | None = None
 

@@ -18,7 +18,7 @@ _RUN = """\
 #   profile: steady      # steady, ramp or reversal
 #   motor: NAME          # of the catalog
 #   gear_ratio: NUMBER   # motor turns per output turn
-#   tacho_pulses_per_motor_turn: NUMBER   # for a channel of the quantity tacho
+#   tacho_pulses_per_motor_turn: NUMBER   # for a tacho; or pulses_per_rev: at its channel
 """
 
 

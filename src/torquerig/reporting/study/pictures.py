@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from torquerig.filters.chains.filter_chain import Chain, report_filter_code_chain
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
-from torquerig.orders.angle.measured_angle import measured_motor_angle
+from torquerig.orders.angle.tacho import recorded_motor_angle
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.order_report_text import name_of
 from torquerig.recordings.recording import Recording
@@ -42,7 +42,7 @@ class Filtered:
     @property
     def motor_speed(self) -> float:
         """The mean measured motor speed [rad/s]; the set-point where no channel has it."""
-        angle = measured_motor_angle(self.before, ratio=self.kinematics.ratio)
+        angle = recorded_motor_angle(self.before, ratio=self.kinematics.ratio)
         if angle is None:
             return self.drive.motor_speed
         return float(abs(angle.values[-1] - angle.values[0]) / (self.before.duration - 1 / self.before.sample_rate))

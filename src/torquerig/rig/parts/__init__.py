@@ -12,7 +12,7 @@ speed_sensor      of any shaft                         acceleration_sensor  of a
 current_sensor    in the supply of a motor
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 ground            a locked end                         worm_gear         worm and wheel, maybe self-locking
-linear_drive      ball screw, rack or belt to a slide
+linear_drive      ball screw, rack or belt to a slide  tacho             pulses per turn of any shaft
 """
 
 from torquerig.rig.parts.acceleration_sensor import AccelerationSensor
@@ -35,6 +35,7 @@ from torquerig.rig.parts.replayed_torque import ReplayedTorque
 from torquerig.rig.parts.slide import Slide
 from torquerig.rig.parts.speed_controller import SpeedController
 from torquerig.rig.parts.speed_sensor import SpeedSensor
+from torquerig.rig.parts.tacho import TachoSensor
 from torquerig.rig.parts.torque_controller import TorqueController
 from torquerig.rig.parts.torque_sensor import TorqueSensor
 from torquerig.rig.parts.worm_gear import WormGear
@@ -60,6 +61,7 @@ __all__ = [
     "Slide",
     "SpeedController",
     "SpeedSensor",
+    "TachoSensor",
     "TorqueController",
     "TorqueSensor",
     "WormGear",
