@@ -80,7 +80,7 @@ def command(
         original = _run(open_study(document, study.catalog), "original study", workers)
         found = changes(original, runs)
     decided, answer = _print_ranking(runs)
-    _print_changes(found, settings)
+    _print_changes(found, settings, unit=study.effort_unit)
     for pair in traced:
         click.echo("\n" + trace_text(traced_cell(decided, answer, *pair)))
     for path in matrices:
@@ -105,10 +105,10 @@ def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
     return decided, answer
 
 
-def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...]) -> None:
+def _print_changes(found: tuple[Change, ...], settings: tuple[str, ...], *, unit: str) -> None:
     if not found:
         return
-    rows = [["original", "edited", "error N*m", "edited", "change %", "disturbance N*m", "edited"]]
+    rows = [["original", "edited", f"error {unit}", "edited", "change %", f"disturbance {unit}", "edited"]]
     for change in found:
         before, after = change.error_before, change.error_after
         change_percent = "-" if before is None or after is None or before == 0 else f"{100 * (after / before - 1):+.1f}"
@@ -124,7 +124,7 @@ def _compare_points(study: Study, folder: Path, workers: int | None) -> None:
         raise InputError(
             f"{study.document.place(('study',))}: all_points is missing; list occupancy or particle_size there"
         )
-    rows = [["occupancy %", "particle mm", "winner", "error N*m", "verdict"]]
+    rows = [["occupancy %", "particle mm", "winner", f"error {study.effort_unit}", "verdict"]]
     quick = replace(study, settings=study.settings.model_copy(update={"draws": 0}))
     for number, point in enumerate(points, start=1):
         runs = _run(point.applied(quick), f"point {number} of {len(points)}", workers)

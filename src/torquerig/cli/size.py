@@ -119,6 +119,7 @@ def _print_disturbance(
     from torquerig.metrics.residual_disturbance import simulated_reading_pair
     from torquerig.reporting.sizing.sizing_text import disturbance_rows
     from torquerig.scenario.overrides import overridden
+    from torquerig.study.drive_run import settling_of
 
     steady = overridden(document, ("operating_point.profile=steady",))
     before: list[float] = []
@@ -128,7 +129,10 @@ def _print_disturbance(
         if made.rig.run.speed is None:
             return
         wander = made.operating_point.slow_speed_wander
-        both = simulated_reading_pair(made.rig, duration=6.0, seed=one, wander=wander, settling=0.8)
+        both = simulated_reading_pair(
+            made.rig, duration=6.0, seed=one, wander=wander, settling=settling_of(study.settings.speed_loop),
+            sample_rate=made.recording.sample_rate,
+        )  # fmt: skip
         before.append(both.before)
         for name, chain in study.chains(made).items():
             after.setdefault(name, []).append(both.residual_rms(chain))
@@ -136,7 +140,7 @@ def _print_disturbance(
         f"\nDisturbance at the sensor, rms, simulated at steady speed; {SAMPLES} Monte Carlo samples of the "
         f"catalog's intervals:"
     )
-    click.echo(grid(disturbance_rows(before, after)))
+    click.echo(grid(disturbance_rows(before, after, unit=study.effort_unit)))
 
 
 def _print_all(study: Study, *, ambient: float) -> None:

@@ -32,6 +32,7 @@ class Duty:
     ratio: float
     efficiency: float
     torque_limit: float
+    unit: str = "N*m"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,7 +78,7 @@ def drive_margins(
     return {
         "speed_reserve": scaled(motor.max_speed, 1 / needed, unit="1", missing=f"maximum speed of {name}"),
         "speed_use": scaled(motor.rated_speed, needed, unit="1", inverse=True, missing=f"rated speed of {name}"),
-        "continuous_output_torque": scaled(motor.rated_torque, gain, unit="N*m", missing=f"rated torque of {name}"),
+        "continuous_output_torque": scaled(motor.rated_torque, gain, unit=duty.unit, missing=f"rated torque of {name}"),
         "torque_reserve": scaled(
             motor.rated_torque, gain / duty.mean_torque, unit="1", missing=f"rated torque of {name}"
         )
@@ -85,7 +86,7 @@ def drive_margins(
         else Figure(missing="a mean load as reference of the reserve"),
         "sensor_peak": Figure(
             value=duty.torque_limit * gain,
-            unit="N*m",
+            unit=duty.unit,
             source="drive's limit x ratio x efficiency",
             rests_on=((f"peak torque of {name}", motor.peak_torque), *efficiency),
         ),

@@ -10,7 +10,7 @@ from torquerig.filters.chains.filter_chain import Chain
 from torquerig.metrics.shares import DISTURBANCES
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.simulation.simulator import simulate
+from torquerig.simulation.simulator import SAMPLE_RATE, simulate
 
 
 @dataclass(frozen=True)
@@ -35,11 +35,12 @@ class ReadingPair:
 
 
 def simulated_reading_pair(
-    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE
 ) -> ReadingPair:
     """Simulate a rig twice under the same random load: with and without cogging, electrical and mechanical lines."""
     quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
     reading, load = (
-        simulate(one, duration=duration, seed=seed, wander=wander, settling=settling) for one in (rig, quiet)
+        simulate(one, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate)
+        for one in (rig, quiet)
     )
     return ReadingPair(reading, load)

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.simulation.simulator import simulate
+from torquerig.simulation.simulator import SAMPLE_RATE, simulate
 
-SENSED = "true_sensor_torque_Nm"
+SENSED = ("true_sensor_torque_Nm", "true_sensor_force_N")
 DISTURBANCES = ("cogging", "electrical", "mechanical")
 
 
@@ -41,13 +41,17 @@ class Shares:
         return {name: 100 * power / whole for name, power in powers.items()}
 
 
-def reading_shares(rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0) -> Shares:
+def reading_shares(
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE
+) -> Shares:  # fmt: skip
     """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed."""
 
     def torque(*left_out: str) -> NDArray[np.float64]:
         kept = replace(rig, parts=tuple(part for part in rig.parts if part.group not in left_out))
-        made = simulate(kept, duration=duration, seed=seed, wander=wander, settling=settling)
-        return made.channels[SENSED].values
+        made = simulate(
+            kept, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate
+        )  # fmt: skip
+        return _sensed(made)
 
     whole, load = torque(), torque(*DISTURBANCES)
     lost = {group: float(np.std(whole - torque(group))) for group in DISTURBANCES}
@@ -60,5 +64,12 @@ def disturbance_rms(rig: Rig, reading: Recording, *, seed: int, wander: float = 
     ``seed``, ``wander`` and ``settling`` must be those of the reading, so that the load is the same.
     """
     quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
-    load = simulate(quiet, duration=reading.duration, seed=seed, wander=wander, settling=settling)
-    return float(np.std(reading.channels[SENSED].values - load.channels[SENSED].values))
+    load = simulate(
+        quiet, duration=reading.duration, seed=seed, wander=wander, settling=settling, sample_rate=reading.sample_rate
+    )  # fmt: skip
+    return float(np.std(_sensed(reading) - _sensed(load)))
+
+
+def _sensed(made: Recording) -> NDArray[np.float64]:
+    """Return the true effort at the first measured place [N m], in a line [N]."""
+    return made.channels[next(one for one in SENSED if one in made.channels)].values

@@ -47,12 +47,12 @@ def read_study_section(document: Document) -> Settings:
     """Return the study of a scenario that has one; InputError with file, line and key where it cannot be used."""
     from torquerig.scenario.study_section import Settings  # 20 ms that a scenario without a study does not need
 
-    return _validated(document, "study", Settings)
+    return _validated(document, "study", Settings, in_a_line=output_moves_in_a_line(document.data))
 
 
 def read_operating_point(document: Document, *, seed: int) -> tuple[OperatingPoint, Resolved]:
     """Return the operating point with one value for every number, and what is known of the uncertain ones."""
-    name, in_a_line = "operating_point", _output_moves_in_a_line(document.data)
+    name, in_a_line = "operating_point", output_moves_in_a_line(document.data)
     stated = resolved(
         document.data.get(name, {}), OperatingPoint, owner=name, seed=seed,
         place=lambda path: document.place((name, *path)), in_a_line=in_a_line,
@@ -60,7 +60,7 @@ def read_operating_point(document: Document, *, seed: int) -> tuple[OperatingPoi
     return _validated(document, name, OperatingPoint, data=stated.values, in_a_line=in_a_line), stated
 
 
-def _output_moves_in_a_line(data: Mapping[str, Any]) -> bool:
+def output_moves_in_a_line(data: Mapping[str, Any]) -> bool:
     """Return whether the place that is measured first moves in a line; its speed is then one in m/s."""
     measured = data.get("measured", "torque_sensor")
     first = measured[0] if isinstance(measured, list) and measured else measured

@@ -9,10 +9,11 @@ from math import isclose, pi
 from torquerig.errors import InputError, UnknownNameError
 from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_part
-from torquerig.rig.parts import Motor, SpeedController
+from torquerig.rig.parts import LinearDrive, Motor, SpeedController
 from torquerig.rig.parts.gear_stage import GearStage
+from torquerig.rig.reading_place import reading_place
 from torquerig.rig.terms import Inertia
-from torquerig.scenario.kinematics import kinematics_of, torque_gain
+from torquerig.scenario.kinematics import kinematics_of, torque_gain, travel_text, turns_to
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.study.definition import Study
@@ -40,6 +41,8 @@ class Candidate:
         Name of the stage, in the candidate's name where another candidate has the same motor and ratio.
     parts : ExchangedParts
         Names of the exchanged parts in the rig.
+    moves_in_a_line : bool
+        Whether the stage is a linear drive; its ratio is then the angle per travel [rad/m].
     """
 
     motor: str
@@ -48,13 +51,17 @@ class Candidate:
     whole_ratio: float | None = None
     told_apart: str = ""
     parts: ExchangedParts = field(default_factory=ExchangedParts)
+    moves_in_a_line: bool = False
 
     @property
     def ratio_text(self) -> str:
         """The ratio for tables: ``5:1``, or ``5:1 of 12.5:1`` for a stage of a chain; ``1:1`` without a gear."""
         whole = self.ratio if self.whole_ratio is None else self.whole_ratio
-        chain = "" if isclose(whole, self.ratio, rel_tol=1e-9) else f" of {whole:.5g}:1"
-        return f"{self.ratio:.5g}:1{chain}"
+        chain = "" if isclose(whole, self.ratio, rel_tol=1e-9) else f" of {self._text(whole)}"
+        return f"{self._text(self.ratio)}{chain}"
+
+    def _text(self, ratio: float) -> str:
+        return travel_text(ratio) if self.moves_in_a_line else f"{ratio:.5g}:1"
 
     @property
     def name(self) -> str:
@@ -89,6 +96,10 @@ def candidate_of(study: Study, *, motor: str, gearbox: str) -> Candidate:
         return replace(asked, ratio=whole)
     part = rig.part(parts.stage)
     assert isinstance(part, GearStage)
+    if isinstance(part, LinearDrive):
+        return replace(
+            asked, ratio=abs(part.ratio), whole_ratio=turns_to(rig, reading_place(rig)), moves_in_a_line=True
+        )  # fmt: skip
     return replace(asked, ratio=abs(part.ratio), whole_ratio=whole)
 
 

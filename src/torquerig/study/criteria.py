@@ -25,7 +25,9 @@ UNITS: Mapping[str, str] = {
     "residual_disturbance": "N*m",
     **SIZING_UNITS,
 }
-"""Unit of each metric; limits, bands and points of a study are in it."""
+"""Unit of each metric on a shaft; limits, bands and points of a study are in it."""
+AT_SENSOR = ("truth_error", "disturbance", "continuous_output_torque", "sensor_peak", "residual_disturbance")
+"""Metrics of what is measured, which is a force where it moves in a line."""
 
 
 def requirements_of(study: Study) -> tuple[Criterion, ...]:
@@ -48,10 +50,11 @@ def criteria_of(study: Study) -> tuple[Criterion, ...]:
 
 def _made(study: Study, section: str, name: str, row: RequirementRow | CriterionRow) -> Criterion:
     place = study.document.place
-    if row.unit != UNITS[row.metric]:
+    unit = study.effort_unit if row.metric in AT_SENSOR else UNITS[row.metric]
+    if row.unit != unit:
         raise InputError(
-            f"{place(('study', section, name, 'unit'))}: {row.metric} has the unit {UNITS[row.metric]!r}, not "
-            f"{row.unit!r}; write the limits and points in {UNITS[row.metric]!r}"
+            f"{place(('study', section, name, 'unit'))}: {row.metric} has the unit {unit!r}, not {row.unit!r}; "
+            f"write the limits and points in {unit!r}"
         )
     try:
         return _requirement(name, row) if isinstance(row, RequirementRow) else _criterion(name, row)

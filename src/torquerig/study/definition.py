@@ -14,7 +14,7 @@ from torquerig.filters.chains.filter_chain import Chain
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.sections import with_current_names
+from torquerig.scenario.sections import output_moves_in_a_line, with_current_names
 from torquerig.study.exchange import ExchangedParts, exchanged_parts, present_stage
 from torquerig.study.settings import Settings, read_settings
 
@@ -37,6 +37,11 @@ class Study:
     def present_gearbox(self) -> str:
         """The present stage by the name that candidates use; empty where the study exchanges none."""
         return present_stage(self.document, self.settings)
+
+    @property
+    def effort_unit(self) -> str:
+        """The unit of what is measured: N*m, or N where it moves in a line."""
+        return "N" if output_moves_in_a_line(self.document.data) else "N*m"
 
     @property
     def motors(self) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.kinematics import kinematics_of, stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
-from torquerig.simulation.simulator import SETTLING, simulate
+from torquerig.simulation.simulator import simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
@@ -49,7 +49,7 @@ def run_drive(candidate: Candidate, study: Study) -> DriveResult:
         kp=controller.kp,
         assumed=scenario.assumed,
         shares=None,
-        disturbance=Figure(unit="N*m", missing=reason),
+        disturbance=Figure(unit=study.effort_unit, missing=reason),
         chains={},
         recording=None,
         omitted=_omitted(candidate, scenario, study),
@@ -80,6 +80,7 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
         ratio=ratio,
         efficiency=prod(crossed.efficiency for crossed in stages_to(rig, reading_place(rig))),
         torque_limit=torque_limit,
+        unit=study.effort_unit,
     )
     margins = drive_margins(
         entry,
@@ -93,14 +94,16 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
 
 def _simulated(unsimulated: DriveResult, scenario: Scenario, study: Study) -> DriveResult:
     """Return the drive with the results of its simulation."""
-    rig, seed = scenario.rig, study.settings.seed
+    rig, seed, unit = scenario.rig, study.settings.seed, study.effort_unit
     wander, ratio = scenario.operating_point.slow_speed_wander, kinematics_of(rig).ratio
-    settling = settling_of(study.settings.speed_loop)
+    settling, rate = settling_of(study.settings.speed_loop), scenario.recording.sample_rate
     reading = simulate(
-        rig, duration=study.settings.duration, seed=seed, wander=wander, settling=max(SETTLING, settling),
-        scenario=scenario.title,
+        rig, duration=study.settings.duration, seed=seed, wander=wander, sample_rate=rate,
+        settling=max(scenario.recording.settling, settling), scenario=scenario.title,
     )  # fmt: skip
-    shares = reading_shares(rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=settling)
+    shares = reading_shares(
+        rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=settling, sample_rate=rate
+    )  # fmt: skip
     errors, disturbances = _monte_carlo_runs(unsimulated.candidate, study)
     chains, remaining = {}, _remaining_disturbances(unsimulated.candidate, scenario, study)
     for name, chain in study.chains(scenario).items():
@@ -108,11 +111,11 @@ def _simulated(unsimulated: DriveResult, scenario: Scenario, study: Study) -> Dr
         chains[name] = ChainResult(
             chain=name,
             effect=chain_effect(reading, after, ratio=ratio, lines=chain.lines),
-            truth_error=_figure(truth_error(after, reading), errors.get(name, []), scenario.assumed),
+            truth_error=_figure(truth_error(after, reading), errors.get(name, []), scenario.assumed, unit=unit),
             left_out=chain.left_out,
             **({"residual_disturbance": remaining[name]} if name in remaining else {}),
         )
-    disturbance = _figure(shares.disturbance, disturbances, scenario.assumed)
+    disturbance = _figure(shares.disturbance, disturbances, scenario.assumed, unit=unit)
     return replace(unsimulated, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
 
 
@@ -124,7 +127,10 @@ def _monte_carlo_runs(candidate: Candidate, study: Study) -> tuple[dict[str, lis
         seed = study.settings.seed + number
         scenario = scenario_of(candidate, study, seed=seed)
         wander = scenario.operating_point.slow_speed_wander
-        reading = simulate(scenario.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
+        reading = simulate(
+            scenario.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling,
+            sample_rate=scenario.recording.sample_rate,
+        )  # fmt: skip
         for name, chain in study.chains(scenario).items():
             errors.setdefault(name, []).append(truth_error(chain.apply(reading), reading))
         disturbances.append(disturbance_rms(scenario.rig, reading, seed=seed, wander=wander, settling=settling))
@@ -141,14 +147,19 @@ def _remaining_disturbances(candidate: Candidate, scenario: Scenario, study: Stu
         seed = study.settings.seed + number
         made = scenario if number == 0 else scenario_of(candidate, study, seed=seed)
         wander = made.operating_point.slow_speed_wander
-        both = simulated_reading_pair(made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling)
+        both = simulated_reading_pair(
+            made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling,
+            sample_rate=made.recording.sample_rate,
+        )  # fmt: skip
         for name, chain in study.chains(made).items():
             found.setdefault(name, []).append(both.residual_rms(chain))
-    return {name: _figure(values[0], values[1:], scenario.assumed) for name, values in found.items()}
+    return {
+        name: _figure(values[0], values[1:], scenario.assumed, unit=study.effort_unit) for name, values in found.items()
+    }
 
 
-def _figure(value: float, others: list[float], assumed: Mapping[str, str]) -> Figure:
+def _figure(value: float, others: list[float], assumed: Mapping[str, str], *, unit: str) -> Figure:
     missing = ", ".join(assumed) if assumed else ""
     low, high = min([value, *others]), max([value, *others])
-    return Figure(value=value, low=low, high=high, unit="N*m", source=f"simulated, {1 + len(others)} samples",
+    return Figure(value=value, low=low, high=high, unit=unit, source=f"simulated, {1 + len(others)} samples",
                   missing=missing)  # fmt: skip

@@ -14,7 +14,7 @@ from torquerig.study.settings import Settings
 
 STAGE_KINDS = tuple(word for word, kind in KINDS.items() if issubclass(kind, get_args(GearStage)))
 """The kinds of parts between two speeds, as a scenario writes them."""
-_WORDS = {"motor": "motor", "stage": "gear, belt or worm"}
+_WORDS = {"motor": "motor", "stage": "gear, belt, worm or linear drive"}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -90,9 +90,9 @@ def ratio_sweep(drive: SizedDrive, study: Study) -> RatioSweep:
 
 
 def can_sweep(study: Study) -> bool:
-    """Return whether the gearboxes of the catalog can take a place in the chain: no ratio is fixed there."""
+    """Return whether the gearboxes of the catalog can take a place in the chain that turns: no ratio is fixed there."""
     stage = study.exchanged.stage
-    return bool(stage) and pinned_ratio(study.document, stage) is None
+    return bool(stage) and study.effort_unit == "N*m" and pinned_ratio(study.document, stage) is None
 
 
 def middle(figure: Figure) -> float:

@@ -23,7 +23,7 @@ class ChainResult:
     effect: FilterEffect
     truth_error: Figure
     left_out: tuple[str, ...]
-    residual_disturbance: Figure = field(default_factory=lambda: Figure(unit="N*m", missing="a criterion that uses it"))
+    residual_disturbance: Figure = field(default_factory=lambda: Figure(missing="a criterion that uses it"))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,7 +79,7 @@ class StudyRuns:
     mean_load : float
         Mean torque at the wear part, load and drag [N m].
     occupancy_percent, particle_size, output_speed : float
-        The operating point [%], [m], [rad/s].
+        The operating point [%], [m], [rad/s], in a line [m/s].
     """
 
     study: Study

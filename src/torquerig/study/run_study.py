@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
+from torquerig.rig.reading_place import reading_place
+from torquerig.scenario.kinematics import turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study
@@ -45,12 +47,13 @@ def run_study(study: Study, *, progress: Progress | None = None, workers: int | 
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
-    run, point = scenarios[0].rig.run, scenarios[0].operating_point
+    rig, point = scenarios[0].rig, scenarios[0].operating_point
+    run = rig.run
     return StudyRuns(
         study=study,
         drives=tuple(results[row] for row in range(len(listed))),
         mean_load=mean_load(scenarios[0].rig),
         occupancy_percent=point.load.occupancy,
         particle_size=point.load.particle_size,
-        output_speed=(run.speed or 0.0) / (run.gear_ratio or 1.0),
+        output_speed=(run.speed or 0.0) / turns_to(rig, reading_place(rig)),
     )

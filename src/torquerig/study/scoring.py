@@ -143,9 +143,9 @@ def _cell(drive: DriveResult, chain: str | None, metric: Metric, settings: Setti
 def figure_of(drive: DriveResult, chain: str | None, metric: str) -> Figure:
     """Return a metric of a drive with a chain; metrics behind a filter are unknown without one."""
     if metric == "truth_error":
-        return Figure(unit="N*m") if chain is None else drive.chains[chain].truth_error
+        return Figure(unit=drive.disturbance.unit) if chain is None else drive.chains[chain].truth_error
     if metric == "residual_disturbance":
-        return Figure(unit="N*m") if chain is None else drive.chains[chain].residual_disturbance
+        return Figure(unit=drive.disturbance.unit) if chain is None else drive.chains[chain].residual_disturbance
     if metric == "disturbance":
         return drive.disturbance
     return drive.margins.get(metric) or Figure(missing=f"{metric.replace('_', ' ')} of {drive.candidate.name}")

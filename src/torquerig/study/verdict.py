@@ -81,10 +81,11 @@ def _sentence(decided: Decided, made: MatrixVerdict) -> str:
     winner = decided.alternatives[made.winners[0]]
     now = decided.alternatives[decided.baseline]
     error, today = (one.drive.chains[one.chain].truth_error for one in (winner, now))
+    unit, width = error.unit.replace("*", " "), ".3f" if error.unit == "N*m" else ".3g"
     reading = (
-        f"Its reading error is {error.value:.3f} N m rms; that of {now.drive.candidate.name} with the filter "
+        f"Its reading error is {error.value:{width}} {unit} rms; that of {now.drive.candidate.name} with the filter "
         f"{now.chain} "
-        f"is {today.value:.3f} N m."
+        f"is {today.value:{width}} {unit}."
     )
     return (
         f"{_action(decided, made)} the filter {winner.chain}. {reading}{_next_best(decided, made)} The verdict is "

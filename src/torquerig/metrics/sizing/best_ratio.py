@@ -13,6 +13,7 @@ from torquerig.metrics.sizing.gearbox_use import behind_chain
 from torquerig.metrics.sizing.open_data import Values, over_intervals
 from torquerig.metrics.sizing.output_torque import OutputTorque
 from torquerig.metrics.sizing.sized_drive import SizedDrive
+from torquerig.rig.reading_place import effort_unit
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,8 +103,10 @@ def best_ratio(drive: SizedDrive) -> Mapping[str, Figure]:
 
     The ratio of the least rms torque; the largest that the motor's speed allows; the smaller of the two; and the rms
     torque there over the rated torque. Without acceleration in the cycle, the least rms torque is at no finite
-    ratio: only the speed limits it.
+    ratio: only the speed limits it. Empty where what is measured moves in a line: a lead takes the place of a ratio.
     """
+    if effort_unit(drive.rig) == "N":
+        return {}
     speed, rated = f"maximum speed of {drive.motor_name}", f"rated torque of {drive.motor_name}"
     top = float(np.abs(behind_chain(drive, {}).speed).max())
     known = {**drive.data, speed: drive.motor.max_speed}

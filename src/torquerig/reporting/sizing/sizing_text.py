@@ -80,9 +80,11 @@ def all_rows(sized: Mapping[Candidate, Sizing | str]) -> list[list[str]]:
     return rows
 
 
-def disturbance_rows(before: Sequence[float], after: Mapping[str, Sequence[float]]) -> list[list[str]]:
+def disturbance_rows(
+    before: Sequence[float], after: Mapping[str, Sequence[float]], *, unit: str = "N*m"
+) -> list[list[str]]:  # fmt: skip
     """Return a header and a row per filter chain: the disturbance behind it, over the Monte Carlo samples."""
-    rows = [["filter", "disturbance N*m", "remaining %"], ["(before)", range_text(before), "100"]]
+    rows = [["filter", f"disturbance {unit}", "remaining %"], ["(before)", range_text(before), "100"]]
     for name, values in after.items():
         shares = [100 * one / whole for one, whole in zip(values, before, strict=True) if whole > 0]
         rows.append([name, range_text(values), range_text(shares, digits=1) if shares else "-"])

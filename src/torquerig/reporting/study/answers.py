@@ -11,7 +11,8 @@ from torquerig.metrics.figure import Figure
 from torquerig.parameter import EVIDENCE
 from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
-from torquerig.scenario.sections import read_operating_point
+from torquerig.scenario.recording_settings import RecordingSettings
+from torquerig.scenario.sections import read_operating_point, read_section
 from torquerig.study.exchanged_data import left_out_effects
 from torquerig.study.held_numbers import held_sentence
 from torquerig.study.results import StudyRuns
@@ -66,17 +67,25 @@ def operating_point(runs: StudyRuns, decided: Decided) -> Facts:
     """Return the operating point and the rules for every drive, as pairs of name and text."""
     settings = runs.study.settings
     wander = read_operating_point(runs.study.document, seed=settings.seed)[0].slow_speed_wander
+    unit, wandering = runs.study.effort_unit.replace("*", " "), f"slow speed wander {wander:g} rms (relative)"
+    rate = read_section(runs.study.document, "recording", RecordingSettings).sample_rate
     return (
-        ("speed", f"{plain(runs.output_speed * 30 / pi, 5)} rpm at the output; the motor turns ratio times as fast"),
-        ("occupancy", f"{runs.occupancy_percent:g} %, a mean load of {plain(runs.mean_load)} N m"),
+        ("speed", _speed(runs)),
+        ("occupancy", f"{runs.occupancy_percent:g} %, a mean load of {plain(runs.mean_load)} {unit}"),
         ("particle size", f"{plain(runs.particle_size * 1e3)} mm"),
-        ("run", f"{settings.duration:g} s at 25 kHz for each drive, slow speed wander {wander:g} rms (relative)"),
+        ("run", f"{settings.duration:g} s at {rate / 1e3:g} kHz for each drive, {wandering}"),
         ("Monte Carlo", f"{1 + settings.draws} samples of each drive, drawn from the catalog's intervals"),
         ("speed loop", _loop_rule(settings.speed_loop)),
-        ("drive limit", _limit_rule(settings.sensor_limit)),
+        ("drive limit", _limit_rule(settings.sensor_limit, unit)),
         ("requirements", "; ".join(f"{rule_text(one)} ({one.purpose})" for one in decided.requirements.criteria)),
         ("seed, version", f"seed {settings.seed}, torquerig {runs.version}"),
     )  # fmt: skip
+
+
+def _speed(runs: StudyRuns) -> str:
+    if runs.study.effort_unit == "N":
+        return f"{plain(runs.output_speed * 1e3, 5)} mm/s of the measured part; the motor's follows from the lead"
+    return f"{plain(runs.output_speed * 30 / pi, 5)} rpm at the output; the motor turns ratio times as fast"
 
 
 def _loop_rule(rule: SpeedLoopRule) -> str:
@@ -88,9 +97,9 @@ def _loop_rule(rule: SpeedLoopRule) -> str:
     )
 
 
-def _limit_rule(limit: float) -> str:
+def _limit_rule(limit: float, unit: str) -> str:
     return (
-        f"the torque limit of the drive is lowered so that limit x ratio x efficiency is at most {limit:g} N m. The "
+        f"the torque limit of the drive is lowered so that limit x ratio x efficiency is at most {limit:g} {unit}. The "
         "sensor then survives a jam"
     )
 

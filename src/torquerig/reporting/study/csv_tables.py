@@ -52,7 +52,7 @@ def _combination(drive: DriveResult, chain: str, decided: Decided) -> Fields:
     fields += _identity(drive)
     fields += [("filter", chain), ("requirements", decision_words(decided)[drive.candidate.name]),
                ("out of reach", drive.out_of_reach)]  # fmt: skip
-    missing = Figure(unit="N*m", missing=drive.out_of_reach)
+    missing = Figure(unit=drive.disturbance.unit, missing=drive.out_of_reach)
     fields += _figure("reading error", result.truth_error if result else missing)
     fields += _figure("disturbance", drive.disturbance)
     for name, figure in drive.margins.items():
@@ -88,8 +88,9 @@ def _score(name: str, decided: Decided) -> Fields:
 def _shares(drive: DriveResult) -> Fields:
     fields = _identity(drive)
     shares, percent = drive.shares, drive.shares.percent() if drive.shares else {}
-    fields.append(("mean [N*m]", _number(shares.mean if shares else None)))
-    fields += [(f"{name} rms [N*m]", _number(getattr(shares, name) if shares else None)) for name in SHARES]
+    unit = drive.disturbance.unit
+    fields.append((f"mean [{unit}]", _number(shares.mean if shares else None)))
+    fields += [(f"{name} rms [{unit}]", _number(getattr(shares, name) if shares else None)) for name in SHARES]
     fields += [(f"{name} [% of power]", _number(percent.get(name))) for name in SHARES]
     return [*fields, ("out of reach", drive.out_of_reach)]
 

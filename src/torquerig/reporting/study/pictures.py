@@ -19,7 +19,7 @@ from torquerig.reporting.figures.shares_figure import shares_figure
 from torquerig.reporting.figures.signal_figure import signal_figure
 from torquerig.reporting.figures.spectrum_figure import spectrum_figure
 from torquerig.reporting.layout import Table, number, words
-from torquerig.reporting.study.tables import best_per_drive
+from torquerig.reporting.study.tables import best_per_drive, effort_text
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.study.candidates import scenario_of
 from torquerig.study.results import DriveResult, StudyRuns
@@ -130,10 +130,10 @@ def report_filter(drive: DriveResult, runs: StudyRuns) -> tuple[Picture, Table] 
         f"{len(effect.levels)} notched lines",
         told="Spectra before and after the filter; the amplitude at each marked line is near zero after it.",
     )
-    return made, levels_table(effect)
+    return made, levels_table(effect, unit=effort_text(drive))
 
 
-def levels_table(effect: FilterEffect) -> Table:
+def levels_table(effect: FilterEffect, *, unit: str = "N m") -> Table:
     """Return the amplitude of each line before and after a chain."""
     rows = tuple(
         (*words(name_of(level.line)), number(f"{level.frequency:.2f}"), number(f"{1e3 * level.before:.3f}"),
@@ -142,7 +142,7 @@ def levels_table(effect: FilterEffect) -> Table:
     )  # fmt: skip
     return Table(
         caption="Amplitude of each notched line, the power within 0.5 Hz of it",
-        head=("line", "frequency [Hz]", "before [mN m]", "after [mN m]"), rows=rows,
+        head=("line", "frequency [Hz]", f"before [m{unit}]", f"after [m{unit}]"), rows=rows,
         note=f"The frequencies of the lines follow the speed {effect.speed_origin}. The load is broadband: each band "
         "contains a part of the load, which the filter removes too.",
     )  # fmt: skip

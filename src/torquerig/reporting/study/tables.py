@@ -16,6 +16,11 @@ from torquerig.study.what_if import Change
 Ranks = dict[str, str]
 
 
+def effort_text(drive: DriveResult) -> str:
+    """Return the unit of what is measured, as a text has it: N m, or N where it moves in a line."""
+    return drive.disturbance.unit.replace("*", " ")
+
+
 def rank_texts(decided: Decided) -> Ranks:
     """Return the rank of each alternative by the overall T, with its range over the unknown values."""
     best, worst = (ends.tolist() for ends in decided.overall.rank_range)
@@ -65,11 +70,12 @@ def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
             number(span(*ends, digits=2)), figure_cell(made.drive.margins["price"]),
             Cell(text=said[made.drive.candidate.name]),
         ))  # fmt: skip
+    unit = effort_text(decided.alternatives[decided.baseline].drive)
     highlighted = frozenset(place for place, name in enumerate(shown) if name in (winner, decided.baseline))
     return Table(
         caption=f"The best {min(most, len(names))} of {len(names)} combinations, by T/T_max over all criteria; bold: "
         "the chosen and the present one",
-        head=("rank (range)", "drive", "filter", "reading error [N m]", "disturbance [N m]", "T/T_max", "range",
+        head=("rank (range)", "drive", "filter", f"reading error [{unit}]", f"disturbance [{unit}]", "T/T_max", "range",
               "price [EUR]", "requirements"),
         rows=tuple(rows), emphasised=highlighted,
         note="The range in brackets covers the Monte Carlo samples and the catalog's intervals.",
@@ -88,8 +94,9 @@ def error_table(runs: StudyRuns, *, present: str) -> Table:
     low, high = min(found, default=0.0), max(found, default=1.0)
     rows = tuple(_error_row(drive, names, low=low, high=high) for drive in runs.drives)
     highlighted = frozenset(row for row, drive in enumerate(runs.drives) if drive.candidate.name == present)
+    unit = effort_text(runs.drives[0])
     return Table(
-        caption="Reading error [N m], rms of filtered reading minus true load: simulated; green is small",
+        caption=f"Reading error [{unit}], rms of filtered reading minus true load: simulated; green is small",
         head=("drive", *names), rows=rows, emphasised=highlighted,
         note="The tooltip of a number has its interval over the Monte Carlo samples; combinations.csv has all of them.",
     )  # fmt: skip
@@ -106,8 +113,10 @@ def _error_row(drive: DriveResult, names: Sequence[str], *, low: float, high: fl
             cells.append(figure_cell(error))
             continue
         colour = shade(log(error.value), log(low), log(high), scale=GOOD_IS_LOW)
-        interval = "" if error.low is None or error.high is None else f"{span(error.low, error.high)} N m"
-        cells.append(number(f"{error.value:.3f}", style=colour, title=interval))
+        interval = (
+            "" if error.low is None or error.high is None else f"{span(error.low, error.high)} {effort_text(drive)}"
+        )
+        cells.append(number(f"{error.value:.{3 if error.value < 10 else 1}f}", style=colour, title=interval))
     return (*words(drive.candidate.name), *cells)
 
 
@@ -149,7 +158,7 @@ def effects_table(drive: DriveResult) -> Table:
     return Table(
         caption=f"Effect of each filter on the reading of {drive.candidate.name}",
         head=("filter", "std reduction [%]", "variance reduction [%]", "mean change [%]", "energy change [%]",
-              "reading error [N m]", "lines not removed"),
+              f"reading error [{effort_text(drive)}]", "lines not removed"),
         rows=tuple(rows),
         note="A lower standard deviation does not prove a better reading: a filter that removes load lowers it too. "
         "The reading error is the rms difference between the filtered reading and the true load.",
@@ -165,7 +174,7 @@ def changes_table(changes: Sequence[Change]) -> Table:
         for one in changes
     )  # fmt: skip
     return Table(
-        caption="Edited and original study: smallest reading error and disturbance of each drive [N m]",
+        caption="Edited and original study: smallest reading error and disturbance of each drive",
         head=("drive", "best filter before", "error before", "best filter now", "error now", "disturbance before",
               "disturbance now"),
         rows=rows,

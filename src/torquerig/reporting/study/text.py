@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from torquerig.plain_table import cut, grid
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.layout import figure_text, plain
-from torquerig.reporting.study.tables import decision_words
+from torquerig.reporting.study.tables import decision_words, effort_text
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
 
@@ -28,7 +28,16 @@ def ranked_text(decided: Decided, *, most: int = 10) -> str:
             figure_text(made.drive.chains[made.chain].truth_error), plain(made.drive.disturbance.value),
             f"{overall.share[place]:.3f}", figure_text(made.drive.margins["price"]), said[made.drive.candidate.name],
         ])  # fmt: skip
-    head = ["rank", "drive", "filter", "error [N m]", "disturb", "T/Tmax", "EUR", "requirements"]
+    head = [
+        "rank",
+        "drive",
+        "filter",
+        f"error [{effort_text(decided.alternatives[decided.baseline].drive)}]",
+        "disturb",
+        "T/Tmax",
+        "EUR",
+        "requirements",
+    ]
     here = decided.alternatives[decided.baseline].drive.margins["new_parts"].value == 0
     note = "present drive" if here else "baseline: the present motor on this gearbox, without a filter"
     return f"{_fitted([head, *rows], left=(1, 2, 7))}\n* {note}"

@@ -58,7 +58,8 @@ def write_ranking(sheet: Any, looks: Looks, decided: Decided) -> None:
 
 def write_shares(sheet: Any, looks: Looks, runs: StudyRuns) -> None:
     """Write mean, rms and percent of the shares, a row per drive."""
-    head = ["motor", "gearbox", "ratio", "whole ratio", "mean [N*m]", *(f"{name} rms [N*m]" for name in SHARES),
+    unit = runs.study.effort_unit
+    head = ["motor", "gearbox", "ratio", "whole ratio", f"mean [{unit}]", *(f"{name} rms [{unit}]" for name in SHARES),
             *(f"{name} [% of power]" for name in SHARES), "out of reach"]  # fmt: skip
     write_head(sheet, looks, head, wide={0: 20, 1: 18})
     for row, drive in enumerate(runs.drives, start=1):
