@@ -11,6 +11,7 @@ from nptdms import ChannelObject, TdmsWriter
 
 from torquerig.cli import main
 from torquerig.recordings.files import read_recording
+from torquerig.recordings.recording import Channel, Recording
 
 
 @pytest.fixture
@@ -115,6 +116,36 @@ def test_info_names_a_possible_alias(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert "may be the alias of cogging x1 at 840 Hz, above half the sample rate" in shown
 
 
+def test_a_chosen_sensor_is_not_compared_with_the_load_at_another(tmp_path: Path) -> None:
+    """The true load is counted at the compared place; at a sensor before a gear it is another torque."""
+
+    def torque(of: str | None = None, role: str | None = None, *, truth: bool = False) -> Channel:
+        return Channel(values=np.ones(9), quantity="torque", unit="N*m", of=of, role=role, truth=truth)
+
+    made = Recording(
+        sample_rate=1000.0,
+        channels={
+            "outer": torque("outer", "compared"), "inner": torque("inner"), "true_load_Nm": torque(truth=True),
+            "true_sensor_torque_Nm": torque("outer", truth=True), "true_at": torque("inner", truth=True),
+        },
+    )  # fmt: skip
+    assert "true_load_Nm" in made.comparing("outer").channels
+    other = made.comparing("inner")
+    assert other.torque_name() == "inner"
+    assert set(other.channels) == {"outer", "inner", "true_sensor_torque_Nm", "true_at"}
+
+
+def test_a_motor_that_the_catalog_does_not_have_is_no_reason_to_stop(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rows = "".join(f"{n / 1000:.3f},{np.sin(n)},1000\n" for n in range(3000))
+    (tmp_path / "run.csv").write_text("Time [s],Torque [Nm],Motor speed [rpm]\n" + rows)
+    (tmp_path / "run.yaml").write_text("run: {motor: of-my-own, gear_ratio: 1}\n")
+    main(("filter", str(tmp_path / "run.csv"), "--chain", "low_pass_20Hz"))
+    said = " ".join(capsys.readouterr().out.split())
+    assert "the sidecar's motor 'of-my-own' is not in the catalog" in said
+
+
 def test_two_torques_are_refused_until_one_has_the_role(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = "".join(f"{n / 1000:.3f},{n % 7},{n % 5},1000\n" for n in range(3000))
     (tmp_path / "run.csv").write_text("Time [s],Torque A1 [Nm],Torque B2 [Nm],Speed [rpm]\n" + rows)
@@ -132,5 +163,7 @@ def test_two_torques_are_refused_until_one_has_the_role(tmp_path: Path, capsys: 
     entries = "  Torque B2: {quantity: torque, unit: N*m, role: compared}\n  Torque A1: {quantity: torque, unit: N*m}\n"
     (tmp_path / "run.yaml").write_text("channels:\n" + entries + "  Speed: {quantity: speed, unit: rpm}\n")
     main(("info", str(tmp_path / "run.csv")))
-    assert "several channels" not in capsys.readouterr().out
+    shown = capsys.readouterr().out
+    assert "several channels" not in shown
+    assert "Torque B2  torque    N*m   compared" in shown
     assert read_recording(tmp_path / "run.csv").torque_name() == "Torque B2"

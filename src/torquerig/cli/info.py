@@ -79,6 +79,17 @@ def command(*, recordings: tuple[Path, ...], as_json: bool, picture: Path | None
         raise RecordingError(f"{failed} of {len(paths)} files cannot be read; the reasons are above")
 
 
+def _uses(stream: RecordingStream) -> dict[str, str]:
+    """Return of each channel its role and part as the sidecar states them; empty where it states one part at most."""
+    stated = {name: one for name, one in stream.entries.items() if (one.of or one.role) and not one.truth}
+    if len(stated) < 2 and not any(one.role for one in stated.values()):
+        return {}
+    return {
+        name: " ".join([*([one.role] if one.role else []), *([f"of {one.of}"] if one.of else [])])
+        for name, one in stated.items()
+    }
+
+
 def _as_dict(path: Path) -> dict[str, Any]:
     """Return all that is known of one file; a file that cannot be read is its path and the problem."""
     try:
@@ -95,6 +106,10 @@ def _as_dict(path: Path) -> dict[str, Any]:
         return found | {"problem": str(error)}
     speed, text = _speed(stream, head)
     columns = [one | {"rate": info.sample_rate, "duration": info.duration} for one in found["columns"]]
+    for one in columns:
+        entry = stream.entries.get(one.get("name", ""))
+        stated = {} if entry is None else {"of": entry.of, "role": entry.role}
+        one |= {key: value for key, value in stated.items() if value}
     return found | {
         "columns": columns,
         "notes": list(stream.table.notes),
@@ -125,11 +140,15 @@ def _show(path: Path, picture: Path | None, *, force: bool) -> None:
         show_contents(file_contents(path))
         return
     click.echo(f"{path}: {info.samples} samples at {info.sample_rate:g} Hz, {info.duration:g} s")
-    rows = [["channel", "quantity", "unit", "minimum", "mean", "maximum", "std", "known by"]]
+    uses = _uses(stream)
+    rows = [
+        ["channel", "quantity", "unit", *(["use"] if uses else []), "minimum", "mean", "maximum", "std", "known by"]
+    ]
     for name, one in info.channels.items():
         figures = (f"{number:.6g}" for number in (one.minimum, one.mean, one.maximum, one.std))
         entry = stream.entries[name]
-        rows.append([name, one.quantity, one.unit, *figures, known_by(entry.reason, entry.missing)])
+        used = [uses.get(name, "")] if uses else []
+        rows.append([name, one.quantity, one.unit, *used, *figures, known_by(entry.reason, entry.missing)])
     click.echo(grid(rows))
     missing = {name: (one.reason, one.missing) for name, one in stream.entries.items()}
     show_reading(stream.table.notes, stream.table.skipped, missing)

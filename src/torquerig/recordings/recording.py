@@ -131,7 +131,8 @@ class Recording:
     def comparing(self, name: str) -> Recording:
         """Return this recording with the channel ``name`` as the measured torque, and other measured ones as context.
 
-        RecordingError where there is no such channel, or it is no torque, force or torque of the motor.
+        The true load and lines of a simulation are those at its compared place, and are left out where another one is
+        chosen. RecordingError where there is no such channel, or it is no torque, force or torque of the motor.
         """
         chosen = self.channel(name)
         if chosen.quantity not in (*EFFORTS, "motor_torque") or chosen.truth:
@@ -141,9 +142,12 @@ class Recording:
                 f"{self.name}: {name} is a {kind}, not a measured torque or force; name one of {known or 'those'}"
             )
         quantity = "torque" if chosen.quantity == "motor_torque" else chosen.quantity
+        read = {one.of for one in self.channels.values() if one.truth and one.role is None and one.of is not None}
+        elsewhere = chosen.of in read and chosen.role != "compared"
         channels = {
             key: replace(one, role="context") if one.quantity in EFFORTS and not one.truth else one
             for key, one in self.channels.items()
+            if not (elsewhere and one.truth and one.of is None and one.quantity in EFFORTS)
         }
         return replace(self, channels={**channels, name: replace(chosen, quantity=quantity, role="compared")})
 

@@ -6,7 +6,7 @@ from math import prod
 from typing import TYPE_CHECKING
 
 from torquerig.catalog.winding import winding_of
-from torquerig.errors import InputError
+from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.orders.kinematics.teeth_reading import read_teeth
 
@@ -83,7 +83,18 @@ def _winding(
             "{motor: NAME} to the sidecar"
         )
         return None, None, [unknown]
-    pole_pairs, slots, assumed = winding_of(catalog.motor(name))
+    try:
+        entry = catalog.motor(name)
+    except UnknownNameError:
+        near = did_you_mean(name, catalog.motors)
+        if motor is not None or near.startswith("did you mean"):
+            raise
+        unlisted = (
+            f"the sidecar's motor {name!r} is not in the catalog, so the lines of its poles and slots are not known; "
+            f"add {remedy}, or run: {{pole_pairs: NUMBER, slots: NUMBER}} to the sidecar"
+        )
+        return None, None, [unlisted]
+    pole_pairs, slots, assumed = winding_of(entry)
     return pole_pairs, slots, [f"assumed of {name}: {assumed}"] if assumed else []
 
 
