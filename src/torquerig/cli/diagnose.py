@@ -63,15 +63,15 @@ def command(
     The JSON holds the verdict, the findings with confidence, and the remaining differences.
     Exit code 0 means that a diagnosis was reached, whatever the verdict. Exit code 2 means a usage or input error.
     """
+    if check:
+        _check(recordings, scenario, settings, catalogs, seed=seed)
+        return
     from torquerig.cli.progress import stages
     from torquerig.diagnosis.any_rig import diagnosed
     from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome
     from torquerig.diagnosis.outcome import SCHEMA, as_json
     from torquerig.diagnosis.side_by_side import side_by_side
 
-    if check:
-        _check(recordings, scenario, settings, catalogs, seed=seed)
-        return
     if out is None:
         raise click.UsageError("Missing option '--json': name the JSON file to write, or - for standard output.")
     target = model or (Path("diagnosed.yaml") if out == "-" else Path(out).with_suffix(".model.yaml"))
