@@ -32,11 +32,13 @@ from torquerig.mechanisms import (
     Eccentricity,
     EncoderError,
     FieldOrientedControl,
+    FlickerNoise,
     GearMesh,
     GranularDrag,
     HallMisplacement,
     Imbalance,
     JawCoupling,
+    LoggerLowPass,
     LugreFriction,
     MainsInterference,
     Misalignment,
@@ -58,6 +60,7 @@ from torquerig.mechanisms import (
     ToothMesh,
     TorqueRipple,
     TorsionalMode,
+    TurbulentLoad,
 )
 from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.recordings.recording import Recording
@@ -235,6 +238,11 @@ ROWS: tuple[Row, ...] = (
         why_no_lines="a mean",
     ),
     Row(
+        effect=TurbulentLoad(name="it", quadratic=1e-3, turbulence=0.1, turbulence_cutoff=5.0),
+        nothing=TurbulentLoad(name="it", quadratic=0.0, turbulence=0.1, turbulence_cutoff=5.0),
+        why_no_lines="a mean and turbulence of a continuous spectrum",
+    ),
+    Row(
         effect=StribeckFriction(name="it", coulomb=0.2, static=0.3, stribeck_speed=5.0),
         nothing=StribeckFriction(name="it", coulomb=0.0, static=0.0, stribeck_speed=1.0),
         why_no_lines="a mean, while the speed keeps its sign",
@@ -260,6 +268,16 @@ ROWS: tuple[Row, ...] = (
         effect=NoiseHump(name="it", rms=0.02, frequency=400.0),
         nothing=NoiseHump(name="it", rms=0.0, frequency=400.0),
         why_no_lines="a band of noise",
+    ),
+    Row(
+        effect=FlickerNoise(name="it", corner=200.0),
+        nothing=FlickerNoise(name="it", corner=0.0),
+        why_no_lines="a continuous spectrum",
+    ),
+    Row(
+        effect=LoggerLowPass(name="it", cutoff=100.0, order=6),
+        nothing=LoggerLowPass(name="it", cutoff=100.0, order=0),
+        why_no_lines="it lowers the lines of others",
     ),
     Row(
         effect=PwmAliasing(name="it", switching_frequency=24e3, amplitude=0.03),

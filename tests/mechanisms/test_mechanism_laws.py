@@ -18,8 +18,10 @@ from torquerig.mechanisms import (
     BladePass,
     Cogging,
     CommutationRipple,
+    FlickerNoise,
     GearMesh,
     GranularDrag,
+    LoggerLowPass,
     LugreFriction,
     ParallelOffset,
     ParticleLoad,
@@ -28,6 +30,7 @@ from torquerig.mechanisms import (
     ToothMesh,
     TorqueRipple,
     TorsionalMode,
+    TurbulentLoad,
 )
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.run import Run
@@ -72,6 +75,15 @@ WRITTEN: dict[str, tuple[str, Part]] = {
     "ParticleLoad": (
         "{kind: particle_load, mean_by_occupancy_percent: {0: 0.05 N*m, 21: 3.8 N*m}, hit_decay: 2 ms}",
         ParticleLoad(name="it", mean_by_occupancy_percent={0.0: 0.05, 21.0: 3.8}, hit_decay=0.002),
+    ),
+    "TurbulentLoad": (
+        "{kind: turbulent_load, quadratic: 1.0e-3 N*m*s^2/rad^2, turbulence: 10 %, turbulence_cutoff: 5 Hz}",
+        TurbulentLoad(name="it", quadratic=1e-3, turbulence=0.1, turbulence_cutoff=5.0),
+    ),
+    "FlickerNoise": ("{kind: flicker_noise, corner: 200 Hz}", FlickerNoise(name="it", corner=200.0)),
+    "LoggerLowPass": (
+        "{kind: logger_low_pass, cutoff: 1 kHz, order: 8, characteristic: bessel}",
+        LoggerLowPass(name="it", cutoff=1000.0, order=8, characteristic="bessel"),
     ),
     "QuadraticDrag": (
         "{kind: quadratic_drag, coefficient: 1.0e-3 N*m*s^2/rad^2}",

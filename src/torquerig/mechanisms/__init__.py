@@ -18,6 +18,7 @@ Load
     particle_load        hits and slow variation          blade_pass           a load pulse per blade
     stribeck_friction    dry friction by direction        quadratic_drag       windage
     lugre_friction       dry friction that sticks      granular_drag        by the angle, at any speed
+    turbulent_load       by speed or its square, with turbulence
 Sensor, cable and file
     sensor_bandwidth     a lower low-pass                 sensor_drift         a zero that moves
     sensor_nonlinearity  bent, or of wrong gain           sensor_hysteresis    lags when torque turns back
@@ -25,6 +26,7 @@ Sensor, cable and file
     pwm_aliasing         switching, folded                signal_dropout       moments without signal
     clipping             saturation                       quantization         coarse codes
     noise_hump           a band of noise, no cause claimed
+    flicker_noise        1/f below a corner            logger_low_pass      the logger's filter, any order
 """
 
 from __future__ import annotations
@@ -53,11 +55,13 @@ if TYPE_CHECKING:
     from torquerig.mechanisms.eccentricity import Eccentricity as Eccentricity
     from torquerig.mechanisms.encoder_error import EncoderError as EncoderError
     from torquerig.mechanisms.field_oriented_control import FieldOrientedControl as FieldOrientedControl
+    from torquerig.mechanisms.flicker_noise import FlickerNoise as FlickerNoise
     from torquerig.mechanisms.gear_mesh import GearMesh as GearMesh
     from torquerig.mechanisms.granular_drag import GranularDrag as GranularDrag
     from torquerig.mechanisms.hall_misplacement import HallMisplacement as HallMisplacement
     from torquerig.mechanisms.imbalance import Imbalance as Imbalance
     from torquerig.mechanisms.jaw_coupling import JawCoupling as JawCoupling
+    from torquerig.mechanisms.logger_low_pass import LoggerLowPass as LoggerLowPass
     from torquerig.mechanisms.lugre_friction import LugreFriction as LugreFriction
     from torquerig.mechanisms.mains_interference import MainsInterference as MainsInterference
     from torquerig.mechanisms.misalignment import Misalignment as Misalignment
@@ -79,6 +83,7 @@ if TYPE_CHECKING:
     from torquerig.mechanisms.tooth_mesh import ToothMesh as ToothMesh
     from torquerig.mechanisms.torque_ripple import TorqueRipple as TorqueRipple
     from torquerig.mechanisms.torsional_mode import TorsionalMode as TorsionalMode
+    from torquerig.mechanisms.turbulent_load import TurbulentLoad as TurbulentLoad
 
     __all__: list[str]
 else:  # whatever files there are, so that a mechanism goes with its file
