@@ -21,6 +21,7 @@ from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
+from torquerig.scenario.sensor_priors import sensor_priors
 from torquerig.scenario.unused import unused_by_simulation
 from torquerig.simulation.simulator import simulate
 from torquerig.study import drive_run
@@ -54,17 +55,17 @@ def leaves(data: Any, path: Path = ()) -> Iterator[tuple[Path, Any]]:
 
 
 def others(value: Any) -> tuple[Any, ...]:
-    """Return other values of one kind: 7 % more, half of it, a neighbouring count, the other word."""
+    """Return other values of one kind: 7 % more, a twentieth, a neighbouring count, the other word."""
     if isinstance(value, bool):
         return (not value,)
     if isinstance(value, int):
         return value + 1, value - 1, 2 * value + 1
     if isinstance(value, float):
-        return value * 1.07 + (0.01 if value == 0 else 0.0), value * 0.5
+        return value * 1.07 + (0.01 if value == 0 else 0.0), value * 0.05
     number = re.match(r"^([+-]?[\d.]+(?:[eE][+-]?\d+)?)( .*|)$", str(value))
     if number is None:
         return (f"{value}x",)
-    return tuple(f"{factor * float(number[1]) or factor}{number[2]}" for factor in (1.07, 0.5))
+    return tuple(f"{factor * float(number[1]) or factor}{number[2]}" for factor in (1.07, 0.05))
 
 
 def changed(document: Document, path: Path, value: Any) -> Document:
@@ -91,10 +92,10 @@ def as_read(document: Document) -> object:
 
 
 def as_fitted(document: Document) -> object:
-    """What a diagnosis fits, and beyond which error of the speed it reports the sidecar."""
+    """What a diagnosis fits, what it knows of the sensors, and the error of the speed that it permits."""
     made = read(document)
     knobs = nuisance_knobs(made.rig, made.uncertainties, occupancies=[])
-    return knobs, made.operating_point.speed_set_point_error_max
+    return knobs, sensor_priors(made), made.operating_point.speed_set_point_error_max
 
 
 def as_sized_over_its_cycle(document: Document) -> object:

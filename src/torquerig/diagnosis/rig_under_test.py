@@ -59,10 +59,11 @@ def off_set_points(
     By its angle channel, or by the lines of its torque. ``error_max`` is the largest error of a set-point that the
     scenario states [1]; 0 where it states none.
     """
-    kept = TWO_SPEEDS * (error_max or SPEED_ERROR)
     for recording, run in zip(recordings, runs, strict=True):
         stated, real = recording.run.speed, abs(run.mean_speed)
-        if not (run.steady and stated) or abs(real / stated - 1) <= kept:
+        # lines of the torque alone give the speed no better than SPEED_ERROR
+        error = (error_max or SPEED_ERROR) if run.angle_measured else max(error_max, SPEED_ERROR)
+        if not (run.steady and stated) or abs(real / stated - 1) <= TWO_SPEEDS * error:
             continue
         rpm, said = real * 30 / pi, stated * 30 / pi
         by = run.origin.removeprefix("from ")
