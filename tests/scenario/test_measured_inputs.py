@@ -200,6 +200,12 @@ def test_a_scenario_without_inputs_takes_none(recorded: Recording) -> None:
         tr.simulate(scenario(), inputs=recorded)
 
 
+def test_an_input_of_no_part_is_refused(recorded: Recording) -> None:
+    wrong = recorded.with_channel("brake_Nm", replace(recorded.channels["brake_Nm"], of="roter"))
+    with pytest.raises(InputError, match=r"channels\.brake_Nm\.of: the scenario's rig has no part 'roter'"):
+        tr.simulate(scenario(LOAD, DRIVE), inputs=wrong, duration=0.1)
+
+
 def test_of_chooses_among_several_inputs(recorded: Recording) -> None:
     first = replace(recorded.channels["brake_Nm"], of="rotor")
     two = recorded.with_channel("brake_Nm", first).with_channel("other", replace(first, of="flywheel"))

@@ -45,7 +45,7 @@ def what_is_compared(recording: Recording, rig: Rig) -> str | None:
 
 
 def _as_measured(recording: Recording, rig: Rig) -> Recording:
-    _check_parts(recording, rig)
+    check_parts(recording, rig)
     known = _efforts(recording, rig)
     name = _compared(recording, rig, known)
     if name is None:
@@ -58,7 +58,8 @@ def _as_measured(recording: Recording, rig: Rig) -> Recording:
     return replace(recording, channels={**channels, name: replace(corrected, role="compared")})
 
 
-def _check_parts(recording: Recording, rig: Rig) -> None:
+def check_parts(recording: Recording, rig: Rig) -> None:
+    """Raise InputError, with the sidecar's file and line, for an ``of:`` that names no part of the rig."""
     names = [part.name for part in rig.parts]
     for key, one in recording.channels.items():
         if one.of is not None and not one.truth and one.of not in names:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from torquerig.errors import InputError, TorquerigError
 from torquerig.recordings.inputs import driven_by
 from torquerig.recordings.recording import Recording
+from torquerig.scenario.compared_channel import check_parts
 from torquerig.scenario.model import Scenario
 from torquerig.simulation.input_channels import channel_of, driven_parts
 
@@ -23,6 +24,8 @@ def as_driven(scenario: Scenario, recordings: Sequence[Recording]) -> list[Recor
     parts = driven_parts(scenario.rig)
     if not parts:
         return [*recordings]
+    for one in recordings:
+        check_parts(one, scenario.rig)
     driven = [driven_by(one) for one in recordings]
     for part in parts:
         for one in driven:

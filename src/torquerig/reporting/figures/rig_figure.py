@@ -81,7 +81,7 @@ def _draw_shaft(
             from_column, from_row = places[part.after]
             start = (from_column * _STEP + _WIDTH, -from_row * row_height + _HEIGHT / 2)
             axes.plot([start[0], x], [start[1], y + _HEIGHT / 2], color=_EDGE, linewidth=2, zorder=0)
-        colour = READ if part.name == rig.measured else SPRING if part.opens_node else BODY
+        colour = READ if part.name in rig.places else SPRING if part.opens_node else BODY
         axes.add_patch(FancyBboxPatch((x, y), _WIDTH, _HEIGHT, boxstyle="round,pad=0.02,rounding_size=0.08",
                                       facecolor=colour, edgecolor=_EDGE, linewidth=1.2))  # fmt: skip
         axes.text(x + _WIDTH / 2, y + 0.4, part.name[:_LETTERS], ha="center", va="center", fontsize=8)
