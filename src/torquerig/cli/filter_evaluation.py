@@ -16,6 +16,8 @@ from torquerig.filters.evaluation.placebo import Placebo
 from torquerig.filters.evaluation.step_response import StepResponse
 from torquerig.metrics.filter_evaluation import FilterEvaluation, evaluate_filter
 from torquerig.metrics.load_error import LoadError
+from torquerig.metrics.measured_load import measured_load
+from torquerig.metrics.truth_error import TRUE_LOADS
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import fixed, grid, wrapped
 from torquerig.recordings.recording import Recording
@@ -150,7 +152,31 @@ def truth_text(made: FilterEvaluation) -> str:
     rows.append(["energy %", *(_percent(one.energy_percent) for one in errors), ""])
     rows.append(["delay ms", *(_delay(one) for one in errors), ""])
     rows += _hits(errors)
-    return grid(rows) + ("" if perfect is None else _ratio_to_perfect(before, after, perfect))
+    return (
+        _measured(made)
+        + grid(rows)
+        + _shares(made)
+        + ("" if perfect is None else _ratio_to_perfect(before, after, perfect))
+    )
+
+
+def _measured(made: FilterEvaluation) -> str:
+    """Return which channel is taken for the load; empty where a simulation knows it."""
+    load = None if any(name in made.before.channels for name in TRUE_LOADS) else measured_load(made.before)
+    if load is None:
+        return ""
+    turned = ", with the other sign, so that it agrees with the reading" if load.is_turned else ""
+    return wrapped(f"The true load is the measured one of the channel {load.channel}{turned}.") + "\n"
+
+
+def _shares(made: FilterEvaluation) -> str:
+    """Return how much of the variance before, after and between is load."""
+    shares = made.load_shares
+    if shares is None:
+        return ""
+    parts = {"the reading": shares.before, "what remains": shares.after, "what is removed": shares.removed}
+    said = [f"{100 * share:.1f} % of {part}" for part, share in parts.items() if share is not None]
+    return "\n" + wrapped(f"Of the variance, the load is {', '.join(said)} (squared correlation).") if said else ""
 
 
 def _ratio_to_perfect(before: LoadError, after: LoadError, perfect: LoadError) -> str:

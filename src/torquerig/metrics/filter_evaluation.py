@@ -13,6 +13,7 @@ from torquerig.filters.evaluation.placebo import Placebo, placebo
 from torquerig.filters.evaluation.step_response import StepResponse, step_response
 from torquerig.filters.filter_effect import FilterEffect, chain_effect
 from torquerig.metrics.load_error import LoadError, load_error
+from torquerig.metrics.load_shares import LoadShares, load_shares
 from torquerig.metrics.truth_error import true_load
 from torquerig.simulation.true_lines import true_lines
 
@@ -43,6 +44,8 @@ class FilterEvaluation:
         Against the true load; None where it is not known.
     error_perfect : LoadError or None
         Of the reading minus the simulated lines; None where these are not known.
+    load_shares : LoadShares or None
+        How much of what the chain keeps, and of what it removes, is load; None where the load is not known.
     """
 
     chain: str
@@ -55,6 +58,7 @@ class FilterEvaluation:
     error_before: LoadError | None
     error_after: LoadError | None
     error_perfect: LoadError | None = None
+    load_shares: LoadShares | None = None
 
 
 def evaluate_filter(
@@ -93,6 +97,7 @@ def evaluate_filter(
         error_before=load_error(recording, recording, scale=scale) if has_truth else None,
         error_after=load_error(after, recording, scale=scale) if has_truth else None,
         error_perfect=_perfect(recording, scale) if has_truth else None,
+        load_shares=load_shares(recording, after, longest=DECAYS * scale.hit_decay),
     )
 
 

@@ -1,4 +1,4 @@
-"""Rms error of a reading against the true load, which only a simulation knows."""
+"""Rms error of a reading against the true load, which a simulation knows or a second sensor measured."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.errors import RecordingError
+from torquerig.metrics.measured_load import measured_load
 from torquerig.recordings.recording import Recording
 
 TRUE_LOAD = "true_load_Nm"
@@ -14,9 +15,12 @@ TRUE_LOADS = (TRUE_LOAD, "true_load_N")
 
 
 def true_load(recording: Recording) -> NDArray[np.float64] | None:
-    """Return the true load [N m], in a line [N], shape (samples,); None where it is not known."""
+    """Return the true load [N m], in a line [N], shape (samples,), else a measured one; None where neither is known."""
     name = next((one for one in TRUE_LOADS if one in recording.channels), None)
-    return None if name is None else recording.channels[name].in_si()
+    if name is not None:
+        return recording.channels[name].in_si()
+    measured = measured_load(recording)
+    return None if measured is None else measured.values
 
 
 def truth_error(reading: Recording, truth: Recording) -> float:
@@ -29,9 +33,10 @@ def truth_error(reading: Recording, truth: Recording) -> float:
     Raises
     ------
     RecordingError
-        When ``truth`` has no channel of the true load, as every measured recording.
+        When ``truth`` has no channel of the true load and none of a measured one.
     """
     load = true_load(truth)
     if load is None:
-        raise RecordingError(f"{truth.name}: the true load is not known; only a simulated recording has {TRUE_LOAD}")
+        raise RecordingError(f"{truth.name}: the true load is not known; only a simulated recording has {TRUE_LOAD}, "
+                             "or a measured one a channel with of: load")  # fmt: skip
     return float(np.sqrt(np.mean((reading.torque() - load) ** 2)))

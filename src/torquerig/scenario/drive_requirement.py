@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from torquerig.recordings.profiles.breakpoints import Breakpoints
 from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.rig.assembly import Rig
 from torquerig.rig.drive_train import DriveTrain, drive_train, driven_motor
+from torquerig.rig.parts.induction_drive import InductionDrive
 
 Floats = NDArray[np.float64]
 
@@ -95,7 +96,17 @@ def drive_requirement(rig: Rig, *, duration: float) -> DriveRequirement:
         held = corners.held is not None and corners.held[row] and corners.held[row + 1]
         pieces.add(span, (corners.speed[row], corners.speed[row + 1]), load, before, corners.time[row], held=held)
         before = corners.speed[row + 1]
-    return pieces.made()
+    drive = next((one for one in rig.parts_of(InductionDrive) if one.motor == motor.name), None)
+    return pieces.made() if drive is None else _behind_the_field(pieces.made(), drive)
+
+
+def _behind_the_field(required: DriveRequirement, drive: InductionDrive) -> DriveRequirement:
+    """Return the requirement at the shaft of an induction motor: slower than its field by the slip of each torque.
+
+    The torque is that at the speed of the field; with the slip of a few per cent it changes by less.
+    """
+    slip = np.vectorize(drive.slip_speed, otypes=[float])(required.torque)
+    return replace(required, speed=required.speed - slip)
 
 
 class _Pieces:

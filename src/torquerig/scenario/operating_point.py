@@ -42,7 +42,7 @@ class OperatingPoint(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     motor_speed: Annotated[float, Parameter("rad/s", "motor speed", low=0, turns=True)] | None = None
-    output_speed: Annotated[float, Parameter("rad/s", "output speed", low=0)] | None = None
+    output_speed: Annotated[float, Parameter("rad/s", "output speed; negative: the other direction")] | None = None
     profile: Profile = "steady"
     duty_cycle: DutyCycleText | None = None
     csv: TableText | None = None

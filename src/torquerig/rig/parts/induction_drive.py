@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import copysign, pi, sqrt
 from typing import Annotated, Literal
 
 from torquerig.errors import InputError
@@ -19,7 +19,8 @@ from torquerig.rig.terms import Drive, Term
 class InductionDrive(Part):
     """``T = 2 Tb x / (1 + x^2)``, x the slip speed over that of breakdown (Kloss), from the name plate.
 
-    The set-point of the run is the speed of the field: 1500 rpm is a motor of two pole pairs on 50 Hz, less an
+    The set-point of the run (``motor_speed``, ``speed_rpm``) is the speed of the field, not of the shaft: 1500 rpm is a
+    motor of two pole pairs on 50 Hz; the shaft turns slower by the slip of its load, counted here once. An
     inverter that keeps the flux by voltage over frequency. The slip speed of a torque stays the same then. The torque
     follows the slip with ``1 / (sb 2 pi f)``, the time constant of the rotor's flux on its leakage.
 
@@ -53,6 +54,18 @@ class InductionDrive(Part):
             pole_pairs=self.pole_pairs,
             supply_frequency=self.rated_frequency,
         )
+
+    def slip_speed(self, torque: float) -> float:
+        """Return how much slower than the field the rotor turns [rad/s] at a torque [N m]; beyond breakdown as at it.
+
+        Kloss solved for the stable branch: ``x = y - sqrt(y^2 - 1)``, y the breakdown torque over the torque.
+        """
+        machine = self.machine()
+        breakdown = machine.breakdown_slip * machine.synchronous_speed
+        if torque == 0:
+            return 0.0
+        over = max(self.breakdown_torque / abs(torque), 1.0)
+        return copysign(breakdown * (over - sqrt(over**2 - 1)), torque)
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return the drive of the motor."""
