@@ -11,6 +11,8 @@ from torquerig.catalog.search import catalog_for
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.filters.chains.chain_file import needs_response, read_chains
+from torquerig.orders.angle.measured_angle import SOURCES
+from torquerig.rig.parts import InductionDrive
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
 from torquerig.scenario.reading import read_scenario
@@ -82,7 +84,20 @@ def recorded_drive(
         raise InputError("--scenario states motor and gearbox; remove --motor, --ratio and --gearbox")
     rig = read_scenario(read_document(scenario), catalog_for(scenario, catalogs), seed=1).rig
     kinematics = at_stated_ratio(kinematics_of(rig), recording, scenario)
-    return RecordedDrive(kinematics=kinematics, rig=rig, sample_rate=recording.sample_rate)
+    slipping = _slipping(rig, recording)
+    return RecordedDrive(kinematics=kinematics, rig=rig, sample_rate=recording.sample_rate, assumed=slipping)
+
+
+def _slipping(rig: Rig, recording: Recording) -> tuple[str, ...]:
+    """Return the sentence that the set-point of an induction motor is not the speed of its shaft, where it counts."""
+    has_angle = any(recording.find(quantity) for quantity in (*SOURCES, "tacho"))
+    if has_angle or not rig.parts_of(InductionDrive):
+        return ()
+    sentence = (
+        "the set-point of an induction motor is the speed of its field, the shaft turns slower by the slip, and no "
+        "channel measures its angle or speed: lines at orders of the shaft are only near; record a tacho or an encoder"
+    )
+    return (sentence,)
 
 
 def at_stated_ratio(kinematics: Kinematics, recording: Recording, scenario: str | Path) -> Kinematics:
