@@ -8,6 +8,7 @@ LIMITS: Mapping[str, tuple[float, float]] = {
     "torque": (0.0, 1e9),
     "inertia": (1e-11, 1e9),  # a rotor of 1 mm has 1e-11, a turbine of a power station 1e5
     "speed": (0.0, 1e6),  # the fastest spindles turn at 5e4 rad/s
+    "angular acceleration": (0.0, 1e12),
     "frequency": (1e-9, 1e9),
     "angle": (0.0, 1e9),
     "torsional stiffness": (1e-9, 1e12),  # a solid steel shaft 1 m thick and 1 m long has 8e9
