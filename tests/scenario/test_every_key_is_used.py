@@ -28,6 +28,7 @@ from torquerig.study import drive_run
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.definition import Study, open_study
+from torquerig.study.exchanged_data import look_up_stage
 from torquerig.study.operating_points import points_of
 
 LENGTH, SETTLING = 0.05, 0.02  # [s] of the simulated stretch: 1250 samples at 25 kHz
@@ -125,7 +126,8 @@ def as_driven(document: Document) -> object:
     """A candidate of the study, of the largest ratio, and the filters on it."""
     study = open_study(document, catalog())
     made = scenario_of(candidates(study)[-1], study, seed=study.settings.seed)
-    return [*study.chains(made)], made.rig.terms(), drive_run.settling_of(study.settings.speed_loop)
+    stages = [look_up_stage(one.gearbox, study) for one in candidates(study)]
+    return [*study.chains(made)], made.rig.terms(), drive_run.settling_of(study.settings.speed_loop), stages
 
 
 def read(document: Document) -> Scenario:
