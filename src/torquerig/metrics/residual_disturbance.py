@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from torquerig.filters.chains.filter_chain import Chain
-from torquerig.metrics.shares import DISTURBANCES
+from torquerig.metrics.shares import DISTURBANCES, sensed
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.simulator import SAMPLE_RATE, simulate
@@ -29,18 +29,28 @@ class ReadingPair:
         return float(np.std(chain.apply(self.reading).torque() - chain.apply(self.quiet).torque()))
 
     @property
+    def disturbance(self) -> float:
+        """The rms of the disturbance in the torque at the sensor, before its amplifier and noise [N m]."""
+        return float(np.std(sensed(self.reading) - sensed(self.quiet)))
+
+    @property
     def before(self) -> float:
         """The rms of the disturbance in the unfiltered reading [N m]."""
         return float(np.std(self.reading.torque() - self.quiet.torque()))
 
 
 def simulated_reading_pair(
-    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE
-) -> ReadingPair:
-    """Simulate a rig twice under the same random load: with and without cogging, electrical and mechanical lines."""
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE,
+    phase_seed: int | None = None, scenario: str = "",
+) -> ReadingPair:  # fmt: skip
+    """Simulate a rig twice under the same random load: with and without cogging, electrical and mechanical lines.
+
+    The arguments are those of :func:`torquerig.simulation.simulator.simulate`.
+    """
     quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
     reading, load = (
-        simulate(one, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate)
+        simulate(one, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate,
+                 phase_seed=phase_seed, scenario=scenario)
         for one in (rig, quiet)
-    )
+    )  # fmt: skip
     return ReadingPair(reading, load)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.simulation.simulator import SAMPLE_RATE, simulate
@@ -20,7 +21,8 @@ class Shares:
     """Rms of each share of the torque in the sensor [N m], and the mean [N m].
 
     Each share is the difference to a run without that group of effects, under the same random load. The squares need
-    not add up, because speed loop and losses couple the groups slightly.
+    not add up, because speed loop and losses couple the groups slightly. ``true_load`` is the rms of the load where it
+    acts; ``load`` is what the shafts make of it at the sensor, which depends on inertias, ratio and speed loop.
     """
 
     mean: float
@@ -28,6 +30,7 @@ class Shares:
     cogging: float
     electrical: float
     mechanical: float
+    true_load: float | None = None
 
     @property
     def disturbance(self) -> float:
@@ -42,34 +45,32 @@ class Shares:
 
 
 def reading_shares(
-    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE,
+    known: tuple[Recording, Recording] | None = None,
 ) -> Shares:  # fmt: skip
-    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed."""
+    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed.
 
-    def torque(*left_out: str) -> NDArray[np.float64]:
-        kept = replace(rig, parts=tuple(part for part in rig.parts if part.group not in left_out))
-        made = simulate(
-            kept, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate
-        )  # fmt: skip
-        return _sensed(made)
-
-    whole, load = torque(), torque(*DISTURBANCES)
-    lost = {group: float(np.std(whole - torque(group))) for group in DISTURBANCES}
-    return Shares(mean=float(whole.mean()), load=float(load.std()), **lost)
-
-
-def disturbance_rms(rig: Rig, reading: Recording, *, seed: int, wander: float = 0.0, settling: float) -> float:
-    """Return the rms of all that the three groups add to a simulated ``reading`` of the rig [N m]; one more run.
-
-    ``seed``, ``wander`` and ``settling`` must be those of the reading, so that the load is the same.
+    Parameters
+    ----------
+    known : tuple of Recording, optional
+        The run of the whole rig, and that without its disturbances, where they are simulated already with the same
+        arguments.
     """
-    quiet = replace(rig, parts=tuple(part for part in rig.parts if part.group not in DISTURBANCES))
-    load = simulate(
-        quiet, duration=reading.duration, seed=seed, wander=wander, settling=settling, sample_rate=reading.sample_rate
+
+    def run(*left_out: str) -> Recording:
+        kept = replace(rig, parts=tuple(part for part in rig.parts if part.group not in left_out))
+        return simulate(kept, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate)
+
+    whole, quiet = known or (run(), run(*DISTURBANCES))
+    torque, load = sensed(whole), sensed(quiet)
+    lost = {group: float(np.std(torque - sensed(run(group)))) for group in DISTURBANCES}
+    at_part = true_load(quiet)
+    return Shares(
+        mean=float(torque.mean()), load=float(load.std()),
+        true_load=None if at_part is None else float(at_part.std()), **lost,
     )  # fmt: skip
-    return float(np.std(_sensed(reading) - _sensed(load)))
 
 
-def _sensed(made: Recording) -> NDArray[np.float64]:
-    """Return the true effort at the first measured place [N m], in a line [N]."""
+def sensed(made: Recording) -> NDArray[np.float64]:
+    """Return the true effort at the first measured place [N m], in a line [N], shape (samples,)."""
     return made.channels[next(one for one in SENSED if one in made.channels)].values

@@ -35,8 +35,13 @@ def truth_error(reading: Recording, truth: Recording) -> float:
     RecordingError
         When ``truth`` has no channel of the true load and none of a measured one.
     """
+    return float(np.sqrt(np.mean(difference(reading, truth) ** 2)))
+
+
+def difference(reading: Recording, truth: Recording) -> NDArray[np.float64]:
+    """Return reading minus true load [N m], shape (samples,); RecordingError as for :func:`truth_error`."""
     load = true_load(truth)
     if load is None:
         raise RecordingError(f"{truth.name}: the true load is not known; only a simulated recording has {TRUE_LOAD}, "
                              "or a measured one a channel with of: load")  # fmt: skip
-    return float(np.sqrt(np.mean((reading.torque() - load) ** 2)))
+    return np.asarray(reading.torque() - load, dtype=np.float64)

@@ -21,18 +21,27 @@ NEVER = np.iinfo(np.int64).max
 
 @dataclass(frozen=True, kw_only=True)
 class Span:
-    """The samples of a run: ``settling`` that are not kept, ``samples`` that are, at ``rate`` [Hz], and its seed."""
+    """The samples of a run: ``settling`` that are not kept, ``samples`` that are, at ``rate`` [Hz], and its seed.
+
+    ``phase_seed`` fixes the phases of the machine's lines; None: the seed does.
+    """
 
     settling: int
     samples: int
     rate: float
     seed: int
     wander: float = 0.0
+    phase_seed: int | None = None
 
     @classmethod
-    def of(cls, *, duration: float, settling: float, rate: float, seed: int, wander: float) -> Span:
+    def of(
+        cls, *, duration: float, settling: float, rate: float, seed: int, wander: float, phase_seed: int | None = None
+    ) -> Span:
         """Return the span of a recording of ``duration`` [s] after ``settling`` [s]."""
-        return cls(settling=round(settling * rate), samples=round(duration * rate), rate=rate, seed=seed, wander=wander)
+        return cls(
+            settling=round(settling * rate), samples=round(duration * rate), rate=rate, seed=seed, wander=wander,
+            phase_seed=phase_seed,
+        )  # fmt: skip
 
     def time(self) -> NDArray[np.float64]:
         """Return the time of every sample and one more [s], shape (settling + samples + 1,); 0 is the first kept."""

@@ -63,7 +63,7 @@ def ready(
 
     SimulationError where it needs more than ``most_steps`` integration steps a sample, or more than any run may take.
     """
-    lowered = lower_for(rig, span.seed, rate=span.rate)
+    lowered = lower_for(rig, span.seed if span.phase_seed is None else span.phase_seed, rate=span.rate)
     if span.samples < 2:
         length = span.samples / span.rate
         raise InputError(f"a recording of {length:g} s at {span.rate:g} Hz has {span.samples} samples; ask for more")
@@ -79,6 +79,8 @@ def ready(
     if most_steps is not None and steps > most_steps:
         raise SimulationError(f"the rig needs {steps} integration steps a sample, more than the {most_steps} allowed")
     origin = {"scenario": scenario, "seed": span.seed, "substeps": steps}
+    if span.phase_seed is not None:
+        origin["phase_seed"] = span.phase_seed
     if lowered.condensation is not None:
         origin["condensed"] = lowered.condensation.sentence()
     return Ready(rig, span, lowered, terms, outputs_of(rig, lowered), steps, origin)

@@ -28,6 +28,7 @@ SETTLING = 1.5  # [s] the rig turns this long before the recording starts
 def simulate(
     rig: Rig, *, duration: float, seed: int, sample_rate: float = SAMPLE_RATE, wander: float = 0.0,
     settling: float = SETTLING, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
+    phase_seed: int | None = None,
 ) -> Recording:  # fmt: skip
     """Return the simulated recording of the rig's sensor, with truth channels.
 
@@ -40,6 +41,8 @@ def simulate(
         at its set-point so long.
     seed : int
         Fixes phases, load and noise, each by its own name: the same seed gives the same bytes.
+    phase_seed : int, optional
+        Fixes the phases instead of ``seed``: another machine under the same load.
     wander : float
         Relative rms of the slow wander of the speed in steady runs [1].
     substeps : int, optional
@@ -54,7 +57,9 @@ def simulate(
         When it needs more steps than that, or when a speed ceases to be finite: names the node, the time and, where
         known, the cause.
     """
-    span = Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander)
+    span = Span.of(
+        duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=wander, phase_seed=phase_seed
+    )
     run = ready(rig, span, scenario=scenario, substeps=substeps, most_steps=most_steps)
     return checked(run) if substeps is None and most_steps is None else stepped(run)
 

@@ -5,20 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from math import pi, prod
+from typing import TypedDict
+
+import numpy as np
 
 from torquerig.filters.filter_effect import chain_effect
 from torquerig.metrics.drive_margins import Duty, drive_margins
 from torquerig.metrics.figure import Figure
+from torquerig.metrics.load_path import load_path
 from torquerig.metrics.omitted_ripple import omitted_six_pulse
-from torquerig.metrics.residual_disturbance import simulated_reading_pair
-from torquerig.metrics.shares import disturbance_rms, reading_shares
-from torquerig.metrics.truth_error import truth_error
+from torquerig.metrics.random_error import rms_standard_error
+from torquerig.metrics.residual_disturbance import ReadingPair, simulated_reading_pair
+from torquerig.metrics.shares import reading_shares
+from torquerig.metrics.truth_error import difference, truth_error
+from torquerig.recordings.recording import Recording
 from torquerig.rig.parts import Motor, SpeedController
 from torquerig.rig.reading_place import reading_place
 from torquerig.scenario.kinematics import kinematics_of, stages_to, torque_gain, turns_to
 from torquerig.scenario.mean_load import mean_load
 from torquerig.scenario.model import Scenario
-from torquerig.simulation.simulator import simulate
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
@@ -27,8 +32,6 @@ from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
 from torquerig.study.sized_candidates import sizing_figures
 
-SHARES_DURATION = 3.0  # [s] ten output turns, of each of the five runs that separate the shares
-DRAW_DURATION = 6.0  # [s] of each Monte Carlo run
 TIME_CONSTANTS = 7.5  # [1] settling time over that of the slowest pole; 0.06 % of it remains
 
 
@@ -93,73 +96,97 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
 
 
 def _simulated(unsimulated: DriveResult, scenario: Scenario, study: Study) -> DriveResult:
-    """Return the drive with the results of its simulation."""
-    rig, seed, unit = scenario.rig, study.settings.seed, study.effort_unit
-    wander, ratio = scenario.operating_point.slow_speed_wander, kinematics_of(rig).ratio
-    settling, rate = settling_of(study.settings.speed_loop), scenario.recording.sample_rate
-    reading = simulate(
-        rig, duration=study.settings.duration, seed=seed, wander=wander, sample_rate=rate,
-        settling=max(scenario.recording.settling, settling), scenario=scenario.title,
-    )  # fmt: skip
-    shares = reading_shares(
-        rig, duration=SHARES_DURATION, seed=seed, wander=wander, settling=settling, sample_rate=rate
-    )  # fmt: skip
-    errors, disturbances = _monte_carlo_runs(unsimulated.candidate, study)
-    chains, remaining = {}, _remaining_disturbances(unsimulated.candidate, scenario, study)
+    """Return the drive with the results of its simulated samples, each of the same length and settling."""
+    pair, rig = _pair(scenario, study, number=0), scenario.rig
+    found = _Samples(study)
+    found.add(scenario, pair)
+    for number in range(1, study.settings.draws + 1):
+        sample = scenario_of(unsimulated.candidate, study, seed=study.settings.seed + number)
+        found.add(sample, _pair(sample, study, number=number))
+    chains, ratio, unit = {}, kinematics_of(rig).ratio, study.effort_unit
     for name, chain in study.chains(scenario).items():
-        after = chain.apply(reading)
+        after = chain.apply(pair.reading)
         chains[name] = ChainResult(
             chain=name,
-            effect=chain_effect(reading, after, ratio=ratio, lines=chain.lines),
-            truth_error=_figure(truth_error(after, reading), errors.get(name, []), scenario.assumed, unit=unit),
+            effect=chain_effect(pair.reading, after, ratio=ratio, lines=chain.lines),
+            truth_error=_figure(found.errors[name], scenario.assumed, unit=unit),
             left_out=chain.left_out,
-            **({"residual_disturbance": remaining[name]} if name in remaining else {}),
+            random_error=_random_error(found.errors[name], after, pair.reading),
+            **found.remainder(name, scenario.assumed, unit=unit),
         )
-    disturbance = _figure(shares.disturbance, disturbances, scenario.assumed, unit=unit)
-    return replace(unsimulated, shares=shares, disturbance=disturbance, chains=chains, recording=reading)
+    shares = reading_shares(rig, **_conditions(scenario, study), known=(pair.reading, pair.quiet))
+    return replace(
+        unsimulated, shares=shares, load_path=load_path(rig), chains=chains, recording=pair.reading,
+        disturbance=_figure(found.disturbances, scenario.assumed, unit=unit),
+    )  # fmt: skip
 
 
-def _monte_carlo_runs(candidate: Candidate, study: Study) -> tuple[dict[str, list[float]], list[float]]:
-    """Return reading errors by chain, and disturbances, of Monte Carlo samples of the catalog's intervals."""
-    errors: dict[str, list[float]] = {}
-    disturbances, settling = [], settling_of(study.settings.speed_loop)
-    for number in range(1, study.settings.draws + 1):
-        seed = study.settings.seed + number
-        scenario = scenario_of(candidate, study, seed=seed)
-        wander = scenario.operating_point.slow_speed_wander
-        reading = simulate(
-            scenario.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling,
-            sample_rate=scenario.recording.sample_rate,
-        )  # fmt: skip
-        for name, chain in study.chains(scenario).items():
-            errors.setdefault(name, []).append(truth_error(chain.apply(reading), reading))
-        disturbances.append(disturbance_rms(scenario.rig, reading, seed=seed, wander=wander, settling=settling))
-    return errors, disturbances
+def _random_error(errors: list[float], after: Recording, reading: Recording) -> float | None:
+    """Return the standard error of the median of the samples by the randomness of the load, from the first record."""
+    found = rms_standard_error(difference(after, reading), rate=reading.sample_rate)
+    return None if found is None or not errors[0] else found / errors[0] * float(np.median(errors))
 
 
-def _remaining_disturbances(candidate: Candidate, scenario: Scenario, study: Study) -> dict[str, Figure]:
-    """Return the disturbance behind each chain over all Monte Carlo samples; empty unless a criterion uses it."""
-    if "residual_disturbance" not in metrics_of(study.settings):
-        return {}
-    found: dict[str, list[float]] = {}
-    settling = settling_of(study.settings.speed_loop)
-    for number in range(1 + study.settings.draws):
-        seed = study.settings.seed + number
-        made = scenario if number == 0 else scenario_of(candidate, study, seed=seed)
-        wander = made.operating_point.slow_speed_wander
-        both = simulated_reading_pair(
-            made.rig, duration=DRAW_DURATION, seed=seed, wander=wander, settling=settling,
-            sample_rate=made.recording.sample_rate,
-        )  # fmt: skip
-        for name, chain in study.chains(made).items():
-            found.setdefault(name, []).append(both.residual_rms(chain))
+class _Samples:
+    """Collects the figures of the Monte Carlo samples of one drive, in the order of the samples."""
+
+    def __init__(self, study: Study) -> None:
+        self.study = study
+        self.errors: dict[str, list[float]] = {}
+        self.remaining: dict[str, list[float]] = {}
+        self.disturbances: list[float] = []
+
+    def add(self, scenario: Scenario, pair: ReadingPair) -> None:
+        """Add one sample; the disturbance behind each chain only where a criterion uses it."""
+        self.disturbances.append(pair.disturbance)
+        for name, chain in self.study.chains(scenario).items():
+            self.errors.setdefault(name, []).append(truth_error(chain.apply(pair.reading), pair.reading))
+            if "residual_disturbance" in metrics_of(self.study.settings):
+                self.remaining.setdefault(name, []).append(pair.residual_rms(chain))
+
+    def remainder(self, name: str, assumed: Mapping[str, str], *, unit: str) -> _Remainder:
+        """Return the disturbance behind a chain, where a criterion uses it."""
+        found = self.remaining.get(name)
+        return {"residual_disturbance": _figure(found, assumed, unit=unit)} if found else {}
+
+
+class _Remainder(TypedDict, total=False):
+    """The disturbance behind a chain, where a criterion uses it."""
+
+    residual_disturbance: Figure
+
+
+class _Conditions(TypedDict):
+    """What all runs of a drive have in common."""
+
+    duration: float
+    seed: int
+    settling: float
+    wander: float
+    sample_rate: float
+
+
+def _conditions(scenario: Scenario, study: Study) -> _Conditions:
+    """Return length, load, settling, wander and rate of every run: the same for all drives and samples."""
     return {
-        name: _figure(values[0], values[1:], scenario.assumed, unit=study.effort_unit) for name, values in found.items()
+        "duration": study.settings.duration,
+        "seed": study.settings.seed,
+        "settling": max(scenario.recording.settling, settling_of(study.settings.speed_loop)),
+        "wander": scenario.operating_point.slow_speed_wander,
+        "sample_rate": scenario.recording.sample_rate,
     }
 
 
-def _figure(value: float, others: list[float], assumed: Mapping[str, str], *, unit: str) -> Figure:
+def _pair(scenario: Scenario, study: Study, *, number: int) -> ReadingPair:
+    """Return the reading of one sample with and without its lines, under the load that all samples have."""
+    return simulated_reading_pair(
+        scenario.rig, **_conditions(scenario, study), scenario=scenario.title,
+        phase_seed=study.settings.seed + number if number else None,
+    )  # fmt: skip
+
+
+def _figure(values: list[float], assumed: Mapping[str, str], *, unit: str) -> Figure:
+    """Return the median of the samples, with their extremes."""
     missing = ", ".join(assumed) if assumed else ""
-    low, high = min([value, *others]), max([value, *others])
-    return Figure(value=value, low=low, high=high, unit=unit, source=f"simulated, {1 + len(others)} samples",
-                  missing=missing)  # fmt: skip
+    return Figure(value=float(np.median(values)), low=min(values), high=max(values), unit=unit,
+                  source=f"simulated, median of {len(values)} samples", missing=missing)  # fmt: skip

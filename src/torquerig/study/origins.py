@@ -61,7 +61,10 @@ def metric_text(metric: str, figure: Figure, *, chain: str | None, settings: Set
         return text
     behind = "" if metric == "disturbance" or chain is None else f", behind the filter {chain}"
     samples = (
-        f"; the interval is over {1 + settings.draws} Monte Carlo samples of the catalog" if settings.draws else ""
+        f"; the value is the median of {1 + settings.draws} Monte Carlo samples of the catalog under the same load, "
+        "the interval their extremes"
+        if settings.draws
+        else ""
     )
     return f"simulated for {settings.duration:g} s with seed {settings.seed}{behind}: {text}{samples}"
 

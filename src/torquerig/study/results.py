@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from torquerig.filters.filter_effect import FilterEffect
 from torquerig.metrics.figure import Figure
+from torquerig.metrics.load_path import LoadPath
 from torquerig.metrics.shares import Shares
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.filled import FromCatalog
@@ -17,12 +18,17 @@ from torquerig.version import __version__
 
 @dataclass(frozen=True, kw_only=True)
 class ChainResult:
-    """One filter on one drive; ``residual_disturbance`` [N m] is unknown unless a criterion uses it."""
+    """One filter on one drive; ``residual_disturbance`` [N m] is unknown unless a criterion uses it.
+
+    ``random_error`` is the standard error of the reading error [N m] by the randomness of the load, from blocks of the
+    first sample's record; None for a record that is too short. More data sheets do not lower it, a longer record does.
+    """
 
     chain: str
     effect: FilterEffect
     truth_error: Figure
     left_out: tuple[str, ...]
+    random_error: float | None = None
     residual_disturbance: Figure = field(default_factory=lambda: Figure(missing="a criterion that uses it"))
 
 
@@ -46,6 +52,8 @@ class DriveResult:
     shares : Shares or None
     disturbance : Figure
         Rms of the lines in the unfiltered reading over the Monte Carlo samples [N m].
+    load_path : LoadPath or None
+        What the shafts make of the load on its way to the sensor.
     chains : mapping of str to ChainResult
     omitted : Figure
         Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
@@ -66,6 +74,7 @@ class DriveResult:
     disturbance: Figure
     chains: Mapping[str, ChainResult]
     recording: Recording | None
+    load_path: LoadPath | None = None
     omitted: Figure = field(default_factory=lambda: Figure(unit="N*m"))
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from torquerig.decide.eliminate import Decision
 from torquerig.decide.value_of_information import MissingFact
 from torquerig.decide.verdict import DECIDED, Certainty, MatrixVerdict, verdict_of
+from torquerig.study.drawn_motors import best_new_motor_text, is_drawn, ranking_of_draws
 from torquerig.study.rated_drives import feasible_combinations, rated_drives
 from torquerig.study.results import DriveResult
 from torquerig.study.scoring import Decided
@@ -88,7 +89,8 @@ def _sentence(decided: Decided, made: MatrixVerdict) -> str:
         f"is {today.value:{width}} {unit}."
     )
     return (
-        f"{_action(decided, made)} the filter {winner.chain}. {reading}{_next_best(decided, made)} The verdict is "
+        f"{ranking_of_draws(decided)}{_action(decided, made)} the filter {winner.chain}. "
+        f"{reading}{_next_best(decided, made)} The verdict is "
         f"{made.certainty}. This drive is best in {made.best_shares['together']:.0%} of the Monte Carlo samples "
         f"of data, "
         f"points and weights, and in {made.best_shares['intervals']:.0%} of those of the data alone."
@@ -120,13 +122,13 @@ def _change(chosen: DriveResult, now: DriveResult) -> str:
 
 
 def _next_best(decided: Decided, made: MatrixVerdict) -> str:
-    """Return the sentence on the next best: an equal one, the best new motor, or the runner-up."""
+    """Return the sentence on the next best: an equal one, the new motors if the draws part them, or the runner-up."""
     if len(made.winners) > 1:
         return f" Equally good is {made.winners[1].replace(' | ', ' with ')}."
     now = decided.alternatives[decided.baseline].drive
-    newest = next((name for name in decided.ranked() if _bought(decided, name, now)), "")
-    if newest and newest != made.winners[0]:
-        return f" The best new motor is {newest.replace(' | ', ' with ')}."
+    new = [name for name in decided.ranked() if _bought(decided, name, now)]
+    if new and (new[0] != made.winners[0] or is_drawn(decided.alternatives[new[0]].drive)):
+        return best_new_motor_text(decided, new)
     return f" The next is {made.runner_up.replace(' | ', ' with ')}." if made.runner_up else ""
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from statistics import median
 
 from torquerig.metrics.figure import Figure
 from torquerig.metrics.sizing.drive_sizing import EXCEEDS, GROUPS, HOLDS, UNKNOWN, UNSURE, Sizing
@@ -92,9 +93,9 @@ def disturbance_rows(
 
 
 def range_text(values: Sequence[float], *, digits: int = 4) -> str:
-    """Return the value of the first sample, with the lowest and highest of all samples."""
-    first, low, high = (f"{one:.{digits}f}" for one in (values[0], min(values), max(values)))
-    return first if low == high else f"{first} ({low}..{high})"
+    """Return the median of the samples, with the lowest and the highest."""
+    middle, low, high = (f"{one:.{digits}f}" for one in (median(values), min(values), max(values)))
+    return middle if low == high else f"{middle} ({low}..{high})"
 
 
 def all_text(sized: Mapping[Candidate, Sizing | str]) -> str:

@@ -15,6 +15,7 @@ from torquerig.scenario.recording_settings import RecordingSettings
 from torquerig.scenario.sections import read_operating_point, read_section
 from torquerig.study.exchanged_data import left_out_effects
 from torquerig.study.held_numbers import held_sentence
+from torquerig.study.load_randomness import load_randomness
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
 from torquerig.study.settings import SpeedLoopRule
@@ -107,9 +108,12 @@ def _limit_rule(limit: float, unit: str) -> str:
 def limits(runs: StudyRuns) -> tuple[str, ...]:
     """Return the limits of validity of the study."""
     samples = (
-        f"The intervals are the extremes of {1 + runs.study.settings.draws} Monte Carlo samples of each drive; more "
-        "samples would widen them."
+        f"Simulated figures are the median of {1 + runs.study.settings.draws} Monte Carlo samples of what the catalog "
+        "leaves open, all of the same length, settling and load; the intervals are their extremes, which more samples "
+        "would widen."
     )
+    randomness = load_randomness(runs.drives)
+    load = () if randomness is None else (randomness.sentence(),)
     simulated = "All readings are simulated; none is a measurement of a real motor."
     shares = (
         "The shares are determined by omitting one group of effects at a time. Their squares need not add up to "
@@ -124,6 +128,7 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
         *mesh,
         *_left_out(runs),
         samples,
+        *load,
         *([held] if held else []),
         CLASS,
         shares,

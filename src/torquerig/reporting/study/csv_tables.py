@@ -54,6 +54,8 @@ def _combination(drive: DriveResult, chain: str, decided: Decided) -> Fields:
                ("out of reach", drive.out_of_reach)]  # fmt: skip
     missing = Figure(unit=drive.disturbance.unit, missing=drive.out_of_reach)
     fields += _figure("reading error", result.truth_error if result else missing)
+    by_load = f"reading error by the random load [{drive.disturbance.unit}]"
+    fields.append((by_load, _number(result.random_error if result else None)))
     fields += _figure("disturbance", drive.disturbance)
     for name, figure in drive.margins.items():
         fields += _figure(name.replace("_", " "), figure)
@@ -92,6 +94,13 @@ def _shares(drive: DriveResult) -> Fields:
     fields.append((f"mean [{unit}]", _number(shares.mean if shares else None)))
     fields += [(f"{name} rms [{unit}]", _number(getattr(shares, name) if shares else None)) for name in SHARES]
     fields += [(f"{name} [% of power]", _number(percent.get(name))) for name in SHARES]
+    path = drive.load_path
+    fields += [
+        (f"true load rms [{unit}]", _number(shares.true_load if shares else None)),
+        ("J1/(J1+J2)", _number(path.inertia_share if path else None)),
+        ("largest gain of the load", _number(path.largest if path else None)),
+        ("at [Hz]", _number(path.at if path else None)),
+    ]
     return [*fields, ("out of reach", drive.out_of_reach)]
 
 

@@ -64,6 +64,7 @@ def _found(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[str, 
         "error_picture": pictures.error_picture(runs, present=present),
         "errors": tables.error_table(runs, present=present),
         "shares": tuple(tables.shares_table(motor, tuple(drives)) for motor, drives in by_motor),
+        "load_note": tables.LOAD_NOTE,
         "shares_picture": pictures.shares_picture(runs),
         "out_of_reach": tables.out_of_reach_table(runs),
     }
@@ -76,7 +77,7 @@ def _readings(runs: StudyRuns, decided: Decided, verdict: Verdict) -> Mapping[st
     if winner is not None and winner.drive is not present:
         listed.append((winner.drive, winner.chain, "the chosen drive"))
     elif newest := tables.best_new_motor(decided):
-        listed.append((newest.drive, newest.chain, "the best new motor"))
+        listed.append((newest.drive, newest.chain, "the first new motor of the ranking"))
     readings: list[Picture] = []
     for drive, chain, role in listed:
         shown = pictures.filtered(drive, chain, runs)

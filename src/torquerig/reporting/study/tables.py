@@ -78,7 +78,9 @@ def ranking_table(decided: Decided, *, winner: str, most: int) -> Table:
         head=("rank (range)", "drive", "filter", f"reading error [{unit}]", f"disturbance [{unit}]", "T/T_max", "range",
               "price [EUR]", "requirements"),
         rows=tuple(rows), emphasised=highlighted,
-        note="The range in brackets covers the Monte Carlo samples and the catalog's intervals.",
+        note="A simulated figure is the median of the Monte Carlo samples of the catalog, the range in brackets their "
+        "extremes; other ranges are the catalog's intervals. The randomness of the load is apart: see 'Where this "
+        "stops being true'.",
     )  # fmt: skip
 
 
@@ -98,7 +100,8 @@ def error_table(runs: StudyRuns, *, present: str) -> Table:
     return Table(
         caption=f"Reading error [{unit}], rms of filtered reading minus true load: simulated; green is small",
         head=("drive", *names), rows=rows, emphasised=highlighted,
-        note="The tooltip of a number has its interval over the Monte Carlo samples; combinations.csv has all of them.",
+        note="Median of the Monte Carlo samples. The tooltip of a number has their extremes, and the standard error by "
+        "the random load; combinations.csv has both.",
     )  # fmt: skip
 
 
@@ -113,9 +116,10 @@ def _error_row(drive: DriveResult, names: Sequence[str], *, low: float, high: fl
             cells.append(figure_cell(error))
             continue
         colour = shade(log(error.value), log(low), log(high), scale=GOOD_IS_LOW)
-        interval = (
-            "" if error.low is None or error.high is None else f"{span(error.low, error.high)} {effort_text(drive)}"
-        )
+        unit = effort_text(drive)
+        interval = "" if error.low is None or error.high is None else f"{span(error.low, error.high)} {unit}"
+        random = drive.chains[name].random_error
+        interval += "" if random is None else f"; random load: ±{random:.2g} {unit}"
         cells.append(number(f"{error.value:.{3 if error.value < 10 else 1}f}", style=colour, title=interval))
     return (*words(drive.candidate.name), *cells)
 
@@ -125,7 +129,7 @@ def shares_table(motor: str, drives: Sequence[DriveResult]) -> Table:
     rows = []
     for drive in drives:
         if drive.shares is None:
-            blank = (Cell(text="-", word="number", title=drive.out_of_reach) for _ in range(1 + 2 * len(SHARES)))
+            blank = (Cell(text="-", word="number", title=drive.out_of_reach) for _ in range(5 + 2 * len(SHARES)))
             rows.append((*words(drive.candidate.ratio_text), *blank))
             continue
         percent = drive.shares.percent()
@@ -133,9 +137,38 @@ def shares_table(motor: str, drives: Sequence[DriveResult]) -> Table:
         for name in SHARES:
             value = float(getattr(drive.shares, name))
             cells += [number(f"{value:.4f}"), number(f"{percent[name]:.1f}")]
-        rows.append((*words(drive.candidate.ratio_text), *cells))
-    head = [text for name in SHARES for text in (f"{name} [N m]", "[%]")]
-    return Table(caption=motor, head=("ratio", "mean [N m]", *head), rows=tuple(rows))
+        rows.append((*words(drive.candidate.ratio_text), *cells, *_load_path_cells(drive)))
+    unit = effort_text(drives[0])
+    head = [text for name in SHARES for text in (f"{name} [{unit}]", "[%]")]
+    return Table(
+        caption=motor,
+        head=(
+            "ratio",
+            f"mean [{unit}]",
+            *head,
+            f"true load [{unit}]",
+            "J1/(J1+J2)",
+            "largest gain",
+            "at [Hz]",
+        ),
+        rows=tuple(rows),
+    )
+
+
+LOAD_NOTE = (
+    "The load is the same in every row (true load, rms where it acts). The sensor reads another rms of it: of a load "
+    "that changes faster than the speed loop only J1/(J1+J2) reaches it, J1 the inertia before the sensor, which grows "
+    "with the ratio squared, J2 that behind it; and the largest gain, at a torsional mode, amplifies it."
+)
+
+
+def _load_path_cells(drive: DriveResult) -> tuple[Cell, ...]:
+    """Return the true load, and what the shafts make of it on its way to the sensor."""
+    path, load = drive.load_path, None if drive.shares is None else drive.shares.true_load
+    shown = [number("-" if load is None else f"{load:.4f}")]
+    if path is None:
+        return (*shown, *(number("-") for _ in range(3)))
+    return (*shown, number(f"{path.inertia_share:.2f}"), number(f"{path.largest:.3g}"), number(f"{path.at:.3g}"))
 
 
 def out_of_reach_table(runs: StudyRuns) -> Table:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from torquerig.plain_table import cut, grid
+from torquerig.plain_table import cut, grid, wrapped
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.layout import figure_text, plain
 from torquerig.reporting.study.tables import decision_words, effort_text
+from torquerig.study.load_randomness import load_randomness
 from torquerig.study.results import StudyRuns
 from torquerig.study.scoring import Decided
 
@@ -40,7 +41,15 @@ def ranked_text(decided: Decided, *, most: int = 10) -> str:
     ]
     here = decided.alternatives[decided.baseline].drive.margins["new_parts"].value == 0
     note = "present drive" if here else "baseline: the present motor on this gearbox, without a filter"
-    return f"{_fitted([head, *rows], left=(1, 2, 7))}\n* {note}"
+    samples = max((made.drive.disturbance.source for made in decided.alternatives.values()), default="")
+    drives = {made.drive.candidate.name: made.drive for made in decided.alternatives.values()}
+    randomness = load_randomness(drives.values())
+    error = [
+        f"error: {samples}; in brackets their extremes" if samples else "",
+        "" if randomness is None else randomness.sentence(),
+    ]
+    below = [wrapped(line) for line in error if line]
+    return "\n".join([_fitted([head, *rows], left=(1, 2, 7)), f"* {note}", *below])
 
 
 def shares_text(runs: StudyRuns) -> str:
