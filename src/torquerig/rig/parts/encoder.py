@@ -20,6 +20,8 @@ Angle = Annotated[float, Parameter("rad", "amplitude of the angle error, by orde
 class MotorEncoder(Part):
     """Counts of ``theta + sum of a_k cos(k theta + phi_k)``, as a further channel.
 
+    The first encoder of a rig writes the channel ``encoder_count``, each further one ``NAME_count``.
+
     With ``controller`` that speed controller sees the speed by it: the difference of two samples of the counted angle,
     times the rate, through a first-order filter. Limit cycles at low speed and the torque at order k (in proportion to
     speed and gain) then come of themselves. An encoder_error on the same motor is in the counts too. A period counter
@@ -40,7 +42,9 @@ class MotorEncoder(Part):
         """Return the counting of the angle."""
         waves = (*self._error(), *self._added(rig))
         error = tuple((wave.order, wave.amplitude, wave.phase or 0.0) for wave in waves)
-        stage = Encoder(counts_per_rev=self.counts_per_rev, error=error)
+        first = rig.parts_of(MotorEncoder)[0]
+        channel = "encoder_count" if first.name == self.name else f"{self.name}_count"
+        stage = Encoder(counts_per_rev=self.counts_per_rev, channel=channel, error=error)
         return (PlacedStage(position=PlacedStage.FILE, stage=stage),)
 
     def sensing(self) -> Sensing:
