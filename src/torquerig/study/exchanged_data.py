@@ -11,6 +11,7 @@ from torquerig.catalog.entry import UNKNOWN
 from torquerig.document import Document
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.metrics.drive_margins import ExchangedStage
+from torquerig.orders.kinematics.teeth import Planetary
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import HOST_FIELDS
 from torquerig.study.definition import Study
@@ -19,7 +20,7 @@ from torquerig.study.exchange import STAGE_KINDS
 PLACE_KEYS = ("after",)
 """What a part keeps of the one that it replaces: its place on the shaft."""
 STAGE_EFFECTS: Mapping[str, tuple[str, ...]] = {"belt_lines": ("belt",), "tooth_mesh": ()}
-"""Effects that another stage cannot have, with the kinds of stages that can: it has no belt, or no stated teeth."""
+"""Effects that another stage cannot have, with the kinds of stages that can: no belt, no stated teeth, other teeth."""
 
 
 def document_of(motor: str, gearbox: str, study: Study) -> Document:
@@ -84,12 +85,17 @@ def is_new_stage(gearbox: str, ratio: float, study: Study) -> bool:
 
 
 def left_out_effects(gearbox: str, study: Study) -> tuple[str, ...]:
-    """Return the effects of the rig's stage that this candidate cannot have: lines of a belt, a mesh without teeth."""
+    """Return the effects of the rig's stage that this candidate cannot have.
+
+    Lines of a belt, a mesh without teeth, and the mesh of a fixed-axis pair where the candidate is planetary or the
+    other way round.
+    """
     if not gearbox or stays(gearbox, study):
         return ()
     own, stated = study.exchanged.stage, study.settings.stages.get(gearbox)
     kind = str(stated.part.get("kind")) if stated else "gear"
-    toothed = bool(stated.part.get("teeth")) if stated else bool(study.catalog.gearbox(gearbox).tooth_sets())
+    forms = _forms_of_teeth(stated.part if stated else {"catalog": gearbox}, study)
+    same = bool(forms) and forms == _forms_of_teeth(study.document.data["rig"][own], study)
     return tuple(
         str(name)
         for name, part in study.document.data["rig"].items()
@@ -97,8 +103,19 @@ def left_out_effects(gearbox: str, study: Study) -> tuple[str, ...]:
         and part.get("kind") in STAGE_EFFECTS
         and own in [part.get(key) for key in HOST_FIELDS]
         and kind not in STAGE_EFFECTS[part["kind"]]
-        and not (part["kind"] == "tooth_mesh" and toothed)
+        and not (part["kind"] == "tooth_mesh" and same)
     )
+
+
+def _forms_of_teeth(written: Mapping[str, Any], study: Study) -> frozenset[str]:
+    """Return which forms of teeth a stage has, planetary or fixed axis; none where its teeth are unknown."""
+    stated = written.get("teeth")
+    if stated:
+        sets = stated if isinstance(stated, list) else [stated]
+        return frozenset("planetary" if "sun" in one else "fixed axis" for one in sets if isinstance(one, dict))
+    entry = study.catalog.gearboxes.get(str(written.get("catalog")))
+    found = () if entry is None else entry.tooth_sets()
+    return frozenset("planetary" if isinstance(one, Planetary) else "fixed axis" for one in found)
 
 
 def _stage(written: Mapping[str, Any], gearbox: str, study: Study) -> dict[str, Any]:
