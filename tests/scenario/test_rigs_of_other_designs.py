@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from math import pi
 from pathlib import Path
 
 import pytest
+from scipy.signal import butter, sosfiltfilt
 
+from torquerig.api.simulated import under_inputs
 from torquerig.catalog.reading import load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.cli import main
@@ -17,12 +20,13 @@ from torquerig.scenario.kinematics import kinematics_of, ratio_text, torque_gain
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.scenario.sections import output_moves_in_a_line
+from torquerig.simulation.simulator import simulate
 from torquerig.study.definition import Study, open_study
 from torquerig.study.operating_points import points_of
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import decide
 
-RATES = {"belt_servo_axis": 10e3, "linear_axis": 5e3}
+RATES = {"belt_servo_axis": 10e3, "linear_axis": 5e3, "spur_gearbox_mixer": 5e3, "shaft_line_design": 1e3}
 UNITS = {"linear_axis": "N"}
 
 
@@ -80,6 +84,30 @@ def test_the_linear_axis_by_hand() -> None:
     assert steady_torque(rig, "motor") == pytest.approx(force * 0.01 / (2 * pi * 0.9) + lost, rel=1e-6)
 
 
+def test_the_mixer_has_the_meshes_of_both_stages() -> None:
+    rig = made("spur_gearbox_mixer").rig
+    lines = {source.name: source for shaft in kinematics_of(rig).shafts for source in shaft.sources}
+    assert lines["gear mesh of stage_1"].motor_order == pytest.approx(18)
+    assert lines["gear mesh of stage_2"].motor_order == pytest.approx(19 / 3)
+    drag = 0.084 * (120 * pi / 30) ** 2 + 0.8 / 4  # the pulses' mean is a quarter of their peak
+    assert steady_torque(rig, "motor") * torque_gain(rig) > drag
+
+
+def test_the_measured_line_follows_its_recording(tmp_path: Path) -> None:
+    design = made("shaft_line_design").rig
+    recorded = simulate(design, duration=4.0, seed=1, sample_rate=1e3, settling=1.0)
+    channels = dict(recorded.channels)
+    for name, part in (("true_load_Nm", "load_machine"), ("encoder_count", "motor")):
+        channels[name] = replace(channels[name], truth=False, role="input", of=part)
+    inputs = replace(recorded, channels=channels)
+    again = simulate(under_inputs(made("shaft_line"), inputs).rig, duration=3.9, seed=1, sample_rate=1e3, settling=0.0)
+    for place in ("outer_sensor", "inner_sensor"):
+        before, after = (one.channels[f"{place}_V"].in_si()[1000:3900] for one in (recorded, again))
+        assert after.mean() == pytest.approx(before.mean(), rel=2e-3)
+        slow = sosfiltfilt(butter(4, 60, fs=1e3, output="sos"), after - before)  # below the modes of the clamped line
+        assert slow.std() < 0.2 * before.std()
+
+
 @pytest.mark.parametrize("name", RATES)
 def test_a_study_knows_its_units_and_points(name: str) -> None:
     opened = study(name)
@@ -100,3 +128,9 @@ def test_each_study_comes_to_a_verdict(name: str) -> None:
         UNITS.get(name, "N*m")
     }
     assert decided.ranked()
+
+
+def test_init_names_the_rigs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = " ".join(said("init", tmp_path, capsys=capsys).split())
+    assert all(name in text for name in ("wear_rig", "shaft_line,", *RATES))
+    assert "filters" not in text

@@ -9,6 +9,7 @@ import click
 
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.errors import InputError
+from torquerig.plain_table import wrapped
 from torquerig.whole_file import clear_leftovers, refuse_unwritable, remove, temporary_name
 
 
@@ -31,3 +32,5 @@ def command(folder: Path) -> None:
             remove(fresh)
     study = folder / "scenarios" / "wear_rig.yaml"
     click.echo(f"catalogs and scenarios are in {folder.resolve()}; now: torquerig compare {study}")
+    rigs = [path.stem for path in sorted(study.parent.glob("*.yaml")) if "\nrig:" in path.read_text(encoding="utf-8")]
+    click.echo(wrapped(f"rigs in scenarios/: {', '.join(rigs)}"))
