@@ -93,6 +93,16 @@ def test_the_mixer_has_the_meshes_of_both_stages() -> None:
     assert steady_torque(rig, "motor") * torque_gain(rig) > drag
 
 
+@pytest.mark.parametrize("name", RATES)
+def test_diagnose_reads_its_recordings(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scenario, recording = shipped_scenarios() / f"{name}.yaml", tmp_path / "run.parquet"
+    said("simulate", scenario, "--duration", "2 s", "--out", recording, capsys=capsys)
+    text = said("diagnose", recording, "--scenario", scenario, "--check", capsys=capsys)
+    assert f" {RATES[name]:.0f} " in text
+    assert f" {UNITS.get(name, 'N*m')} " in text
+    assert "scenario and recordings match" in text
+
+
 def test_the_measured_line_follows_its_recording(tmp_path: Path) -> None:
     design = made("shaft_line_design").rig
     recorded = simulate(design, duration=4.0, seed=1, sample_rate=1e3, settling=1.0)

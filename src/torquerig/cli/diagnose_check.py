@@ -15,6 +15,7 @@ from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.recording import Recording
+from torquerig.rig.reading_place import effort_unit
 from torquerig.scenario.compared_channel import as_measured, what_is_compared
 from torquerig.scenario.input_checks import as_driven, inputs_shown
 from torquerig.scenario.kinematics import kinematics_of
@@ -84,6 +85,6 @@ def _of_speed_loop(scenario: Scenario, recordings: Sequence[Recording]) -> list[
         encoder = next((name for name in map(each.find, ("motor_angle", "angle", "tacho")) if name), None)
         motion = f"{each.run.profile}, {speed}, {each.run.occupancy_percent or 0:g} % occupancy"
         motion += f", {encoder}" if encoder else ", no encoder"
-        rms = f"{float(np.sqrt(np.nanmean(each.torque() ** 2))):.4g} N*m"
+        rms = f"{float(np.sqrt(np.nanmean(each.torque() ** 2))):.4g} {effort_unit(scenario.rig)}"
         rows.append([each.name, f"{each.samples}", f"{each.sample_rate:g}", each.torque_name(), rms, motion])
     return rows
