@@ -50,8 +50,10 @@ def test_every_command_reads_the_rig(name: str, tmp_path: Path, capsys: pytest.C
     said("simulate", scenario, "--duration", "2 s", "--truth", "--out", recording, capsys=capsys)
     assert f"at {RATES[name]:.0f} Hz, 2 s" in said("info", recording, capsys=capsys)
     filtered = said("filter", recording, "--chain", "order_lines", "--scenario", scenario, capsys=capsys)
-    assert f"error to true load {UNITS.get(name, 'N*m')}" in filtered
-    assert "amplitude" in said("ordermap", recording, "--scenario", scenario, capsys=capsys)
+    unit = UNITS.get(name, "N*m")
+    assert f"error to true load {unit}\n" in filtered
+    assert f"before {unit} " in filtered
+    assert f"amplitude {unit} " in said("ordermap", recording, "--scenario", scenario, capsys=capsys)
     assert "mode 1" in said("modes", scenario, capsys=capsys)
 
 

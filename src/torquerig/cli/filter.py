@@ -40,7 +40,7 @@ from torquerig.units import parse_quantity
 # rounding error of the mean of equal numbers
 _ROUNDING = 1e-14
 _AS_THEY_ARE = "suspicious samples are filtered as they are"
-_HEAD = ("chain", "std N*m", "std cut %", "variance cut %", "mean change %", "energy change %")
+_HEAD = ("std cut %", "variance cut %", "mean change %", "energy change %")
 
 
 @click.command("filter")
@@ -174,7 +174,7 @@ def _print_effects(
     path: Path, before: Recording, chains: Sequence[Chain], effects: Sequence[FilterEffect],
     errors: Sequence[float] | None, *, samples: int,
 ) -> None:  # fmt: skip
-    first = effects[0]
+    first, unit = effects[0], before.torque_unit()
     size = hypot(first.mean_before, first.std_before)
 
     def number(value: float) -> str:
@@ -186,13 +186,14 @@ def _print_effects(
             "is the sensor connected?",
             err=True,
         )
-    click.echo(f"{path}: std {number(first.std_before)} N*m, mean {number(first.mean_before)} N*m")
+    click.echo(f"{path}: std {number(first.std_before)} {unit}, mean {number(first.mean_before)} {unit}")
     rows = [_row(chain, effect, number) for chain, effect in zip(chains, effects, strict=True)]
     if errors is not None:
         rows = [[*row, number(error)] for row, error in zip(rows, errors, strict=True)]
-    click.echo(grid([[*_HEAD, *([] if errors is None else ["error to true load N*m"])], *rows]) + "\n")
+    head = ["chain", f"std {unit}", *_HEAD, *([] if errors is None else [f"error to true load {unit}"])]
+    click.echo(grid([head, *rows]) + "\n")
     for chain, effect in zip(chains, effects, strict=True):
-        _print_families(chain, effect, number)
+        _print_families(chain, effect, number, unit=unit)
     click.echo(f"speed for energy and lines: {first.speed_origin}")
 
 
@@ -235,11 +236,11 @@ def _row(chain: Chain, effect: FilterEffect, number: Callable[[float], str]) -> 
     ]  # fmt: skip
 
 
-def _print_families(chain: Chain, effect: FilterEffect, number: Callable[[float], str]) -> None:
+def _print_families(chain: Chain, effect: FilterEffect, number: Callable[[float], str], *, unit: str) -> None:
     levels = effect.family_levels()
     if levels:
         rows = [[family, number(was), number(now)] for family, (was, now) in levels.items()]
-        click.echo(grid([[f"{chain.name}: lines", "before N*m", "after N*m"], *rows]) + "\n")
+        click.echo(grid([[f"{chain.name}: lines", f"before {unit}", f"after {unit}"], *rows]) + "\n")
     for reason in chain.left_out:
         click.echo(f"{chain.name}: not removed: {reason}")
 

@@ -139,16 +139,18 @@ def truth_text(made: FilterEvaluation) -> str:
     errors = (before, after) if perfect is None else (before, after, perfect)
     head = ["error to the true load", "before", "after", *(["perfect line removal"] if perfect else [])]
     rows = [[*head, "true load"]]
-    size = hypot(*before.load_in_band)
+    size, unit = hypot(*before.load_in_band), made.before.torque_unit()
 
     def number(value: float) -> str:
         return fixed(value, scale=size, digits=6)
 
-    rows.append(["rms N*m", *(number(one.rms) for one in errors), ""])
-    rows.append(["mean N*m", *(number(one.mean) for one in errors), ""])
+    rows.append([f"rms {unit}", *(number(one.rms) for one in errors), ""])
+    rows.append([f"mean {unit}", *(number(one.mean) for one in errors), ""])
     for place, (low, high) in enumerate(before.bands):
         figures = (one.in_band[place] for one in errors)
-        rows.append([f"{low:g}-{high:g} Hz N*m", *(number(one) for one in figures), number(before.load_in_band[place])])
+        rows.append(
+            [f"{low:g}-{high:g} Hz {unit}", *(number(one) for one in figures), number(before.load_in_band[place])]
+        )
     rows.append(["energy %", *(_percent(one.energy_percent) for one in errors), ""])
     rows.append(["delay ms", *(_delay(one) for one in errors), ""])
     rows += _hits(errors)

@@ -84,7 +84,7 @@ def command(
     found = detected_lines(read, turns, kinematics, harmonics=harmonics, mains=grid_frequency)
     click.echo(_about(read, angle, turns, kinematics))
     click.echo(_known_table(read, turns, lines) + "\n")
-    click.echo(_found_table(found, size=rms_size(read.torque())))
+    click.echo(_found_table(found, size=rms_size(read.torque()), unit=read.torque_unit()))
     for sentence in (*drive.assumed, *_sentences(found, kinematics)):
         click.echo(wrapped(sentence))
     print_suspicions(recording_info(read), read, note="the lines are those of the samples as they are")
@@ -104,7 +104,7 @@ def _print_frequencies(read: Recording, *, mains: float, reason: str) -> None:
     click.echo(f"{read.name}: {read.duration:.4g} s; one bin is {1 / read.duration:.3g} Hz")
     size = rms_size(read.torque())
     if found:
-        rows = [["at Hz", "amplitude N*m", "above floor dB", "cause"]]
+        rows = [["at Hz", f"amplitude {read.torque_unit()}", "above floor dB", "cause"]]
         for one in found:
             multiple = f"{one.mains_multiple} x mains" if one.mains_multiple else "no known cause"
             amplitude = fixed(one.amplitude, scale=size, digits=6)
@@ -153,7 +153,7 @@ def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLi
     places: dict[float, list[KinematicLine]] = {}
     for line in sorted(lines, key=lambda line: line.output_order):
         places.setdefault(float(f"{line.output_order:.9g}"), []).append(line)
-    rows = [["output order", "motor order", "amplitude N*m", "above floor dB", "cause"]]
+    rows = [["output order", "motor order", f"amplitude {read.torque_unit()}", "above floor dB", "cause"]]
     for order, causes in places.items():
         if order > min(top, float(spectrum.places[-1])) or order * turns[-1] < 2:
             continue
@@ -165,14 +165,14 @@ def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLi
     return grid(rows)
 
 
-def _found_table(found: Sequence[DetectedLine], *, size: float) -> str:
+def _found_table(found: Sequence[DetectedLine], *, size: float, unit: str) -> str:
     if not found:
         return "no line exceeds the noise floor"
-    rows = [["constant", "at", "amplitude N*m", "line power over order %", "over Hz %", "order/Hz dB", "cause"]]
+    rows = [["constant", "at", f"amplitude {unit}", "line power over order %", "over Hz %", "order/Hz dB", "cause"]]
     for one in found:
-        unit = "order" if one.detected_over == "order" else "Hz"
+        axis = "order" if one.detected_over == "order" else "Hz"
         rows.append([
-            "undecided" if one.axis == "either" else one.axis, f"{one.place:.6g} {unit}",
+            "undecided" if one.axis == "either" else one.axis, f"{one.place:.6g} {axis}",
             fixed(one.amplitude, scale=size, digits=6), f"{100 * one.domain.by_order:.1f}",
             f"{100 * one.domain.by_frequency:.1f}",
             f"{one.domain.contrast_dB:+.1f}", cut(one.label or "no known cause", 110),

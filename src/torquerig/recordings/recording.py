@@ -180,6 +180,10 @@ class Recording:
         """Return the measured torque [N m], shape (samples,)."""
         return self.channels[self.torque_name()].in_si()
 
+    def torque_unit(self) -> str:
+        """Return the SI unit of the measured torque: N*m, or N where it is a force."""
+        return "N" if self.channels[self.torque_name()].quantity == "force" else "N*m"
+
     def channel(self, name: str) -> Channel:
         """Return the channel ``name``; RecordingError with the close matches where there is none."""
         if name not in self.channels:
