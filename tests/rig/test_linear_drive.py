@@ -16,7 +16,7 @@ from torquerig.errors import InputError
 from torquerig.metrics.load_error import load_error
 from torquerig.metrics.truth_error import truth_error
 from torquerig.rig.steady import steady_torque
-from torquerig.scenario.kinematics import kinematics_of, ratio_text, torque_gain
+from torquerig.scenario.kinematics import kinematics_of, ratio_text, shaft_turns_to, torque_gain
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.reading import read_scenario
 from torquerig.simulation.linear import matrices
@@ -82,6 +82,7 @@ def test_lines_are_those_of_the_screw(tmp_path: Path) -> None:
     assert kinematics.ratio == 1
     assert [(shaft.name, shaft.ratio) for shaft in kinematics.shafts] == [("motor", 1.0)]
     assert rig.run.gear_ratio == 1
+    assert shaft_turns_to(rig, rig.measured) == 1
     assert ratio_text(rig) == "10 mm per turn"
 
 

@@ -14,7 +14,7 @@ from torquerig.errors import InputError, RecordingError, TorquerigError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts.gear_stage import gear_stages
-from torquerig.scenario.kinematics import kinematics_of, turns_to
+from torquerig.scenario.kinematics import kinematics_of, shaft_turns_to
 
 _RATIO_KEPT = 0.02
 _TOLD = 1e-4  # chance of lines at all orders of a ratio, below which they tell it
@@ -90,7 +90,7 @@ def _contradicts(recording: Recording, rig: Rig) -> bool:
     gears = gear_stages(rig)
     if not (stated and gears):
         return False
-    ratios = [turns_to(rig, last) for last in (rig.measured, *(gear.name for gear in gears))]
+    ratios = [shaft_turns_to(rig, last) for last in (rig.measured, *(gear.name for gear in gears))]
     return all(abs(stated / ratio - 1) > _RATIO_KEPT for ratio in ratios)
 
 

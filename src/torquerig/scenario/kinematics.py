@@ -119,6 +119,11 @@ def turns_to(rig: Rig, last: str) -> float:
     return abs(prod(stage.turns for stage in stages_to(rig, last)))
 
 
+def shaft_turns_to(rig: Rig, last: str) -> float:
+    """Return the turns of the motor per turn of the last shaft on the way to ``last`` [1], without sign."""
+    return abs(prod(stage.turns for stage in stages_to(rig, last) if stage.is_between_shafts))
+
+
 def ratio_text(rig: Rig) -> str:
     """Return the ratio from the driving shaft to the measured place in words: ``5:1``, or ``10 mm per turn``."""
     crossed = stages_to(rig, reading_place(rig))

@@ -49,7 +49,7 @@ def _meshes(rig: Rig, at: float) -> list[tuple[GearStage, int]]:
     Where one of them states its teeth, and so many, it is that one's.
     """
     found = []
-    for gear in gear_stages(rig):
+    for gear in (one for one in gear_stages(rig) if not one.in_a_line):
         turns = _turns_of_teeth(rig, gear)
         for harmonic in (1, 2, 3):
             whole = round(at * turns / harmonic)
