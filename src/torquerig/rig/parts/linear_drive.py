@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from math import pi
 from typing import Annotated, ClassVar, Literal
 
+from torquerig.orders.kinematics.teeth import Spur
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.bearing import bearing_friction
@@ -32,7 +33,7 @@ class LinearDrive(Part):
     opens_node: ClassVar[bool] = True
     in_a_line: ClassVar[bool] = True
     takes: ClassVar[tuple[type[HostChange], ...]] = IN_A_SPRING
-    teeth: ClassVar[tuple[()]] = ()
+    teeth: ClassVar[tuple[Spur, ...]] = ()
 
     kind: Literal["linear_drive"] = "linear_drive"
     lead: Annotated[float, Parameter("m", "travel per turn of the shaft")]
