@@ -14,7 +14,7 @@ from torquerig.errors import InputError, UnknownNameError
 from torquerig.mechanisms import Backlash, GearMesh, QuadraticDrag, StribeckFriction, TorqueRipple
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.parts import Body, Coupling, Gear, Motor, Probe, SpeedController
+from torquerig.rig.parts import Body, Coupling, Gear, Ground, Motor, Probe, SpeedController
 from torquerig.rig.terms import AppliedTorque, BristleFriction, Sensing, Term
 from torquerig.simulation.linear import spring_response
 from torquerig.simulation.simulator import simulate
@@ -296,3 +296,13 @@ def test_a_speed_filter_costs_phase_margin_and_the_integrator_agrees() -> None:
 def with_gain(through: Rig, kp: float) -> Rig:
     controller = through.part("controller")
     return through.changed(replace(controller, kp=kp))
+
+
+def test_friction_on_a_locked_shaft_does_no_harm():
+    held = (
+        Motor(name="motor", inertia=1.5e-4, torque_limit=5.0),
+        Gear(name="gear", after="motor", ratio=4.0, stiffness=9e3, damping=2.0, coulomb=5.0),
+        Ground(name="wall", after="gear"),
+    )
+    (mode,) = twin_of(Rig(held, measured="gear")).modes()
+    assert mode.undamped == pytest.approx(sqrt(9e3 / 16 / 1.5e-4) / (2 * pi), rel=1e-9)

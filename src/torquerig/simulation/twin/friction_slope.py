@@ -60,7 +60,8 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
         if not (grip or excess):
             continue
         if abs(speed) < STILL:
-            notes.append(f"the dry friction on {lowered.nodes[on]!r}, which does not turn")
+            if on != len(lowered.nodes):
+                notes.append(f"the dry friction on {lowered.nodes[on]!r}, which does not turn")
             continue
         torque, slope = dry_friction(
             speed, grip=grip, excess=excess, inverse_stribeck=frictions.inverse_stribeck[row],
