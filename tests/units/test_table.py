@@ -20,6 +20,7 @@ RENAMED = {
     "in": "inch",
     "min": "minute",
     "rev": "turn",
+    "rev/s^2": "turn/s^2",
     "g0": "standard_gravity",
     "lbm*ft^2": "pound*foot**2",
     "lbm*in^2": "pound*inch**2",
@@ -81,6 +82,8 @@ def test_units_agree_with_pint() -> None:
         ("3.3 Nm/arcmin", "N*m/rad", 3.3 * 10800 / pi),
         ("5 %", "1", 0.05),
         ("0.5 N m", "N*m", 0.5),
+        ("2 kN/m", "N/m", 2e3),
+        ("2 MN/m", "N/m", 2e6),
     ],
 )
 def test_data_sheet_spellings_are_read(text: str, unit: str, value: float) -> None:

@@ -101,7 +101,7 @@ UNITS: dict[str, dict[str, float]] = {
     "length": {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "nm": 1e-9, "in": 0.0254},
     "mass": {"kg": 1, "g": 1e-3},
     "force": {"N": 1, "mN": 1e-3, "kN": 1e3, "kgf": 9.80665, "lbf": 4.4482216152605, "kip": 4448.2216152605},
-    "linear stiffness": {"N/m": 1, "N/mm": 1e3, "N/um": 1e6, "kN/mm": 1e6},
+    "linear stiffness": {"N/m": 1, "kN/m": 1e3, "MN/m": 1e6, "N/mm": 1e3, "N/um": 1e6, "kN/mm": 1e6},
     "linear damping": {"N*s/m": 1, "kN*s/m": 1e3, "Ns/m": 1},
     "linear quadratic drag": {"N*s^2/m^2": 1},
     "linear speed": {"m/s": 1, "mm/s": 1e-3, "in/s": 0.0254, "m/min": 1 / 60, "km/h": 1 / 3.6},
