@@ -230,3 +230,20 @@ def test_check_shows_the_inputs_of_every_recording(recorded: Recording, tmp_path
         InputError, match=r"shaft.yaml:11: rig.load.from: run2.csv has no channel 'brake_Nm', the input at 'rotor'"
     ):
         checked(made, [one, two])
+
+
+@pytest.mark.parametrize(("stated", "smoothing"), [("", 0.5), (", smoothing: 0.01 rad/s", 0.01)])
+def test_a_slow_motor_has_its_dry_friction_above_the_stated_smoothing(stated: str, smoothing: float) -> None:
+    speed = np.full(400, 0.1)
+    turned = Recording(sample_rate=100, channels={"w": Channel(values=speed, quantity="motor_speed", unit="rad/s")})
+    text = f"""
+operating_point: {{}}
+recording: {{sample_rate: 100 Hz, settling: 0 s}}
+measured: motion
+rig:
+  motor: {{kind: motor, inertia: 2 kg*cm^2, torque_limit: 1 N*m, coulomb: 2 mN*m{stated}}}
+  motion: {{kind: imposed_motion, at: motor, from: channel motor_speed}}
+"""
+    made = read_scenario(parse_document(text, Path("slow.yaml")), Catalog(), seed=1)
+    torque = tr.simulate(made, inputs=turned).torque()
+    assert torque[100:] == pytest.approx(2e-3 * np.tanh(0.1 / smoothing), rel=1e-6)

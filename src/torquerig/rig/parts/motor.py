@@ -16,7 +16,7 @@ from torquerig.rig.terms import Friction, Inertia, Term
 class Motor(Part):
     """The rotor and its drive stage; the torque itself comes from a SpeedController.
 
-    Losses: ``viscous w + coulomb tanh(w / 0.5 rad/s)`` on the rotor, as the reference rig states them.
+    Losses: ``viscous w + coulomb tanh(w / smoothing)`` on the rotor; 0.5 rad/s is the smoothing of the reference rig.
     ``model`` is its name in the catalog. Pole pairs and slots are kinematics: the lines follow from them, the torque
     does not.
     """
@@ -29,6 +29,7 @@ class Motor(Part):
     inertia: Annotated[float, Parameter("kg*m^2", "rotor inertia", above=0)]
     viscous: Annotated[float, Parameter("N*m*s/rad", "viscous friction", low=0)] = 0.0
     coulomb: Annotated[float, Parameter("N*m", "Coulomb friction", low=0)] = 0.0
+    smoothing: Annotated[float, Parameter("rad/s", "speed over which the sign is smoothed", above=0)] = 0.5
     torque_limit: Annotated[float, Parameter("N*m", "torque limit of the drive", above=0)]
     current_loop_bandwidth: Annotated[float, Parameter("Hz", "bandwidth of the current loop", above=0)] = 500.0
     pole_pairs: int | None = None
@@ -53,6 +54,6 @@ class Motor(Part):
             coulomb_backward=self.coulomb,
             static_forward=self.coulomb,
             static_backward=self.coulomb,
-            smoothing=0.5,
+            smoothing=self.smoothing,
         )
         return Inertia(node=node, inertia=self.inertia), losses
