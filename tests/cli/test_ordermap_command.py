@@ -75,3 +75,25 @@ def test_without_motor_and_ratio_it_lists_the_lines_and_says_what_is_not_stated(
         assert "no gear ratio is stated, so the output shaft is taken to turn with the motor" in told
         if command == "ordermap":
             assert "7 order 0.3" in told
+
+
+def test_amplitudes_of_a_force_are_in_newtons(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    time = np.arange(5000) / 1000
+    force = 10 * np.sin(2 * pi * 30 * time) + 0.1 * np.random.default_rng(1).normal(size=time.size)
+    channels = {"force_N": Channel(values=force, quantity="force", unit="N")}
+    write_recording(Recording(sample_rate=1000, channels=channels, run=Run()), tmp_path / "axis.parquet")
+    main(("ordermap", "axis.parquet"))
+    told = capsys.readouterr().out
+    assert "amplitude N " in told
+    line = next(row for row in told.splitlines() if row.strip().startswith("30 "))
+    assert float(line.split()[1]) == pytest.approx(10, rel=2e-3)
+
+
+def test_a_motor_torque_is_refused_with_the_option_that_takes_it(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    channels = {"Iq": Channel(values=np.ones(5000), quantity="motor_torque", unit="N*m")}
+    write_recording(Recording(sample_rate=1000, channels=channels, run=Run()), tmp_path / "motor.parquet")
+    with pytest.raises(SystemExit):
+        main(("ordermap", "motor.parquet"))
+    assert "--channel Iq" in capsys.readouterr().err

@@ -164,8 +164,9 @@ class Recording:
         if near is not None:
             entry = f"{near}: {{quantity: torque, unit: {self.channels[near].unit}}}"
             return (
-                f"{self.name}: there is no torque channel; {near} is taken for the torque of the motor. If it is the "
-                f"reading of the torque sensor, write into the sidecar: channels: {{{entry}}}"
+                f"{self.name}: there is no torque channel; {near} is taken for the torque of the motor and is used "
+                f"with --channel {near} (in Python channel=). If it is the reading of the torque sensor, write into "
+                f"the sidecar: channels: {{{entry}}}"
             )
         return (
             f"{self.name}: there is no torque channel among {', '.join(self.channels)}; name its quantity in the "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import floor
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -65,8 +66,8 @@ def over_angle(recording: Recording, turns: Floats, values: Floats | None = None
     total = float(turns[-1] - turns[0])
     if total < 2:
         raise RecordingError(
-            f"{recording.name}: the output shaft turns {total:.2g} times, and orders need two turns or more; take a "
-            "longer recording"
+            f"{recording.name}: the output shaft turns {floor(total * 100) / 100:g} times, and orders need two turns "
+            "or more; take a longer recording"
         )
     steps = np.diff(turns)
     fastest = float(steps.max())
