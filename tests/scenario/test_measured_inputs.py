@@ -247,3 +247,14 @@ rig:
     made = read_scenario(parse_document(text, Path("slow.yaml")), Catalog(), seed=1)
     torque = tr.simulate(made, inputs=turned).torque()
     assert torque[100:] == pytest.approx(2e-3 * np.tanh(0.1 / smoothing), rel=1e-6)
+
+
+@pytest.mark.parametrize("role", ["compared", "context"])
+def test_a_channel_of_the_quantity_with_another_role_is_named(role: str) -> None:
+    given = Recording(
+        sample_rate=RATE, channels={"flange": Channel(values=np.ones(4), quantity="torque", unit="N*m", role=role)}
+    )
+    with pytest.raises(
+        TorquerigError, match=f"no torque that is an input at 'rotor': flange is {role}; write role: in"
+    ):
+        input_channel(given, "torque", at="rotor")

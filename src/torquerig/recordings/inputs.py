@@ -95,6 +95,14 @@ def _missing(
             f"{recording.name}: nothing states which of {', '.join(listed)} is the input at {at!r}; write role: input, "
             f"of: {at} into its entry of the sidecar, or name it: from: channel NAME"
         )
+    others = [
+        f"{name} is {recording.channels[name].role}" for name in known if recording.channels[name].quantity == wanted
+    ]
+    if others:
+        return (
+            f"{recording.name} has no {wanted} that is an input at {at!r}: {', '.join(others)}; write role: input into "
+            "the sidecar's entry of the right one, or name it: from: channel NAME"
+        )
     near = did_you_mean(wanted, [*known, *(recording.channels[name].quantity for name in known)])
     return (
         f"{recording.name} has no channel {wanted!r}, the input at {at!r}; {near}; record it, or name another channel: "
