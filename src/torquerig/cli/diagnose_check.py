@@ -8,9 +8,8 @@ from math import pi
 import numpy as np
 
 from torquerig.cli.suspicions import angle_sentences
-from torquerig.diagnosis.motion.diagnose_motion import under_measured_motion
 from torquerig.diagnosis.motion.lines import in_a_line
-from torquerig.diagnosis.motion.moved import BAND, moved_runs
+from torquerig.diagnosis.motion.moved import BAND, moved_runs, under_measured_motion
 from torquerig.diagnosis.rig_under_test import check_recordings, check_rig
 from torquerig.diagnosis.sheet_ratio import at_ratio_of
 from torquerig.plain_table import grid, wrapped

@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from torquerig.diagnosis.engine import Outcome, diagnose
-from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion, under_measured_motion
+from torquerig.diagnosis.motion.diagnose_motion import MotionOutcome, diagnose_motion
+from torquerig.diagnosis.motion.moved import under_measured_motion
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.compared_channel import (
     as_measured,

@@ -10,7 +10,6 @@ from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import eigh
 
 from torquerig.diagnosis.linear.kernel import between_points
 from torquerig.rig.assembly import Rig
@@ -156,6 +155,8 @@ def _solve(measured: str, terms: Sequence[Term]) -> Shafts:
 
 def _refined(system: Matrices) -> NDArray[np.float64]:
     """Return the even grid with points around each lightly damped mode, within its half-widths."""
+    from scipy.linalg import eigh
+
     squares, shapes = eigh(system.stiffness, system.mass)
     modal = np.einsum("ij,ik,kj->j", shapes, system.damping, shapes)  # 2 zeta omega, shapes being of unit modal mass
     omega = np.sqrt(np.maximum(squares, 0.0))

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.fft import next_fast_len
 
 Floats = NDArray[np.float64]
 
@@ -30,6 +29,8 @@ def leaked(rest: Floats, rate: float, lines: Sequence[tuple[float, float]]) -> F
     lines : sequence of (float, float)
         Lowest and highest frequency of each line in the stretch [Hz].
     """
+    from scipy.fft import next_fast_len
+
     if not lines:
         return np.zeros(0)
     window, points = np.hanning(rest.size), next_fast_len(rest.size, real=True)

@@ -7,7 +7,6 @@ from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import chi2
 
 from torquerig.diagnosis.looking.observed import Observed
 
@@ -29,6 +28,8 @@ def taken_together(chances: Sequence[float]) -> float:
 
     By the sum of their logarithms (Fisher 1932, Statistical Methods for Research Workers, 21.1).
     """
+    from scipy.stats import chi2
+
     logarithms = -np.log(np.maximum(chances, 1e-300))
     return float(chi2.sf(2 * logarithms.sum(), 2 * logarithms.size)) if logarithms.size else 1.0
 

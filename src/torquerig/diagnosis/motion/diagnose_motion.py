@@ -18,7 +18,7 @@ from torquerig.diagnosis.motion.fitted import FittedMotion, at_their_ends, resid
 from torquerig.diagnosis.motion.friction import viscous_at, without_peak
 from torquerig.diagnosis.motion.goes_with import goes_with
 from torquerig.diagnosis.motion.lines import in_a_line, lines_in
-from torquerig.diagnosis.motion.moved import STRETCHES, Moved, faults_in, imposed_part, moved_runs
+from torquerig.diagnosis.motion.moved import STRETCHES, Moved, faults_in, moved_runs
 from torquerig.diagnosis.motion.neutral import Neutral, neutral, neutral_part
 from torquerig.diagnosis.motion.objections import lacks_viscous
 from torquerig.diagnosis.motion.places import mismatches
@@ -89,11 +89,6 @@ class MotionOutcome:
         data = as_json(self.diagnosis)
         data["fit"]["metric"] = METRIC
         return data
-
-
-def under_measured_motion(rig: Rig) -> bool:
-    """Whether a scenario measures what the motion of each recording takes."""
-    return imposed_part(rig) is not None
 
 
 def diagnose_motion(

@@ -79,6 +79,11 @@ class Moved:
         return self.recording.sample_rate
 
 
+def under_measured_motion(rig: Rig) -> bool:
+    """Whether a scenario measures what the motion of each recording takes."""
+    return imposed_part(rig) is not None
+
+
 def imposed_part(rig: Rig) -> ImposedMotion | None:
     """Return the part whose motion each recording states, where that alone drives the rig, or None.
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.moments import moments_of
@@ -38,6 +37,8 @@ def rebuilt(recording: Recording, *, limit: float) -> Recording:
     limit : float
         Either way [V].
     """
+    from scipy.interpolate import CubicHermiteSpline
+
     volts = recording.torque_values()
     stuck = at_limit(recording, limit=limit)
     if not stuck.any() or too_long(stuck):

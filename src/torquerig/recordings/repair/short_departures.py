@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.fft import next_fast_len
-from scipy.ndimage import median_filter
-from scipy.signal import find_peaks
 
 from torquerig.recordings.repair.pulse_behind_low_pass import LowPass, pulse_spectrum, window_size
 
@@ -44,6 +41,8 @@ def depths(signal: Floats, rate: float, weight: Floats, *, length: float, low_pa
 
     ``weight`` is that of each frequency of a window, shape (bins,).
     """
+    from scipy.fft import next_fast_len
+
     pad = min(window_size(rate), signal.size - 1)
     around = np.concatenate([2 * signal[0] - signal[pad:0:-1], signal, 2 * signal[-1] - signal[-2 : -pad - 2 : -1]])
     size = next_fast_len(around.size, real=True)
@@ -58,6 +57,8 @@ def depths(signal: Floats, rate: float, weight: Floats, *, length: float, low_pa
 
 def peaks_of(size: Floats, *, least: float, apart: int, shy: float, most: int) -> NDArray[np.int64]:
     """Return the largest peaks; within twice ``apart`` samples of one, only those that reach ``shy`` of it."""
+    from scipy.signal import find_peaks
+
     found, _ = find_peaks(size, height=least)
     near, kept = np.zeros(size.size), list[int]()
     for at in found[np.argsort(-size[found])].tolist():
@@ -73,6 +74,8 @@ def peaks_of(size: Floats, *, least: float, apart: int, shy: float, most: int) -
 
 
 def _in_local_spreads(depth: Floats, rate: float) -> Floats:
+    from scipy.ndimage import median_filter
+
     block = max(round(_LOCAL * rate), 1)
     count = max(depth.size // block, 1)
     each = np.median(np.abs(depth[: count * block].reshape(count, -1)), axis=1) / 0.6745

@@ -10,7 +10,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
-from scipy.ndimage import median_filter
 
 Floats = NDArray[np.float64]
 
@@ -116,6 +115,8 @@ def short_spectra(
     moving : bool
         Whether the spectrum may change with the speed: the median is then taken over 4 s around each block.
     """
+    from scipy.ndimage import median_filter
+
     hop = round(0.5 * _BLOCK * rate)
     low = _LOWEST * 2 ** (0.5 * np.arange(64))
     low = low[low * np.sqrt(2) < _HIGHEST_SHARE * rate]

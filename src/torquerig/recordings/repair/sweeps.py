@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import median_filter
 
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.examination import Examination
@@ -144,6 +143,8 @@ def sweep_along(values: Floats, rate: float, sweeps: Sequence[Sweep]) -> Sweep |
 
 def _log_power(values: Floats, rate: float) -> tuple[Floats, Floats] | None:
     """Return the log power over its medians in time and frequency, in units of its spread, and its frequencies."""
+    from scipy.ndimage import median_filter
+
     hop = round(0.5 * _BLOCK * rate)
     if not hop or values.size < (_FEWEST + 1) * hop:
         return None
