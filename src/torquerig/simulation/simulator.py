@@ -13,6 +13,7 @@ from torquerig.rig.assembly import Rig
 from torquerig.simulation import kernel
 from torquerig.simulation.condensation.lowered_for import lower_for
 from torquerig.simulation.inputs import Span, filled, held_while_settling
+from torquerig.simulation.lost_friction import friction_lost
 from torquerig.simulation.measured_places import Output, through_chains
 from torquerig.simulation.motor_limit import limits_reached
 from torquerig.simulation.outputs import as_arrays, channels_of
@@ -70,7 +71,7 @@ def checked(run: Ready) -> Recording:
     watch, failed, node = watched(run, kept)
     if failed >= 0:
         raise run.failure(failed, node)
-    warnings = [*watch.sentences(), *limits_reached(run, kept)]
+    warnings = [*watch.sentences(), *limits_reached(run, kept), *friction_lost(run, kept)]
     origin = {**run.origin, "warnings": warnings} if warnings else run.origin
     return recorded(run.rig, run.outputs, kept, rate=run.span.rate, origin=origin)
 

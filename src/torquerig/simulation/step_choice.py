@@ -119,13 +119,13 @@ def _slowest(lowered: Lowered, terms: Terms) -> Floats:
     found = np.zeros(len(lowered.nodes) + 1)
     if not lowered.drive_terms or not lowered.drive_terms[0].holds_speed:
         return found
-    turns = _turns(lowered, int(lowered.arrays.drives.on[0]))
+    turns = turns_of_nodes(lowered, int(lowered.arrays.drives.on[0]))
     reference = terms.drives.reference[0]
     crosses = bool(reference.min() <= 0.0 <= reference.max())
     return found if crosses else np.abs(turns) * float(np.abs(reference).min())
 
 
-def _turns(lowered: Lowered, leader: int) -> Floats:
+def turns_of_nodes(lowered: Lowered, leader: int) -> Floats:
     """Return how fast each node turns per turn of the leader, by the springs between; 0 where none leads there."""
     turns = np.zeros(len(lowered.nodes) + 1)
     turns[leader] = 1.0
