@@ -22,6 +22,7 @@ from torquerig.recordings.files import check_target, read_recording, write_recor
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
 from torquerig.rig.parts import WormGear
+from torquerig.rig.parts.gear_stage import gear_stages
 from torquerig.scenario.kinematics import ratio_text
 from torquerig.scenario.model import Scenario
 from torquerig.scenario.requirement_check import check_requirement
@@ -97,11 +98,7 @@ def command(
     )
     written = write_recording(kept, out, overwrite=force)
     click.echo(f"wrote {' and '.join(str(path) for path in written)}")
-    click.echo(
-        f"{made.rig.run.motor or made.title} at {made.rig.run.speed_rpm or 0.0:.6g} rpm, "
-        f"{ratio_text(made.rig)}, {made.rig.run.occupancy_percent or 0.0:g} % occupancy: "
-        f"{_levels(recording, made.rig)}"
-    )
+    click.echo(f"{made.rig.run.motor or made.title}{_conditions(made)}: {_levels(recording, made.rig)}")
     for worm in made.rig.parts_of(WormGear):
         click.echo(wrapped(worm.losses))
     doubts = [*recording.origin.get("warnings", ()), loop_warning(made.rig, rate=sample_rate)]
@@ -145,6 +142,16 @@ def _proof(made: Scenario, *, duration: float, seed: int, sample_rate: float) ->
         settling=made.recording.settling,
     )  # fmt: skip
     return proof.sentence()
+
+
+def _conditions(made: Scenario) -> str:
+    """Return set-point, ratio and occupancy of the run, each where the rig has it."""
+    run = made.rig.run
+    has_bed = any(hasattr(part, "mean_by_occupancy_percent") for part in made.rig.parts)
+    said = [f"{run.speed_rpm:.6g} rpm"] if run.speed_rpm is not None else ["a recorded motion or torque"]
+    said += [ratio_text(made.rig)] if gear_stages(made.rig) else []
+    said += [f"{run.occupancy_percent or 0.0:g} % occupancy"] if has_bed else []
+    return f" at {', '.join(said)}"
 
 
 def _rate(stated: float | None) -> float | None:
