@@ -69,7 +69,10 @@ def told(capsys, path: Path, *arguments: str) -> list[str]:
 
 @pytest.mark.long
 @pytest.mark.parametrize("profile", ["steady", "ramp"])
-@pytest.mark.parametrize("source", ["encoder", "degrees", "speed", "none"])
+@pytest.mark.parametrize(
+    "source",
+    [pytest.param("encoder"), *(pytest.param(one, marks=pytest.mark.full) for one in ("degrees", "speed", "none"))],
+)
 def test_filter_and_ordermap_say_the_same(tmp_path, monkeypatch, capsys, profile, source):
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "run.parquet"
@@ -85,7 +88,7 @@ def test_filter_and_ordermap_say_the_same(tmp_path, monkeypatch, capsys, profile
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("source", ["encoder", "none"])
+@pytest.mark.parametrize("source", [pytest.param("encoder", marks=pytest.mark.full), "none"])
 def test_an_evaluation_says_the_same(tmp_path, monkeypatch, capsys, source):
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "run.parquet"
