@@ -80,6 +80,15 @@ def test_python_takes_the_same_drive(tmp_path):
     assert clean.torque().std() < 0.1 * tr.read(other).torque().std()
 
 
+MOVED = """
+operating_point: {}
+measured: motion
+rig:
+  rotor: {kind: body, inertia: 1 kg*cm^2}
+  motion: {kind: imposed_motion, at: rotor, channel: angle}
+"""
+
+
 def test_orders_of_a_scenario_list_its_shafts(run):
     told = run("orders", "--scenario", str(SCENARIOS / "two_stage_branch.yaml"))
     assert "two_stage_branch, 10:1, motor at 600 rpm" in told
@@ -93,11 +102,13 @@ def test_orders_of_a_scenario_list_its_shafts(run):
         (("filter", "run.parquet", "--scenario", str(SCENARIOS / "two_stage_branch.yaml")), "states gear_ratio: 5"),
         (("filter", "run.parquet", "--gearbox", "ZLS160"), "ZLS160-5"),
         (("orders", "--scenario", "wear.yaml", "--sun", "21"), "remove --sun"),
+        (("orders", "--scenario", "moved.yaml"), "states no set-point of the speed; write --speed"),
     ],
 )
 def test_what_contradicts_is_refused(tmp_path, monkeypatch, capsys, arguments, said):
     monkeypatch.chdir(tmp_path)
     recorded(tmp_path)
+    Path("moved.yaml").write_text(MOVED, encoding="utf-8")
     with pytest.raises(SystemExit) as left:
         main(arguments)
     assert left.value.code == 2

@@ -69,6 +69,8 @@ def command(
         raise InputError(f"--scenario states motor and gears; remove {', '.join(named)}")
     else:
         kinematics, about, set_point = _of_scenario(scenario, catalogs)
+    if scenario is not None and not set_point and speed is None:
+        raise InputError(f"{scenario}: states no set-point of the speed; write --speed, such as --speed '1000 rpm'")
     written = speed or (f"{set_point * 30 / pi:.6g} rpm" if set_point else DEFAULT_SPEED)
     turning = _read(written, "rad/s", "--speed")
     report = orders_report(kinematics, turning, harmonics=harmonics, mains=_read(mains, "Hz", "--mains"))
