@@ -30,6 +30,7 @@ from torquerig.rig.parts import (
     ForceSensor,
     Gear,
     InductionDrive,
+    LinearDrive,
     Link,
     Motor,
     MotorEncoder,
@@ -37,6 +38,7 @@ from torquerig.rig.parts import (
     SpeedController,
     TorqueController,
     TorqueSensor,
+    WormGear,
 )
 from torquerig.rig.terms import Wave
 
@@ -68,6 +70,11 @@ RIGS: dict[str, tuple[Part, ...]] = {  # each part named host is one of those th
         BeltStage(name="host", after="root", pinion_teeth=20, wheel_teeth=40, belt_teeth=100, pitch=5e-3,
                   belt_stiffness=1e5, strand_damping=1.0, wheel_inertia=1e-3),
     ),
+    "worm gear": (
+        WormGear(name="host", after="root", starts=2, wheel_teeth=40, lead_angle=0.3, friction=0.05, **SPRING,
+                 wheel_inertia=1e-3),
+    ),
+    "linear drive": (LinearDrive(name="host", after="root", lead=0.01, **SPRING, mass=1.0),),
     "coupling": (Coupling(name="host", after="root", **SPRING, inertia=1e-3),),
     "torque sensor": (TorqueSensor(name="host", after="root", **SENSOR, inertia=1e-3),),
     "link": (Link(name="host", after="table", **SPRING, mass=1.0),),

@@ -25,6 +25,7 @@ from torquerig.rig.parts import (
     Gear,
     Ground,
     ImposedMotion,
+    LinearDrive,
     Link,
     Motor,
     SpeedController,
@@ -192,6 +193,7 @@ STATED: dict[str, Part] = {
         name="x", after="motor", starts=1, wheel_teeth=30, lead_angle=0.5, friction=0.0, stiffness=500.0, damping=0.1,
         wheel_inertia=1e-3,
     ),
+    "linear_drive": LinearDrive(name="x", after="motor", lead=2 * pi, stiffness=500.0, damping=0.1, mass=1e-3),
     "link": Link(name="x", after="motor", stiffness=500.0, damping=0.1, mass=1e-3),
     "force_sensor": ForceSensor(name="x", after="motor", stiffness=500.0, damping=0.1, mass=1e-3, bandwidth=1e3),
 }  # fmt: skip

@@ -181,7 +181,7 @@ def test_the_length_and_the_seed_of_a_study_are_those_of_its_runs(monkeypatch: p
         asked.append((duration, seed))
         raise _Asked
 
-    monkeypatch.setattr(drive_run, "simulate", recorded)
+    monkeypatch.setattr(drive_run, "simulated_reading_pair", recorded)
     for key, value in (("duration", "7 s"), ("seed", 5)):
         study: Study = open_study(changed(document, ("study", key), value), catalog())
         with pytest.raises(_Asked):
