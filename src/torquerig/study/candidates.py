@@ -71,7 +71,7 @@ class Candidate:
 
 
 def candidates(study: Study) -> tuple[Candidate, ...]:
-    """Return all motors on all stages; a ratio beside the catalog entry of the rig's gear fixes the gearbox."""
+    """Return all motors on all stages; a ratio next to the catalog entry of the rig's gear fixes the gearbox."""
     _refuse_unknown(study)
     stage = study.exchanged.stage
     fixed = pinned_ratio(study.document, stage) if stage else None

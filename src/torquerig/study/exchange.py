@@ -56,7 +56,7 @@ def present_stage(document: Document, settings: Settings) -> str:
 
 
 def pinned_ratio(document: Document, stage: str) -> float | None:
-    """Return the ratio that the rig states beside a gear's catalog entry, which fixes the gearbox; else None."""
+    """Return the ratio that the rig states next to a gear's catalog entry, which fixes the gearbox; else None."""
     written = _parts(document)[stage] if stage else {}
     if "ratio" not in written or "catalog" not in written:
         return None

@@ -128,6 +128,6 @@ def _stage(written: Mapping[str, Any], gearbox: str, study: Study) -> dict[str, 
             where = study.document.place(("study", "stages", gearbox, "part"))
             raise InputError(f"{where}: {kind!r} is no kind of stage; {did_you_mean(str(kind), STAGE_KINDS)}")
         return {**stated.part, **place}
-    if written.get("kind") == "gear" and "catalog" in written:  # what stands beside the entry goes before its values
+    if written.get("kind") == "gear" and "catalog" in written:  # what is stated next to the entry replaces its values
         return {**{key: one for key, one in written.items() if key != "teeth"}, "catalog": gearbox}
     return {"kind": "gear", "catalog": gearbox, **place}

@@ -98,7 +98,7 @@ def _without_loads(terms: Sequence[Term], places: dict[str, Place]) -> DriveTrai
 
 
 def _way(rig: Rig, motor: str, last: str) -> list[_Crossed]:
-    """Return the springs from the motor to that of the part ``last``, its own the last; empty where no shaft leads."""
+    """Return the springs from the motor to the part ``last``, in order; empty where no shaft leads."""
     springs, start = springs_of(passive_terms(rig)), rig.node(motor)
     came: dict[str, _Crossed | None] = {start: None}
     waiting = [start]

@@ -48,7 +48,7 @@ def accuracy(full: Lowered, small: Lowered, *, band: float, acting: Sequence[str
         Springs whose torque is read.
     """
     before, after = (np.sort(matrices(one, stiffest=True).undamped_frequencies()) for one in (full, small))
-    # rigid motions have no frequency; below a thousandth of the band they cannot be told from one
+    # rigid motions have no frequency; below a thousandth of the band they cannot be separated from one
     lows = [one[one > band * 10**-DECADES] for one in (before, after)]
     lows = [one[one < band] for one in lows]
     count = min(one.size for one in lows)

@@ -15,7 +15,7 @@ def reduced(line: ShaftLine, limit: float) -> ShaftLine:
     """Return the line without the small masses and stiff springs whose partial frequency is above ``limit`` [rad/s].
 
     A partial system of high frequency follows the others without delay (Rivin 1999, section 6). Small masses go first,
-    which keeps the static flexibility exactly; a stiff spring only where no small mass beside it may go.
+    which keeps the static flexibility exactly; a stiff spring only where no small mass next to it may go.
     """
     while True:
         if small := [step for step in small_masses(line) if step.frequency > limit]:
