@@ -90,6 +90,38 @@ def test_amplitudes_of_a_force_are_in_newtons(tmp_path, monkeypatch, capsys):
     assert float(line.split()[1]) == pytest.approx(10, rel=2e-3)
 
 
+def slow_output(tmp_path, *, motor_turns):
+    """A ratio of 100: a line at motor order 6, over few turns of the motor."""
+    turns = np.linspace(0, motor_turns, 20_000)
+    torque = 1 + 0.2 * np.cos(2 * pi * 6 * turns + 1) + 0.01 * np.random.default_rng(1).normal(size=turns.size)
+    channels = {
+        "torque_Nm": Channel(values=torque, quantity="torque", unit="N*m"),
+        "angle": Channel(values=2 * pi * turns, quantity="motor_angle", unit="rad"),
+    }
+    run = Run(gear_ratio=100.0, speed=2 * pi * motor_turns / 4)
+    write_recording(Recording(sample_rate=5000, channels=channels, run=run), tmp_path / "slow.parquet")
+
+
+def test_a_slow_output_shaft_counts_the_turns_of_the_motor(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    slow_output(tmp_path, motor_turns=60)
+    main(("ordermap", "slow.parquet", "--picture", "orders.svg"))
+    told = capsys.readouterr().out
+    assert "motor turns 60 times" in " ".join(told.split())
+    found = told[told.index("constant  ") :]
+    line = next(row for row in found.splitlines() if "order" in row and "0.2" in row)
+    assert float(line.split()[1]) == pytest.approx(600, rel=0.01) or "600 order" in line
+    assert (tmp_path / "orders.svg").exists()
+
+
+def test_orders_need_two_turns_of_one_shaft(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    slow_output(tmp_path, motor_turns=1.5)
+    with pytest.raises(SystemExit):
+        main(("ordermap", "slow.parquet"))
+    assert "0.01 times, the fastest shaft 1.5 times" in capsys.readouterr().err
+
+
 def test_a_motor_torque_is_refused_with_the_option_that_takes_it(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     channels = {"Iq": Channel(values=np.ones(5000), quantity="motor_torque", unit="N*m")}

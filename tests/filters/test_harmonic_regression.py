@@ -136,7 +136,7 @@ def test_turning_backwards_is_no_different():
     ("source", "message"),
     [
         (recording(np.zeros(3)), "3 samples hold no line"),
-        (recording(np.zeros(6)), "no line has 2 periods"),
+        (recording(np.zeros(6)), "a line needs 2 periods"),
         (recording(np.zeros(50000), speed=None), "states no motor speed"),
         (recording(np.zeros(50000), profile="reversal"), "record an encoder channel"),
     ],

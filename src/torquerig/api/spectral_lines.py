@@ -77,7 +77,7 @@ class OrderLines(Result):
         from torquerig.reporting.figures.order_figure import order_figure, order_picture
 
         shown = order_picture(self.recording, self.turns, lines=self.kinematics.lines(), found=self.lines,
-                              ratio=self.kinematics.ratio)  # fmt: skip
+                              ratio=self.kinematics.ratio, counted=self.kinematics.fastest_shaft[1])  # fmt: skip
         return order_figure(shown, title=f"{self.recording.name}: orders of the torque")
 
 

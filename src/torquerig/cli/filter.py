@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from math import hypot
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
@@ -18,15 +17,16 @@ from torquerig.cli.filter_evaluation import (
     print_evaluations,
     stated_scale,
 )
+from torquerig.cli.filter_text import print_effects
 from torquerig.cli.suspicions import print_suspicions, print_suspicions_of_start
 from torquerig.errors import InputError, UnitError, did_you_mean
 from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
-from torquerig.filters.filter_effect import FilterEffect, chain_effect
+from torquerig.filters.filter_effect import chain_effect
 from torquerig.metrics.truth_error import true_load, truth_error
 from torquerig.orders.angle.measured_angle import SOURCES
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
-from torquerig.plain_table import fixed, grid, wrapped
+from torquerig.plain_table import wrapped
 from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
 from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
@@ -37,10 +37,7 @@ from torquerig.renamed import current_name
 from torquerig.scenario.recorded_drive import chains_for, recorded_drive
 from torquerig.units import parse_quantity
 
-# rounding error of the mean of equal numbers
-_ROUNDING = 1e-14
 _AS_THEY_ARE = "suspicious samples are filtered as they are"
-_HEAD = ("std cut %", "variance cut %", "mean change %", "energy change %")
 
 
 @click.command("filter")
@@ -143,13 +140,14 @@ def _filtered_whole(
         for chain, after in zip(chains, results, strict=True)
     ]
     known = true_load(before) is not None
-    _print_effects(
+    print_effects(
         path,
         before,
         chains,
         effects,
         [truth_error(after, before) for after in results] if known else None,
         samples=before.samples,
+        ratio=kinematics.ratio,
     )
     if out is not None:
         written = write_recording(results[0], out, overwrite=force)
@@ -166,35 +164,16 @@ def _filtered_in_blocks(
     made = filter_long(stream, chains, blocking, ratio=kinematics.ratio, out=out, force=force)
     seconds, overlap = (samples / stream.sample_rate for samples in (blocking.samples, blocking.overlap))
     click.echo(f"filtered in blocks of {seconds:.4g} s with an overlap of {overlap:.3g} s on each side")
-    _print_effects(stream.path, described(stream), chains, made.effects, made.errors, samples=made.samples)
+    print_effects(
+        stream.path,
+        described(stream),
+        chains,
+        made.effects,
+        made.errors,
+        samples=made.samples,
+        ratio=kinematics.ratio,
+    )
     return made.section.before, made.section.after[0]
-
-
-def _print_effects(
-    path: Path, before: Recording, chains: Sequence[Chain], effects: Sequence[FilterEffect],
-    errors: Sequence[float] | None, *, samples: int,
-) -> None:  # fmt: skip
-    first, unit = effects[0], before.torque_unit()
-    size = hypot(first.mean_before, first.std_before)
-
-    def number(value: float) -> str:
-        return fixed(value, scale=size, digits=6)
-
-    if first.std_before <= _ROUNDING * abs(first.mean_before):
-        click.echo(
-            f"torquerig: warning: {path}: {before.torque_name()} is constant in all its {samples} samples; "
-            "is the sensor connected?",
-            err=True,
-        )
-    click.echo(f"{path}: std {number(first.std_before)} {unit}, mean {number(first.mean_before)} {unit}")
-    rows = [_row(chain, effect, number) for chain, effect in zip(chains, effects, strict=True)]
-    if errors is not None:
-        rows = [[*row, number(error)] for row, error in zip(rows, errors, strict=True)]
-    head = ["chain", f"std {unit}", *_HEAD, *([] if errors is None else [f"error to true load {unit}"])]
-    click.echo(grid([head, *rows]) + "\n")
-    for chain, effect in zip(chains, effects, strict=True):
-        _print_families(chain, effect, number, unit=unit)
-    click.echo(f"speed for energy and lines: {first.speed_origin}")
 
 
 def _check_targets(
@@ -225,24 +204,6 @@ def _seconds(written: str) -> float:
     if not seconds > 0:
         raise InputError(f"--block: {written} is not more than 0; write for example '60 s'")
     return seconds
-
-
-def _row(chain: Chain, effect: FilterEffect, number: Callable[[float], str]) -> list[str]:
-    energy = effect.energy_change_percent
-    return [
-        chain.name, number(effect.std_after), f"{effect.std_reduction_percent:.1f}",
-        f"{effect.variance_reduction_percent:.1f}", f"{effect.mean_change_percent:.4f}",
-        "-" if energy is None else f"{energy:.4f}",
-    ]  # fmt: skip
-
-
-def _print_families(chain: Chain, effect: FilterEffect, number: Callable[[float], str], *, unit: str) -> None:
-    levels = effect.family_levels()
-    if levels:
-        rows = [[family, number(was), number(now)] for family, (was, now) in levels.items()]
-        click.echo(grid([[f"{chain.name}: lines", f"before {unit}", f"after {unit}"], *rows]) + "\n")
-    for reason in chain.left_out:
-        click.echo(f"{chain.name}: not removed: {reason}")
 
 
 def _draw(

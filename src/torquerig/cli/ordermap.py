@@ -11,7 +11,7 @@ import numpy as np
 from torquerig.cli.common_options import catalog_option, channel_option
 from torquerig.cli.suspicions import print_suspicions
 from torquerig.errors import InputError, RecordingError, UnitError
-from torquerig.orders.analysis.angle_resampling import output_turns, over_angle
+from torquerig.orders.analysis.angle_resampling import FEWEST_TURNS, output_turns, over_angle
 from torquerig.orders.analysis.frequency_lines import frequency_lines
 from torquerig.orders.analysis.labels import label_of
 from torquerig.orders.analysis.line_detection import DetectedLine, detected_lines
@@ -83,7 +83,7 @@ def command(
     turns = output_turns(angle.values, ratio=kinematics.ratio)
     found = detected_lines(read, turns, kinematics, harmonics=harmonics, mains=grid_frequency)
     click.echo(_about(read, angle, turns, kinematics))
-    click.echo(_known_table(read, turns, lines) + "\n")
+    click.echo(_known_table(read, turns, kinematics, lines) + "\n")
     click.echo(_found_table(found, size=rms_size(read.torque()), unit=read.torque_unit()))
     for sentence in (*drive.assumed, *_sentences(found, kinematics)):
         click.echo(wrapped(sentence))
@@ -93,7 +93,7 @@ def command(
         from torquerig.reporting.figures.picture import write_picture
 
         shown = order_picture(read, turns, lines=lines, found=found, ratio=kinematics.ratio,
-                              modes=_modes_of(drive.rig))  # fmt: skip
+                              counted=kinematics.fastest_shaft[1], modes=_modes_of(drive.rig))  # fmt: skip
         write_picture(order_figure(shown, title=f"{read.name}: orders of the torque"), picture, overwrite=force)
         click.echo(f"wrote {picture}")
 
@@ -132,7 +132,18 @@ def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, kinematics: Ki
     return wrapped(
         f"{read.name}: {read.duration:.4g} s, {turns[-1]:.4g} turns of the output shaft, {kinematics.input_name} at "
         f"{low:.5g} to {high:.5g} rpm, {angle.origin}; one bin is {1 / turns[-1]:.3g} orders or "
-        f"{1 / read.duration:.3g} Hz{_shafts(kinematics)}"
+        f"{1 / read.duration:.3g} Hz{_shafts(kinematics)}{_slow_output(turns, kinematics)}"
+    )
+
+
+def _slow_output(turns: np.ndarray, kinematics: Kinematics) -> str:
+    """Return how often the fastest shaft turns, where the output shaft turns too little for its own orders."""
+    name, per_turn = kinematics.fastest_shaft
+    if turns[-1] >= FEWEST_TURNS or per_turn == 1:
+        return ""
+    return (
+        f". The output shaft turns fewer than {FEWEST_TURNS:g} times: its own low orders cannot be seen. The {name} "
+        f"turns {turns[-1] * per_turn:.4g} times"
     )
 
 
@@ -144,11 +155,11 @@ def _shafts(kinematics: Kinematics) -> str:
     return "; turns per output turn: " + ", ".join(f"{name} {turns:.6g}" for name, turns in others.items())
 
 
-def _known_table(read: Recording, turns: np.ndarray, lines: Sequence[KinematicLine]) -> str:
+def _known_table(read: Recording, turns: np.ndarray, kinematics: Kinematics, lines: Sequence[KinematicLine]) -> str:
     """Return one row per order with a known cause: its amplitude, and its level above the noise floor."""
     torque = read.torque()
     top = 0.4 * read.sample_rate / float(np.max(np.diff(turns)) * read.sample_rate)
-    spectrum = order_spectrum(over_angle(read, turns), highest=top)
+    spectrum = order_spectrum(over_angle(read, turns, fastest=kinematics.fastest_shaft[1]), highest=top)
     floor, size = floor_of(spectrum.amplitudes), rms_size(torque)
     places: dict[float, list[KinematicLine]] = {}
     for line in sorted(lines, key=lambda line: line.output_order):

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Recording
 
 LINE_HALF_WIDTH = 0.5  # Hz, as wide as the reference report's band-stops
+SEEN_IN_MEAN = 0.05  # [1] of the standard deviation: the standard error of a mean of 400 independent values
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,6 +49,8 @@ class FilterEffect:
         The source of the speed for energy and lines, in words.
     levels : tuple of LineLevel
         Empty for a run that is not steady, whose lines have no constant frequency.
+    motor_turns : float or None
+        Turns of the motor in either direction [rev]; None where no speed is known.
     """
 
     std_before: float
@@ -58,6 +61,7 @@ class FilterEffect:
     energy_after: float | None
     speed_origin: str
     levels: tuple[LineLevel, ...]
+    motor_turns: float | None = None
 
     @property
     def std_reduction_percent(self) -> float:
@@ -73,6 +77,15 @@ class FilterEffect:
     def mean_change_percent(self) -> float:
         """The increase of the mean [%]; 0 by construction for a chain that keeps the mean."""
         return _reduction(self.mean_after, self.mean_before, of=self.mean_before)
+
+    @property
+    def moves_mean(self) -> bool:
+        """Whether the mean changed by more than 5 % of the standard deviation before.
+
+        Every shipped chain keeps the mean of a long recording. 5 % is the standard error of the mean of 400 independent
+        values: a smaller change is within what the random load does to the mean of a short recording.
+        """
+        return abs(self.mean_after - self.mean_before) > SEEN_IN_MEAN * self.std_before
 
     @property
     def energy_change_percent(self) -> float | None:
@@ -156,6 +169,7 @@ def _effect(
         energy_after=energies[1],
         speed_origin=origin,
         levels=levels,
+        motor_turns=None if speed is None else float(np.abs(speed).sum() / before.sample_rate / (2 * np.pi)),
     )
 
 

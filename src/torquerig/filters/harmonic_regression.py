@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from torquerig.errors import InputError, RecordingError
-from torquerig.orders.analysis.line_fit import FEWEST_PERIODS, fitted_lines
+from torquerig.errors import InputError
+from torquerig.filters.counted_periods import separable_lines
+from torquerig.orders.analysis.line_fit import fitted_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
 
 if TYPE_CHECKING:
@@ -51,12 +52,7 @@ class HarmonicRegression:
         name = recording.torque_name()
         values, rate = recording.channels[name].values, recording.sample_rate
         angle = best_motor_angle(recording, self.lines)
-        orders = [line.motor_order for line in self.lines]
-        turns = np.abs(np.diff(angle.values)).sum() / (2 * np.pi)
-        if turns * max(orders) < FEWEST_PERIODS:
-            raise RecordingError(
-                f"{recording.name}: no line has {FEWEST_PERIODS:g} periods in the {turns:.3g} motor turns of this "
-                "recording; take a longer one"
-            )
+        turns = float(np.abs(np.diff(angle.values)).sum() / (2 * np.pi))
+        orders = [line.motor_order for line in separable_lines(self.lines, turns, name=recording.name)]
         block = max(round(self.block * rate), 4)
         return recording.with_values(name, values - fitted_lines(values, angle.values, orders, block=block))

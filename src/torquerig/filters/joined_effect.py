@@ -34,6 +34,7 @@ def joined_effect(effects: Sequence[FilterEffect], samples: Sequence[int]) -> Fi
         energy_before=_sum([one.energy_before for one in effects]),
         energy_after=_sum([one.energy_after for one in effects]),
         levels=_levels(effects, weights),
+        motor_turns=_sum([one.motor_turns for one in effects]),
     )
 
 
@@ -44,9 +45,9 @@ def _joined(each: Sequence[tuple[float, float]], weights: NDArray[np.float64]) -
     return mean, float(np.sqrt(weights @ (deviations**2 + (means - mean) ** 2)))
 
 
-def _sum(energies: Sequence[float | None]) -> float | None:
-    known = [energy for energy in energies if energy is not None]
-    return sum(known) if len(known) == len(energies) else None
+def _sum(each: Sequence[float | None]) -> float | None:
+    known = [one for one in each if one is not None]
+    return sum(known) if len(known) == len(each) else None
 
 
 def _levels(effects: Sequence[FilterEffect], weights: NDArray[np.float64]) -> tuple[LineLevel, ...]:

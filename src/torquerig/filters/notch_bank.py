@@ -11,6 +11,7 @@ import numpy as np
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.biquads import cascaded, quiet_start, slow_delay, zero_phase_notched
+from torquerig.filters.counted_periods import separable_lines
 from torquerig.orders.angle.best_angle import best_motor_speed
 from torquerig.recordings.set_point import set_point_speed
 
@@ -55,7 +56,9 @@ class NotchBank:
         if not self.lines:
             return recording
         speed = best_motor_speed(recording, self.lines).value
-        name, sections = recording.torque_name(), notches(self.lines, speed, self.half_width, recording.sample_rate)
+        turns = speed * recording.duration / (2 * pi)
+        lines = separable_lines(self.lines, turns, name=recording.name)
+        name, sections = recording.torque_name(), notches(lines, speed, self.half_width, recording.sample_rate)
         values = recording.channels[name].values
         if values.size <= 6 * len(sections) + 3:
             raise RecordingError(

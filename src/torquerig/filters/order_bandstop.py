@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
+from torquerig.filters.counted_periods import separable_lines
 from torquerig.orders.analysis.order_envelope import (
     HOPS_PER_TURN,
     envelope,
@@ -69,7 +70,8 @@ class OrderBandstop:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
+        lines = separable_lines(self.lines, hops.turned, name=recording.name)
+        orders = resolved_orders([line.motor_order for line in lines], hops.fastest)
         window = max(2 * round(0.5 * HOPS_PER_TURN / self.half_width), 2)
         sums = hop_sums(values, hops, orders)
         return recording.with_values(name, without_lines(values, hops, orders, envelope(sums, hops.samples, window)))

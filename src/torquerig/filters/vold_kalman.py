@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from torquerig.errors import InputError, RecordingError
+from torquerig.filters.counted_periods import separable_lines
 from torquerig.orders.analysis.order_envelope import HOPS_PER_TURN, hop_sums, hops_of, resolved_orders, without_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
 from torquerig.orders.angle.second_differences import second_difference_bands
@@ -67,7 +68,8 @@ class VoldKalman:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
+        lines = separable_lines(self.lines, hops.turned, name=recording.name)
+        orders = resolved_orders([line.motor_order for line in lines], hops.fastest)
         sums = hop_sums(values, hops, orders)
         amplitudes = smoothest(sums, hops.samples, half_width=self.half_width / HOPS_PER_TURN)
         return recording.with_values(name, without_lines(values, hops, orders, amplitudes))

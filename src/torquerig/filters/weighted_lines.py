@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from torquerig.errors import InputError, RecordingError
 from torquerig.filters.block_regression import at_edges, block_amplitudes, blocks_of
+from torquerig.filters.counted_periods import separable_lines
 from torquerig.filters.line_weights import weights
 from torquerig.orders.analysis.order_envelope import hops_of, resolved_orders, without_lines
 from torquerig.orders.angle.best_angle import best_motor_angle
@@ -68,7 +69,8 @@ class WeightedLines:
             )
         name = recording.torque_name()
         values = recording.channels[name].values
-        orders = resolved_orders([line.motor_order for line in self.lines], hops.fastest)
+        lines = separable_lines(self.lines, hops.turned, name=recording.name)
+        orders = resolved_orders([line.motor_order for line in lines], hops.fastest)
         if not isnan(ends_sd):  # where the uncertainty of the angle is known
             orders = orders[orders * ends_sd < 2 * pi * _PLACED]
         length = self.block if recording.run.profile == "steady" else self.changing_block

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 _FINEST = 4.0  # steps per turn at most, in samples of the fastest turn
+FEWEST_TURNS = 2.0  # of the shaft that turns most: one period has no neighbour to differ from
 _SLOWEST_COUNTED = 0.1  # of the fastest speed: slower turns do not determine the step
 
 
@@ -52,22 +53,33 @@ def output_turns(angle: Floats, *, ratio: float) -> Floats:
     return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(angle)))]) / (2 * np.pi * ratio)
 
 
-def over_angle(recording: Recording, turns: Floats, values: Floats | None = None) -> OverAngle:
+def over_angle(recording: Recording, turns: Floats, values: Floats | None = None, *, fastest: float = 1.0) -> OverAngle:
     """Return the torque (or ``values``) at equal steps of the turned angle, by local cubics.
 
     Steps per turn: the samples of the slowest counted turn, but at most four times those of the fastest turn.
 
+    Parameters
+    ----------
+    recording : Recording
+    turns : ndarray, shape (samples,)
+        Of the output shaft.
+    values : ndarray, shape (samples,), optional
+        By default the measured torque.
+    fastest : float
+        Turns of the fastest shaft per turn of the output shaft [1], >= 1.
+
     Raises
     ------
     RecordingError
-        Where the shaft turns less than two turns.
+        Where no shaft turns two turns.
     """
     signal = recording.torque() if values is None else values
     total = float(turns[-1] - turns[0])
-    if total < 2:
+    if total * fastest < FEWEST_TURNS:
+        faster = f", the fastest shaft {floor(total * fastest * 100) / 100:g} times" if fastest > 1 else ""
         raise RecordingError(
-            f"{recording.name}: the output shaft turns {floor(total * 100) / 100:g} times, and orders need two turns "
-            "or more; take a longer recording"
+            f"{recording.name}: the output shaft turns {floor(total * 100) / 100:g} times{faster}, and orders need two "
+            "turns or more of one shaft; take a longer recording"
         )
     steps = np.diff(turns)
     fastest = float(steps.max())

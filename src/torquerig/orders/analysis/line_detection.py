@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from torquerig.orders.analysis.aliases import alias_of
-from torquerig.orders.analysis.angle_resampling import over_angle
+from torquerig.orders.analysis.angle_resampling import FEWEST_TURNS, over_angle
 from torquerig.orders.analysis.labels import LineNames, label_of
 from torquerig.orders.analysis.line_domain import Domain, DomainTest, LineDomain
 from torquerig.orders.analysis.order_envelope import (
@@ -103,6 +103,8 @@ def detected_lines(
 
     Notes
     -----
+    Where the output shaft turns fewer than two times, amplitudes are averaged over turns of the fastest shaft.
+
     In a run at nearly constant speed every line is undecided, because order and frequency are proportional (handbook,
     signatures 0, "speed rule"). A line that is sharper over time is undecided too where it is at an order of a shaft
     in a run at one speed (less than 2 % change): an error of the angle smears an order as well. Source for the need of
@@ -121,7 +123,7 @@ def detected_lines(
         kept += decided
         if not decided:
             break
-        values = _without(values, turns, recording.sample_rate, decided)
+        values = _without(values, turns, recording.sample_rate, decided, counted=_counted(turns, kinematics))
     named = [_named(one, recording, turns, names) for one in (*kept, *_once(open_, recording, turns))]
     rank = {"order": 0, "frequency": 1, "either": 2}
     return tuple(sorted(named, key=lambda one: (rank[one.axis], one.place)))
@@ -151,7 +153,7 @@ def _at_one_speed(one: DetectedLine, recording: Recording, turns: Floats, names:
 
 def _tested_peaks(recording: Recording, turns: Floats, values: Floats, names: LineNames) -> list[DetectedLine]:
     rate = recording.sample_rate
-    even = over_angle(recording, turns, values)
+    even = over_angle(recording, turns, values, fastest=names.kinematics.fastest_shaft[1])
     top = _HIGHEST_SHARE * rate
     by_order = order_spectrum(even, highest=min(top / (float(np.max(np.diff(turns))) * rate), 0.4 * even.per_turn))
     by_frequency = frequency_spectrum(values, rate)
@@ -173,12 +175,17 @@ def _found(over: Literal["order", "frequency"], peak: Peak, domain: LineDomain) 
     )
 
 
-def _without(values: Floats, turns: Floats, rate: float, decided: Sequence[DetectedLine]) -> Floats:
+def _counted(turns: Floats, kinematics: Kinematics) -> float:
+    """Return the turns per output turn of the shaft over whose turns amplitudes are averaged [1]."""
+    return 1.0 if turns[-1] - turns[0] >= FEWEST_TURNS else kinematics.fastest_shaft[1]
+
+
+def _without(values: Floats, turns: Floats, rate: float, decided: Sequence[DetectedLine], *, counted: float) -> Floats:
     """Return the values less the lines, whose amplitudes may change over a few turns or seconds."""
     time = np.arange(values.size) / rate / _SECONDS
-    for over, axis in (("order", turns - turns[0]), ("frequency", time)):
+    for over, axis, per in (("order", counted * (turns - turns[0]), counted), ("frequency", time, 1.0)):
         hops = hops_of(2 * np.pi * axis, ratio=1.0)
-        places = [one.place for one in decided if one.detected_over == over]
+        places = [one.place / per for one in decided if one.detected_over == over]
         if hops is None or not places:
             continue
         orders = resolved_orders(places, hops.fastest)

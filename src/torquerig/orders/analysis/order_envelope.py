@@ -33,6 +33,11 @@ class Hops:
         return float(max(steps.max(initial=0.0), -steps.min(initial=0.0)))
 
     @property
+    def turned(self) -> float:
+        """The turns of the motor in either direction [turns]."""
+        return float(np.abs(np.diff(self.turns)).sum())
+
+    @property
     def samples(self) -> Floats:
         """The number of samples of each hop, shape (hops,)."""
         return np.diff(self.edges).astype(np.float64)

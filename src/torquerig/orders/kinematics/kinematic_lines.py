@@ -116,6 +116,11 @@ class Kinematics:
         )
 
     @property
+    def fastest_shaft(self) -> tuple[str, float]:
+        """The name of the shaft that turns most, and its turns per turn of the output shaft [1], at least 1."""
+        return next(iter(self.shaft_turns.items()))
+
+    @property
     def open_meshes(self) -> tuple[OpenMesh, ...]:
         """The gears whose teeth are not known, from each shaft on which they mesh."""
         if self.shafts:

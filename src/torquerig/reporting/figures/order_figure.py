@@ -62,10 +62,10 @@ class OrderPicture:
 
 def order_picture(
     recording: Recording, turns: NDArray[np.float64], *, lines: Sequence[KinematicLine], found: Sequence[DetectedLine],
-    ratio: float, modes: Mapping[str, float] | None = None,
+    ratio: float, counted: float = 1.0, modes: Mapping[str, float] | None = None,
 ) -> OrderPicture:  # fmt: skip
     """Return what is drawn of a recording whose output shaft turned by ``turns``: spectrum, maps and lines."""
-    even, rate = over_angle(recording, turns), recording.sample_rate
+    even, rate = over_angle(recording, turns, fastest=counted), recording.sample_rate
     fastest = float(np.percentile(np.diff(turns), 99.9)) * rate
     orders = [one.place if one.detected_over == "order" else one.place / fastest for one in found]
     wanted = 1.3 * max([*orders, *(line.output_order for line in lines if line.harmonic == 1)])
