@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 from pydantic import TypeAdapter
@@ -141,10 +141,15 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
     data = {"name": item.name, **item.values}
     if cls.on_shaft:
         data.setdefault("after", shaft)
-    adapter: TypeAdapter[Part] = TypeAdapter(cls)
     units = {"in_a_line": _in_a_line(document, cls, data)}
     elsewhere = partial(place_of, data=document.data, here=f"rig.{name}")
-    return validated(document, adapter, within=("rig", name), data=data, context=units, elsewhere=elsewhere)
+    return validated(document, _schema(cls), within=("rig", name), data=data, context=units, elsewhere=elsewhere)
+
+
+@cache
+def _schema(cls: type[Part]) -> TypeAdapter[Part]:
+    """Return what reads a part of a class; to make it takes pydantic some 5 ms, far longer than the reading."""
+    return TypeAdapter(cls)
 
 
 def _in_a_line(document: Document, cls: type[Part], data: Mapping[str, Any]) -> bool:
