@@ -1,0 +1,34 @@
+"""Many independent cases, computed by many workers into one table that loses nothing.
+
+A study is a table of cases and one function. This package knows nothing of rigs.
+
+>>> from torquerig.cases.case import Case
+>>> Case(number=0, values={"load": 0.5}, seed=1).values["load"]
+0.5
+
+================== ==================================================================================
+``case``           a case, a column, the work function
+``answers``        an answer to every case as they arrive; halves of blocks that were lost
+``running``        a study run into its store: kept, resumed, stopped
+``store``          rows in a folder; ``parts``: its Parquet files; ``folder_lock``: one writer at a time
+``identity``       which study a store holds, computed with which code
+``limits``         time and tries of a case, one thread a worker
+``block``          blocks of cases, outcomes, and what an engine is
+``this_process``   engine: here, one after the other
+``this_machine``   engine: processes of this machine; ``worker``: one of them
+================== ==================================================================================
+"""
+
+from torquerig.cases.answers import Answer, answers
+from torquerig.cases.case import Case, Column, Failed, Work
+from torquerig.cases.identity import Identity, digest_of
+from torquerig.cases.limits import Limits
+from torquerig.cases.running import Progress, StudyRun, StudyStopped, run_cases
+from torquerig.cases.store import read_rows
+from torquerig.cases.this_machine import ThisMachine
+from torquerig.cases.this_process import ThisProcess
+
+__all__ = [
+    "Answer", "Case", "Column", "Failed", "Identity", "Limits", "Progress", "StudyRun", "StudyStopped", "ThisMachine",
+    "ThisProcess", "Work", "answers", "digest_of", "read_rows", "run_cases",
+]  # fmt: skip

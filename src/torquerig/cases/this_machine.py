@@ -1,0 +1,135 @@
+"""Work in processes of this machine, which may die or be ended without harm to the study."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from multiprocessing.connection import wait
+from typing import Any
+
+from torquerig.cases.block import Block, Outcome
+from torquerig.cases.case import Work
+from torquerig.cases.limits import Limits
+from torquerig.cases.worker import Worker, packed, started_worker
+from torquerig.errors import InputError
+
+LONGEST_WAIT = 1.0  # s, between looks at whether a process that keeps its pipe open is still alive
+STARTS_IN_VAIN = 3  # workers in a row that may die before they have their inputs: memory can be short for a moment
+
+
+@dataclass(frozen=True)
+class ThisMachine:
+    """The engine for studies on one machine.
+
+    Parameters
+    ----------
+    workers : int, optional
+        Processes, each with one thread; one for each processor that this process may use when not given.
+
+    Raises
+    ------
+    InputError
+        For less than one worker.
+    """
+
+    workers: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.workers is not None and self.workers < 1:
+            raise InputError(f"{self.workers} workers do nothing; give 1 or more")
+
+    @contextmanager
+    def started(self, work: Work, inputs: Any, *, limits: Limits) -> Iterator[ProcessPool]:
+        """Yield a pool of worker processes; they are ended with the context."""
+        pool = ProcessPool(packed(work, inputs), limits)
+        try:
+            for _ in range(self.workers or _processors()):
+                pool.start_one()
+            yield pool
+        finally:
+            pool.end()
+
+
+@dataclass
+class ProcessPool:
+    """Worker processes with the same work function and inputs, each with one block at a time."""
+
+    content: bytes
+    limits: Limits
+    workers: list[Worker] = field(default_factory=list)
+    starts_in_vain: int = 0
+
+    def start_one(self) -> None:
+        """Start one more worker."""
+        self.workers.append(started_worker(self.content))
+
+    def end(self) -> None:
+        """End all workers at once."""
+        while self.workers:
+            self.workers.pop().end()
+
+    def room(self) -> int:
+        """Return how many workers wait for a block."""
+        return sum(worker.is_ready and worker.block is None for worker in self.workers)
+
+    def submit(self, block: Block, /) -> None:
+        """Give a block to a worker that waits for one."""
+        free = next(worker for worker in self.workers if worker.is_ready and worker.block is None)
+        free.submit(block, seconds=self.limits.of_block(len(block.cases)))
+
+    def finished(self) -> list[Outcome]:
+        """Wait until there is room or an outcome, and return the outcomes.
+
+        Raises
+        ------
+        InputError
+            When workers cannot load the work function and its inputs, or die while they do.
+        """
+        nearest = min(worker.deadline for worker in self.workers) - time.monotonic()
+        news = wait([worker.connection for worker in self.workers], max(0.0, min(nearest, LONGEST_WAIT)))
+        found = [self._news(worker, has_spoken=worker.connection in news) for worker in tuple(self.workers)]
+        return [outcome for outcome in found if outcome is not None]
+
+    def _news(self, worker: Worker, *, has_spoken: bool) -> Outcome | None:
+        """Return what became of a worker's block; a worker that is dead or too late is replaced."""
+        if has_spoken:
+            try:
+                outcome = worker.heard()
+            except EOFError:
+                return self._replaced(worker, _death_of(worker))
+            self.starts_in_vain *= not worker.is_ready
+            return outcome
+        if time.monotonic() > worker.deadline and worker.block is not None:
+            seconds = self.limits.of_block(len(worker.block.cases))
+            return self._replaced(worker, f"it took longer than {seconds:g} s")
+        if not worker.process.is_alive():
+            return self._replaced(worker, _death_of(worker))
+        return None
+
+    def _replaced(self, worker: Worker, error: str) -> Outcome | None:
+        self.workers.remove(worker)
+        worker.end()
+        self.starts_in_vain += not worker.is_ready
+        if self.starts_in_vain >= STARTS_IN_VAIN:
+            raise InputError(
+                f"worker processes end before they have their inputs ({error}); free memory or use fewer workers, "
+                "and in a script call this below: if __name__ == '__main__'"
+            )
+        self.start_one()
+        return None if worker.block is None else Outcome(worker.block, "lost", error=error)
+
+
+def _death_of(worker: Worker) -> str:
+    worker.process.join(LONGEST_WAIT)
+    code = worker.process.exitcode
+    how = f"by signal {-code}" if code is not None and code < 0 else f"with exit code {code}"
+    return f"the worker process ended {how}; memory may have run out"
+
+
+def _processors() -> int:
+    """Return how many processors this process may use, where the system says."""
+    allowed = getattr(os, "sched_getaffinity", None)
+    return len(allowed(0)) if allowed else os.cpu_count() or 1
