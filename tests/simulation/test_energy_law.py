@@ -147,8 +147,9 @@ def test_kinetic_and_elastic_energy_change_by_what_goes_in_and_what_is_lost(seed
     torque = np.sign(beyond) * max(0.0, pressed + min(damped, pressed))
     if torque == 0 and beyond:  # the damper takes all that the flanks give back
         elastic += 0.5 * 900.0 * wave(GEAR.stiffness_waves[0], theta[1])[1] * -omega[1] * beyond**2
-    flow = tanh(50 * omega[1]) * np.sign(torque)
-    gear = torque * (-omega[0] / 3) * ((1 / 0.9 + 0.9) / 2 + (1 / 0.9 - 0.9) / 2 * flow - 1)
+    flow = tanh(50 * -omega[0] / 3) * np.sign(torque)
+    gear = torque * (-omega[0] / 3) * (1 / 0.9 - 1 if flow > 0 else 1 - 0.9) * flow
+    assert gear >= 0.0  # a gear's loss is a loss, whatever both shafts do
     lost = (torque - k * beyond) * rate + gear + 0.2 * (omega[1] - omega[2]) ** 2
     w = omega[1]
     lost += w * (curve(FRICTION, w) * tanh(w / 0.02) + 0.01 * w + 1e-3 * w * abs(w))

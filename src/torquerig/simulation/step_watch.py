@@ -177,8 +177,9 @@ def _has_gaps(run: Ready) -> bool:
 
 
 def _may_grow(run: Ready) -> bool:
-    """Whether a rig has what is not passive: friction that falls with speed, gears that lose by direction."""
-    return bool(run.terms.springs.loss_half.any() or (run.terms.frictions.excess > 0).any())
+    """Whether two motions of a rig may part: by friction that falls with speed, or gears that lose by direction."""
+    springs, frictions = run.terms.springs, run.terms.frictions
+    return any((row > 0).any() for row in (springs.loss_forward, springs.loss_backward, frictions.excess))
 
 
 def _stretches(run: Ready) -> Iterator[tuple[slice, Callable[[_Course, int], float]]]:

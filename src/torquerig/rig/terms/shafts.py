@@ -49,6 +49,10 @@ class Spring(Term):
     the Modelica Standard Library's ElastoBacklash: no jump when the flanks meet). ``b`` gets ``T (1 - e') - k' twist^2
     / 2``, ``a`` gets ``-T / (ratio eta)`` while power flows from a to b and ``-T eta_b / ratio`` when it flows back.
 
+    The power that enters at a, ``T omega_a / ratio``, gives the direction (the rule of the Library's LossyGear). So
+    the loss ``abs(T omega_a / ratio) (1/eta - 1 or 1 - eta_b) tanh(abs(omega_a / ratio) / smoothing)`` is never below
+    0, and a gear at standstill loses nothing. Not true at standstill, where flanks hold by static friction.
+
     The primed terms (derivatives by theta_b) follow from the energy ``k(theta_b) twist^2 / 2`` that spring and shafts
     share: an error or a stiffness that turns with the shaft does no work of its own, the housing bears the difference.
 
@@ -74,7 +78,7 @@ class Spring(Term):
     backward_efficiency : float or None
         The same where power flows from b to a; None where it is equal. At 0 or less b cannot drive a.
     smoothing : float
-        Speed of b [rad/s] over which the direction of the flow of power turns, as tanh, where there are losses.
+        ``omega_a / ratio`` [rad/s] over which the direction of the flow of power turns, where there are losses.
     error : tuple of Wave
         Kinematic (transmission) error e [rad] on the side of b, a function of the angle of b.
     stiffness_waves : tuple of Wave

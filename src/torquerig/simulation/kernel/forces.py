@@ -52,10 +52,10 @@ def forces(theta, omega, tau, load_now, terms, cosine, sine, spring_torque, cont
         spring_torque[i] = value
         torque[b] += value * lean
         back = value * r
-        if any_of(springs.loss_half[i] != 0.0):
-            flow = direction(omega[b], springs.inverse_smoothing[i])
+        if any_of((springs.loss_forward[i] != 0.0) | (springs.loss_backward[i] != 0.0)):
+            flow = direction(omega[a] * r, springs.inverse_smoothing[i])
             flow = where(value > 0.0, flow, -flow)
-            back *= springs.loss_mean[i] + springs.loss_half[i] * flow
+            back *= 1.0 + where(flow > 0.0, springs.loss_forward[i], springs.loss_backward[i]) * flow
         torque[a] -= back
     for i in range(frictions.on.size):
         speed = omega[frictions.on[i]] - omega[frictions.against[i]]

@@ -23,8 +23,8 @@ class Springs(NamedTuple):
     half_gap: Floats
     rest: Floats
     inverse_ratio: Floats
-    loss_mean: Floats  # (1/eta + eta_b) / 2
-    loss_half: Floats  # (1/eta - eta_b) / 2
+    loss_forward: Floats  # 1/eta - 1: of the torque on a, while power flows from a to b
+    loss_backward: Floats  # 1 - eta_b: the same while it flows back
     inverse_smoothing: Floats
     e_first: Starts  # (springs + 1,) where each spring's error waves start
     e_slot: Rows
@@ -73,8 +73,8 @@ class SpringKind(TermKind[Spring, Springs]):
             half_gap=floats(0.5 * s.gap for s in terms),
             rest=floats(s.rest for s in terms),
             inverse_ratio=floats(1 / s.ratio for s in terms),
-            loss_mean=floats(0.5 * (1 / s.efficiency + s.backwards) for s in terms),
-            loss_half=floats(0.5 * (1 / s.efficiency - s.backwards) for s in terms),
+            loss_forward=floats(1 / s.efficiency - 1 for s in terms),
+            loss_backward=floats(1 - s.backwards for s in terms),
             inverse_smoothing=floats(1 / s.smoothing for s in terms),
             e_first=errors.first,
             e_slot=errors.slot,

@@ -18,7 +18,6 @@ from torquerig.simulation.twin.friction_slope import friction_at, sliding
 Floats = NDArray[np.float64]
 
 HALF_WAVE_SQUARED_MEAN = 0.25  # mean of max(0, cos)^2
-LOSS_TURNS = 50.0  # [s/rad] the kernel's smoothing of the direction in which a gear loses
 
 
 @dataclass(frozen=True)
@@ -153,8 +152,8 @@ def _at(lowered: Lowered, speeds: Floats) -> OperatingPoint:
 def _balanced(lowered: Lowered, point: OperatingPoint, outside: Floats) -> OperatingPoint:
     springs, n = lowered.arrays.springs, len(lowered.nodes)
     side = np.sign(point.spring_torques)
-    flow = np.tanh(LOSS_TURNS * point.speeds[springs.b]) * side
-    back = springs.inverse_ratio * np.where(side == 0, 1.0, springs.loss_mean + springs.loss_half * flow)
+    flow = np.tanh(springs.inverse_ratio * point.speeds[springs.a] * springs.inverse_smoothing) * side
+    back = springs.inverse_ratio * (1 + np.where(flow > 0, springs.loss_forward, springs.loss_backward) * flow)
     pull = np.zeros((n + 1, springs.a.size))  # torque on the nodes per torque in each spring
     twist = np.zeros((springs.a.size, n + 1))
     for row, (a, b) in enumerate(zip(springs.a, springs.b, strict=True)):
