@@ -34,6 +34,7 @@ from torquerig.rig.parts import (
     Link,
     Motor,
     MotorEncoder,
+    ReactionTorqueSensor,
     Slide,
     SpeedController,
     TorqueController,
@@ -77,6 +78,10 @@ RIGS: dict[str, tuple[Part, ...]] = {  # each part named host is one of those th
     "linear drive": (LinearDrive(name="host", after="root", lead=0.01, **SPRING, mass=1.0),),
     "coupling": (Coupling(name="host", after="root", **SPRING, inertia=1e-3),),
     "torque sensor": (TorqueSensor(name="host", after="root", **SENSOR, inertia=1e-3),),
+    "reaction torque sensor": (
+        Motor(name="motor", inertia=1e-3, torque_limit=1.0),
+        ReactionTorqueSensor(name="host", motor="motor", **SENSOR, housing_inertia=1e-3),
+    ),
     "link": (Link(name="host", after="table", **SPRING, mass=1.0),),
     "force sensor": (ForceSensor(name="host", after="table", **SENSOR, mass=1.0),),
 }  # fmt: skip

@@ -212,7 +212,8 @@ def test_friction_of_every_part_costs_its_torque(kind: str) -> None:
 
 
 def test_every_part_that_opens_a_shaft_takes_friction_and_says_nothing_without() -> None:
-    opening = [getattr(parts, name) for name in parts.__all__ if getattr(parts, name).opens_node]
+    known = [getattr(parts, name) for name in parts.__all__]
+    opening = [cls for cls in known if cls.opens_node and cls.on_shaft]
     assert {cls.kind for cls in opening} <= set(STATED)
     assert all({"viscous", "coulomb", "smoothing"} <= {one.name for one in fields(cls)} for cls in opening)
     motor = Motor(name="motor", inertia=2e-4, torque_limit=5.0)

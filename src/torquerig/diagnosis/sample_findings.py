@@ -12,8 +12,8 @@ from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.detectors import examined
 from torquerig.recordings.repair.faults import Fault
 from torquerig.recordings.repair.moments import Moments
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import TorqueSensor
 
 Untrue = tuple[str, Mismatch]  # a sentence, and where it is
 
@@ -71,7 +71,7 @@ def sample_findings(recordings: Sequence[Recording], rig: Rig) -> SampleFindings
     """Return coarse codes, flat tops and dropouts that ``rig`` does not have; ``unnamed`` are those without a class."""
     sensor = rig.part(rig.measured)
     step, full = 0.0, float("inf")
-    if isinstance(sensor, TorqueSensor):
+    if isinstance(sensor, AmplifiedTorqueSensor):
         full = sensor.converter_range
         step = 2 * full / 2**sensor.converter_bits
     seen = examined(recordings, converter_step=step, full_range=full)

@@ -7,8 +7,9 @@ from typing import Annotated, Literal
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.parts import ForceSensor, TorqueSensor
+from torquerig.rig.parts import ForceSensor
 from torquerig.rig.placed_stage import PlacedStage
 from torquerig.sensor_stages.flicker import FlickerNoise as FlickerStage
 
@@ -30,7 +31,7 @@ class FlickerNoise(Part):
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return the noise; InputError where ``sensor`` has none."""
         sensor = rig.part(self.sensor)
-        if not isinstance(sensor, TorqueSensor | ForceSensor):
+        if not isinstance(sensor, AmplifiedTorqueSensor | ForceSensor):
             raise InputError(f"{self.name}: sensor: {self.sensor!r} has no noise of its own; name a torque or force "
                              "sensor")  # fmt: skip
         stage = FlickerStage(rms=sensor.noise_rms, corner=self.corner, exponent=self.exponent)

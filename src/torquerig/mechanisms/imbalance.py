@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
@@ -20,6 +20,8 @@ class Imbalance(Part):
     sizes of e. What grows with the square of speed loads the bearings and reaches the reading by bending only
     (bending_crosstalk). Not valid for a vertical shaft.
     """
+
+    acts_from_outside: ClassVar[bool] = True
 
     kind: Literal["imbalance"] = "imbalance"
     group: Literal["mechanical"] = "mechanical"

@@ -9,8 +9,8 @@ from typing import Annotated, Literal
 import numpy as np
 
 from torquerig.parameter import Parameter
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Part, Rig
-from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.parts.motor_phases import phases_of
 from torquerig.rig.placed_stage import PlacedStage
 from torquerig.rig.terms import Inertia, Spring
@@ -64,7 +64,7 @@ class PwmRipple(Part):
     def stages(self, rig: Rig) -> tuple[PlacedStage, ...]:
         """Return the tone in the measured torque."""
         sensor = rig.part(rig.measured)
-        sensitivity = sensor.sensitivity if isinstance(sensor, TorqueSensor) else 1.0
+        sensitivity = sensor.sensitivity if isinstance(sensor, AmplifiedTorqueSensor) else 1.0
         tone = Tone(
             frequency=self.switching_frequency,
             amplitudes=(self.sensor_torque(rig) * sensitivity,),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from torquerig.parameter import Parameter
 from torquerig.rig.assembly import Part, Rig
@@ -17,6 +17,8 @@ class QuadraticDrag(Part):
     c is a measured one. Source: dimensional analysis at constant drag coefficient (any text on fluid mechanics). Not
     true for slow or viscous flow, whose drag goes with w.
     """
+
+    acts_from_outside: ClassVar[bool] = True
 
     kind: Literal["quadratic_drag"] = "quadratic_drag"
     group: Literal["load"] = "load"

@@ -7,9 +7,9 @@ from typing import Annotated, Literal
 
 from torquerig.errors import InputError
 from torquerig.parameter import Parameter
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.host_changes import AmplifierCutoff, HostChange
-from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.terms import Term
 
 
@@ -28,7 +28,7 @@ class SensorBandwidth(Part):
 
     def terms(self, rig: Rig) -> tuple[Term, ...]:
         """Return none, the sensor carries the cutoff; InputError where ``sensor`` is none."""
-        if not isinstance(rig.part(self.sensor), TorqueSensor):
+        if not isinstance(rig.part(self.sensor), AmplifiedTorqueSensor):
             raise InputError(f"{self.name}: sensor: {self.sensor!r} is no torque sensor; name one")
         return ()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import exp, pi, sqrt
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,8 @@ class TurbulentLoad(Part):
     longitudinal one (MIL-F-8785C, 1980). Not true for turbulence during ramps, whose rms stays that of w0, nor for
     gusts so strong that the flow turns back (turbulence above about 0.3).
     """
+
+    acts_from_outside: ClassVar[bool] = True
 
     kind: Literal["turbulent_load"] = "turbulent_load"
     group: Literal["load"] = "load"

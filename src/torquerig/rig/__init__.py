@@ -7,6 +7,7 @@
 ``host_changes``  the changes that an effect can make inside its host part
 ``placed_stage``  a stage of the measuring chain with its position
 ``turns``         turns of a shaft relative to the motor
+``speed_ratios``  turns of each shaft per turn of another
 ``drive_train``   the drive train reduced to the motor shaft
 ``stage_spring``  the spring of a gear or coupling with its effects
 ``motor_drive``   a motor's drive with its effects and encoder
@@ -15,7 +16,8 @@
 ``leading_part``  the part that the set-point belongs to
 ``first_mode``    the first elastic mode of the shafts
 ``reading_place`` the part at which a measured place reads
-``sensor_reading`` scale, zero and mounting of a sensor
+``sensor_reading`` scale, zero and mounting of a sensor; ``amplified_sensor``: amplifier, noise and converter
+``housing``       a motor's housing on a reaction torque sensor
 ``mean_by_occupancy`` mean load over the occupancy of the drum
 ================= ===============================================================================
 """

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections import deque
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from math import isclose
 from typing import Any, ClassVar, TypeVar
 
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
 from torquerig.recordings.run import Run
 from torquerig.recordings.stage import Stage
 from torquerig.rig.host_changes import HostChange
+from torquerig.rig.housing import against_housing
 from torquerig.rig.locked import refuse_locked
 from torquerig.rig.placed_stage import PlacedStage
+from torquerig.rig.speed_ratios import speed_ratios
 from torquerig.rig.terms import GROUND, Inertia, Spring, Term
 
 HOST_FIELDS = ("at", "gear", "coupling", "sensor")  # by which an effect names its host
@@ -55,6 +55,9 @@ class Part:
 
     is_sensor: ClassVar[bool] = False
     """True for what has a measuring chain: its stages, and those of the effects in it, are of its reading alone."""
+
+    acts_from_outside: ClassVar[bool] = False
+    """True for an effect whose torque does not react on the housing of its motor: gravity, air, a load."""
 
     in_a_line: ClassVar[bool] = False
     """True for what moves in a line: kg, N and m in place of kg m^2, N m and rad."""
@@ -223,8 +226,20 @@ class Rig:
 
     def _terms_of(self, part: Part) -> tuple[Term, ...]:
         if part.name not in self._terms_by_part:
-            self._terms_by_part[part.name] = tuple(part.terms(self))
+            self._terms_by_part[part.name] = self._with_housing(part, tuple(part.terms(self)))
         return self._terms_by_part[part.name]
+
+    def _with_housing(self, part: Part, terms: tuple[Term, ...]) -> tuple[Term, ...]:
+        names = (part.name, getattr(part, "motor", None), part.host)
+        motor = next((name for name in names if name in self._housings), None)
+        if motor is None or part.acts_from_outside:
+            return terms
+        return against_housing(terms, rotor=self.node(motor), housing=self._housings[motor])
+
+    @cached_property
+    def _housings(self) -> dict[str, str]:
+        """The node of the housing of each motor that stands on a reaction torque sensor."""
+        return {part.motor: part.name for part in self.of_kind("reaction_torque_sensor")}
 
     @cached_property
     def _terms_by_part(self) -> dict[str, tuple[Term, ...]]:
@@ -254,23 +269,7 @@ class Rig:
         """Return the turns of each node per turn of the node ``reference``, by the gears between them."""
         shafts = [part for part in self.parts if part.opens_node]
         springs = [term for part in shafts for term in self._terms_of(part) if isinstance(term, Spring)]
-        ratios, waiting = {reference: 1.0}, deque([reference])
-        while waiting:
-            here = waiting.popleft()
-            for spring in springs:
-                for start, end, factor in ((spring.a, spring.b, 1 / spring.ratio), (spring.b, spring.a, spring.ratio)):
-                    if start != here or end == GROUND:
-                        continue
-                    turned = ratios[here] * factor
-                    if end not in ratios:
-                        ratios[end] = turned
-                        waiting.append(end)
-                    elif not isclose(ratios[end], turned, rel_tol=1e-9):
-                        raise InputError(
-                            f"{spring.name}: the gears round this loop do not match; {end} would have to "
-                            f"turn {turned:g} and {ratios[end]:g} times as fast as {reference}"
-                        )
-        return ratios
+        return speed_ratios(springs, reference)
 
 
 def refuse_misplaced(rig: Rig) -> None:

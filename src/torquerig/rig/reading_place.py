@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import AccelerationSensor, CurrentSensor, ImposedMotion, Probe, SpeedSensor
+from torquerig.rig.parts import (
+    AccelerationSensor,
+    CurrentSensor,
+    ImposedMotion,
+    Probe,
+    ReactionTorqueSensor,
+    SpeedSensor,
+)
 
 
 def reading_place(rig: Rig, place: str | None = None) -> str:
-    """Return the part at which ``place`` reads, by default ``measured``: the sensor, or what it is ``at``."""
+    """Return the part at which ``place`` reads, by default ``measured``: the sensor, or the part that it reads."""
     name = rig.measured if place is None else place
     part = rig.part(name)
     if isinstance(part, ImposedMotion | Probe | SpeedSensor | AccelerationSensor | CurrentSensor):
         return part.at
-    return name
+    return part.motor if isinstance(part, ReactionTorqueSensor) else name
 
 
 def effort_unit(rig: Rig) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import EFFORTS, Channel, Recording, random_for
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Part, Rig
 from torquerig.rig.leading_part import leading_part
 from torquerig.rig.parts import (
@@ -19,7 +20,6 @@ from torquerig.rig.parts import (
     ImposedMotion,
     Probe,
     SpeedSensor,
-    TorqueSensor,
 )
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.sensor_reading import mounting_sign
@@ -154,7 +154,7 @@ def reading_channel(rig: Rig, place: str, values: NDArray[np.float64]) -> Channe
         What it reads, in SI.
     """
     part, (_, _, unit) = rig.part(place), what_is_read(rig, place)
-    sensitivity = part.sensitivity if isinstance(part, TorqueSensor | ForceSensor) else 1.0
+    sensitivity = part.sensitivity if isinstance(part, AmplifiedTorqueSensor | ForceSensor) else 1.0
     scale = mounting_sign(part) * sensitivity
     quantity, aside = on_shaft(rig, place)
     return Channel(
@@ -164,7 +164,7 @@ def reading_channel(rig: Rig, place: str, values: NDArray[np.float64]) -> Channe
 
 
 def _in_volts(rig: Rig, part: Part) -> bool:
-    if isinstance(part, TorqueSensor | ForceSensor):
+    if isinstance(part, AmplifiedTorqueSensor | ForceSensor):
         return True
     return part.opens_node and not rig.also_measured
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import TorqueSensor
 from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, choice_for, simulate
 from torquerig.simulation.step_choice import StepChoice
 
@@ -107,7 +107,7 @@ def prove_step(
 
 def _tolerance(rig: Rig, torque: NDArray[np.float64]) -> tuple[float, str]:
     sensor = rig.part(rig.measured)
-    if isinstance(sensor, TorqueSensor):
+    if isinstance(sensor, AmplifiedTorqueSensor):
         code = 2 * sensor.converter_range / 2**sensor.converter_bits / sensor.sensitivity
         return code, "one step of its converter"
     return RELATIVE * float(np.abs(torque).max()), f"{RELATIVE:g} of the largest torque"

@@ -19,8 +19,8 @@ from torquerig.diagnosis.looking.turning import turns_back
 from torquerig.diagnosis.side_by_side import of_each
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.repair.samples_at_limit import rebuilt
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.placed_stage import PlacedStage
 from torquerig.sensor_stages.clip import Clip
 from torquerig.sensor_stages.dropout import Dropout
@@ -65,7 +65,7 @@ def _looked_at(recording: Recording, rig: Rig, observed: Observed) -> Observed:
 
 def limit_of(rig: Rig) -> float:
     """Return the lowest limit at which a reading of the rig stops, either way [V]; infinite where it has none."""
-    ranges = [sensor.converter_range for sensor in rig.parts_of(TorqueSensor)]
+    ranges = [sensor.converter_range for sensor in rig.parts_of(AmplifiedTorqueSensor)]
     placed = [each for part in rig.parts for each in part.stages(rig) if each.position == PlacedStage.INPUT]
     limits = [each.stage.limit for each in placed if isinstance(each.stage, Clip)]
     return min((*ranges, *limits), default=inf)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from torquerig.mechanisms import ParticleLoad, TorqueRipple
 from torquerig.parameter import Estimate
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import TorqueSensor
 from torquerig.scenario.tolerance import deviation
 
 LOAD_LEVEL_SPREAD = 0.05  # the mean load of a real rig is known to a few per cent (reference rig)
@@ -128,7 +128,9 @@ def _held(rig: Rig, part: str, name: str) -> tuple[str, Any] | None:
 
 
 def _of_every_rig(rig: Rig, occupancies: Sequence[float]) -> list[Knob]:
-    knobs = [Knob(sensor.name, "noise_colour", _NOISE_COLOUR, factor=False) for sensor in rig.parts_of(TorqueSensor)]
+    knobs = [
+        Knob(sensor.name, "noise_colour", _NOISE_COLOUR, factor=False) for sensor in rig.parts_of(AmplifiedTorqueSensor)
+    ]
     for ripple in rig.parts_of(TorqueRipple):
         if ripple.amplitude_rel_sd:
             knobs += [

@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping
 
 from torquerig.diagnosis.case import Case
 from torquerig.diagnosis.linear.loaded_part import loaded_part
-from torquerig.rig.parts import Body, Motor, TorqueSensor
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
+from torquerig.rig.parts import Body, Motor
 from torquerig.rig.parts.gear_stage import gear_stages
 
 _NO_PART = "the rig has no loaded part"
@@ -75,7 +76,7 @@ def _sensor_bandwidth(case: Case) -> str:
     sensor = case.nominal.part(case.nominal.measured)
     return (
         "no lower cut-off frequency fits the residual"
-        if isinstance(sensor, TorqueSensor)
+        if isinstance(sensor, AmplifiedTorqueSensor)
         else "the sensor of the rig has no amplifier"
     )
 

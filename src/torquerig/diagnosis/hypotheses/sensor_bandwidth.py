@@ -10,7 +10,7 @@ from torquerig import mechanisms
 from torquerig.diagnosis.case import Candidate, Case
 from torquerig.diagnosis.fitting.knobs import Knob
 from torquerig.diagnosis.fitting.profiled import profiled_cost
-from torquerig.rig.parts import TorqueSensor
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 
 _LOWEST = 15.0  # [Hz]
 _TRIALS = 24
@@ -24,7 +24,7 @@ def propose(case: Case) -> Iterator[Candidate]:
     one: of 86 blind rigs with nothing hidden none gains more than 31, and 53 on what no fit has seen.
     """
     sensor = case.nominal.part(case.nominal.measured)
-    if not isinstance(sensor, TorqueSensor):
+    if not isinstance(sensor, AmplifiedTorqueSensor):
         return
     tried = [_low_pass(sensor, float(cutoff)) for cutoff in np.geomspace(_LOWEST, 0.9 * sensor.bandwidth, _TRIALS)]
     held = min(tried, key=lambda one: case.misfit_of(one.added_to(case.model.rig)))
@@ -37,7 +37,7 @@ def propose(case: Case) -> Iterator[Candidate]:
             yield loose
 
 
-def _low_pass(sensor: TorqueSensor, cutoff: float) -> Candidate:
+def _low_pass(sensor: AmplifiedTorqueSensor, cutoff: float) -> Candidate:
     part = mechanisms.SensorBandwidth(name="sensor_bandwidth", sensor=sensor.name, cutoff=cutoff)
     return Candidate(
         mechanism="sensor_bandwidth", parts=(part,), knobs=(Knob(part.name, "cutoff", 0.3),), promised=_PROMISED,

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.transfer import Response, on_grid
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
 from torquerig.rig.assembly import Rig
 from torquerig.rig.host_changes import lowest_cutoff
-from torquerig.rig.parts import TorqueSensor
 from torquerig.rig.steady import steady_torque_in
 from torquerig.rig.terms import GROUND, BladeTorque, Drive, HarmonicTorque, Load, Spring, Term
 
@@ -118,7 +118,7 @@ class Twin:
     def cutoff(self) -> float:
         """Cutoff of the sensor's low-pass [Hz], infinite where there is no amplifier."""
         sensor = self.rig.part(self.rig.measured)
-        if not isinstance(sensor, TorqueSensor):
+        if not isinstance(sensor, AmplifiedTorqueSensor):
             return float("inf")
         return lowest_cutoff(sensor.bandwidth, self.rig.changes_in(sensor.name))
 

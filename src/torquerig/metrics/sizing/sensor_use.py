@@ -9,7 +9,8 @@ from torquerig.metrics.sizing.gearbox_use import before_sensor
 from torquerig.metrics.sizing.open_data import exact_value, over_intervals
 from torquerig.metrics.sizing.sized_drive import SizedDrive
 from torquerig.parameter import Estimate
-from torquerig.rig.parts import ForceSensor, TorqueSensor
+from torquerig.rig.amplified_sensor import AmplifiedTorqueSensor
+from torquerig.rig.parts import ForceSensor
 
 
 def sensor_use(drive: SizedDrive) -> Mapping[str, Figure]:
@@ -51,6 +52,6 @@ def _range(drive: SizedDrive) -> Estimate:
     if drive.sensor is not None:
         return drive.sensor.range_torque
     part = drive.rig.part(drive.rig.measured)
-    if isinstance(part, TorqueSensor | ForceSensor):
+    if isinstance(part, AmplifiedTorqueSensor | ForceSensor):
         return exact_value(part.converter_range / part.sensitivity)
     return Estimate()

@@ -13,6 +13,7 @@ current_sensor    in the supply of a motor
 motor_phases      R, L, back-EMF and inverter          induction_drive   slip on mains or a plain inverter
 ground            a locked end                         worm_gear         worm and wheel, maybe self-locking
 linear_drive      ball screw, rack or belt to a slide  tacho             pulses per turn of any shaft
+reaction_torque_sensor  at the foot of a motor
 """
 
 from torquerig.rig.parts.acceleration_sensor import AccelerationSensor
@@ -31,6 +32,7 @@ from torquerig.rig.parts.link import Link
 from torquerig.rig.parts.motor import Motor
 from torquerig.rig.parts.motor_phases import MotorPhases
 from torquerig.rig.parts.probe import Probe
+from torquerig.rig.parts.reaction_torque_sensor import ReactionTorqueSensor
 from torquerig.rig.parts.replayed_torque import ReplayedTorque
 from torquerig.rig.parts.slide import Slide
 from torquerig.rig.parts.speed_controller import SpeedController
@@ -57,6 +59,7 @@ __all__ = [
     "MotorEncoder",
     "MotorPhases",
     "Probe",
+    "ReactionTorqueSensor",
     "ReplayedTorque",
     "Slide",
     "SpeedController",

@@ -8,6 +8,7 @@ from math import pi
 
 import numpy as np
 
+from torquerig.rig.terms import GROUND
 from torquerig.simulation.twin.lines import OrderLine
 from torquerig.simulation.twin.modes import Mode
 from torquerig.simulation.twin.system import LinearSystem
@@ -73,7 +74,7 @@ def crossings(
             speed = 2 * pi * mode.damped / line.order if line.order > 0 else np.inf
             if mode.damping >= OVERDAMPED or speed > top_speed:
                 continue
-            gain = abs(system.transfer(line.enters, effect, np.array([mode.damped]))[0])
+            gain = abs(_transfer(line, system, effect, mode.damped))
             found.append(
                 Crossing(
                     line=line,
@@ -93,3 +94,11 @@ def nearest_to(speed: float, found: Sequence[Crossing]) -> Crossing | None:
     if speed == 0:
         return None
     return min(found, key=lambda one: abs(one.speed / abs(speed) - 1), default=None)
+
+
+def _transfer(line: OrderLine, system: LinearSystem, effect: str, frequency: float) -> complex:
+    """Return the transfer of a line at a frequency [Hz], with that of its opposite torque on the housing."""
+    ends = [(line.enters, 1.0)]
+    if line.against != GROUND:
+        ends.append((f"torque on {line.against}", -1.0))
+    return sum(sign * complex(system.transfer(end, effect, np.array([frequency]))[0]) for end, sign in ends)

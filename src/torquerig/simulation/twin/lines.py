@@ -11,7 +11,7 @@ import numpy as np
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.rig.assembly import Rig
 from torquerig.rig.host_changes import DriveRipple, KinematicError, StiffnessVariation, waves_of
-from torquerig.rig.terms import BladeTorque, HarmonicTorque
+from torquerig.rig.terms import GROUND, BladeTorque, HarmonicTorque
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.twin.operating_point import OperatingPoint
 
@@ -30,12 +30,15 @@ class OrderLine:
         Input of the twin; ``error of GEAR`` [rad], all others torques [N m].
     amplitude : float or None
         Zero to peak, in the unit of the input; None where only the kinematics are known.
+    against : str
+        The node that the opposite torque acts on: the frame, or a motor's housing that a sensor holds.
     """
 
     cause: str
     order: float
     enters: str
     amplitude: float | None
+    against: str = GROUND
 
     def frequency(self, motor_speed: float) -> float:
         """Return the frequency of the line [Hz] at a motor speed [rad/s]."""
@@ -66,7 +69,8 @@ def _torques(rig: Rig, turns: dict[str, float]) -> list[OrderLine]:
     found = []
     for term in rig.terms():
         if isinstance(term, HarmonicTorque) and term.angle in turns:
-            found += [OrderLine(term.name, wave.order * turns[term.angle], f"torque on {term.on}", wave.amplitude)
+            found += [OrderLine(term.name, wave.order * turns[term.angle], f"torque on {term.on}", wave.amplitude,
+                                against=term.against)
                       for wave in term.waves if wave.amplitude]  # fmt: skip
         elif isinstance(term, BladeTorque) and term.amplitude and term.on in turns:
             first = 4 / (3 * pi) * term.amplitude  # of max(0, cos)^2
@@ -103,8 +107,9 @@ def _varying(rig: Rig, lowered: Lowered, point: OperatingPoint, turns: dict[str,
 def _ripple(rig: Rig, lowered: Lowered, point: OperatingPoint) -> list[OrderLine]:
     """Return the lines in proportion to the motor's torque, at that of the operating point."""
     motor, torque = lowered.leader(), abs(point.drive_torque)
+    against = lowered.drive_terms[0].against if lowered.drive_terms else GROUND
     return [
-        OrderLine(part.name, wave.order, f"torque on {motor}", wave.amplitude * torque)
+        OrderLine(part.name, wave.order, f"torque on {motor}", wave.amplitude * torque, against=against)
         for part in rig.parts
         if part.host == motor
         for wave in waves_of(rig.changes_of(part), DriveRipple)
