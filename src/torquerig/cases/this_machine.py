@@ -17,7 +17,7 @@ from torquerig.cases.worker import Worker, packed, started_worker
 from torquerig.errors import InputError
 
 LONGEST_WAIT = 1.0  # s, between looks at whether a process that keeps its pipe open is still alive
-STARTS_IN_VAIN = 3  # workers in a row that may die before they have their inputs: memory can be short for a moment
+STARTS_IN_VAIN = 3  # workers in a row that die before they have their inputs: then there is memory for fewer only
 
 
 @dataclass(frozen=True)
@@ -110,15 +110,17 @@ class ProcessPool:
         return None
 
     def _replaced(self, worker: Worker, error: str) -> Outcome | None:
+        """Start another worker in place of one, but where starts are in vain; the others go on then."""
         self.workers.remove(worker)
         worker.end()
         self.starts_in_vain += not worker.is_ready
-        if self.starts_in_vain >= STARTS_IN_VAIN:
+        if self.starts_in_vain < STARTS_IN_VAIN:
+            self.start_one()
+        elif not self.workers:
             raise InputError(
                 f"worker processes end before they have their inputs ({error}); free memory or use fewer workers, "
                 "and in a script call this below: if __name__ == '__main__'"
             )
-        self.start_one()
         return None if worker.block is None else Outcome(worker.block, "lost", error=error)
 
 

@@ -97,8 +97,11 @@ def run(command: click.Command, arguments: Sequence[str] | None, *, name: str) -
     except click.ClickException as error:
         _say(f"torquerig: {_sentence(error)}")
         sys.exit(2)
-    except (KeyboardInterrupt, click.Abort):
-        _say("torquerig: interrupted; no file is incomplete")
+    except (KeyboardInterrupt, click.Abort) as stop:  # click raises its Abort from what stopped the command
+        what = next(
+            (str(one) for one in (stop, stop.__cause__) if str(one or "")), "interrupted; no file is incomplete"
+        )
+        _say(f"torquerig: {what}")
         sys.exit(130)
     except OSError as error:
         close_output()
