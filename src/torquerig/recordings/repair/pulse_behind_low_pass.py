@@ -47,13 +47,19 @@ class LowPass:
         return 0.9 / self.cutoff
 
 
-def pulse_spectrum(frequency: Floats, length: float, low_pass: LowPass, *, rate: float) -> Complex:
+def pulse_spectrum(frequency: Floats, length: Floats | float, low_pass: LowPass, *, rate: float) -> Complex:
     """Return the transform of a unit pulse that begins at zero, ``length`` [s] long, sampled as means at ``rate`` [Hz].
 
     Parameters
     ----------
     frequency : ndarray, shape (bins,)
         [Hz].
+    length : float, or ndarray of shape (lengths, 1)
+        [s].
+
+    Returns
+    -------
+    ndarray, shape (bins,) or (lengths, bins)
     """
     rectangle = length * rate * np.sinc(frequency * length) * np.exp(-1j * np.pi * frequency * length)
     return np.asarray(rectangle * np.sinc(frequency / rate) * low_pass.response(frequency))
@@ -137,10 +143,10 @@ class Windows:
         first = round((0.5 - before * self.rate / size) * steps)
         last = round((0.5 + after * self.rate / size) * steps) + 1
         best, depth, start, length = (np.zeros(self.at.size) for _ in range(4))
-        for each in lengths.tolist():
-            pulse = pulse_spectrum(frequency, each, low_pass, rate=self.rate)
-            energy = 2 * float((np.abs(pulse) ** 2 * weight).sum())
-            matched = np.fft.irfft(spectra * (pulse.conj() * weight), steps, axis=1)[:, first:last] * steps
+        pulses = pulse_spectrum(frequency, lengths[:, None], low_pass, rate=self.rate)
+        energies = 2 * (np.abs(pulses) ** 2 * weight).sum(axis=1)
+        for each, energy, weighted in zip(lengths.tolist(), energies.tolist(), pulses.conj() * weight, strict=True):
+            matched = np.fft.irfft(spectra * weighted, steps, axis=1)[:, first:last] * steps
             place = np.argmax(np.abs(matched), axis=1)
             peak = matched[index, place]
             better = peak**2 > best * energy
