@@ -1,4 +1,4 @@
-"""Every example of the gallery runs and draws a picture with something in it."""
+"""Every example of the gallery runs and draws a picture with something in it; .ci/docs runs them all as well."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ figures[-1].savefig(sys.argv[2])
 """
 
 
-@pytest.mark.long
+@pytest.mark.full
 @pytest.mark.parametrize("example", EXAMPLES, ids=[example.stem for example in EXAMPLES])
 def test_example_draws_its_picture(example: Path, tmp_path: Path) -> None:
     picture = tmp_path / "picture.svg"

@@ -1,4 +1,4 @@
-"""The notebooks run from top to bottom, as a user runs them."""
+"""The notebooks run from top to bottom, as a user runs them; .ci/docs runs them all as well."""
 
 import ast
 import json
@@ -39,21 +39,21 @@ def test_a_notebook_is_committed_without_outputs(notebook):
     assert all(not cell.get("outputs") for cell in data["cells"])
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_the_filter_notebook_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = run(NOTEBOOKS[2])
     assert names["best"] != "none"
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_the_drive_notebook_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = run(NOTEBOOKS[1])
     assert names["result"].ranking["rank"].notna().any()
 
 
-@pytest.mark.long
+@pytest.mark.full
 def test_the_diagnosis_notebook_names_the_concealed_effect(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = run(NOTEBOOKS[0])
