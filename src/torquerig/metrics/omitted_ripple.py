@@ -34,7 +34,7 @@ def omitted_six_pulse(rig: Rig, motor: Motor, *, motor_torque: float) -> Figure:
     if known is None or share.unknown or not poles or 6 * poles[0] in known.electrical or not rig.run.speed:
         return Figure(unit="N*m")
     controller = rig.parts_of(SpeedController)[0]
-    frequency = np.array([6 * poles[0] * rig.run.speed / (2 * pi)])
+    frequency = np.array([6 * poles[0] * abs(rig.run.speed) / (2 * pi)])
     passed = spring_response(lower(rig, 0), rig.measured, frequency, speed_loop=True)
     gain = float(abs(passed[rig.node(controller.motor)][0])) * motor_torque / sqrt(2)
     low, high = (gain * end for end in share.bounds)

@@ -75,13 +75,13 @@ class DriveTrain:
         return self._needed(ShaftMotion(speed, acceleration, way, 0.0, load / self.mean_load))
 
     def holding_torque(self, load: float) -> float:
-        """Return the motor torque [N m] that holds a stated load [N m] at rest, where the load is.
+        """Return the motor torque [N m] that holds a stated load [N m] at rest, against a positive turn of its place.
 
         It counts over the efficiency of the gears: this torque also starts the motion against the load. Friction is
         left out, because it helps to hold.
         """
         place = self.places[self._loaded_node()]
-        return load * abs(place.ratio) / place.efficiency
+        return load * place.ratio / place.efficiency
 
     def _loaded_node(self) -> str:
         """Return the node at which a stated load acts where no load of the rig has a mean.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import isclose
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TypedDict
 
 from pydantic import BaseModel, ConfigDict, model_validator
 
@@ -15,7 +15,7 @@ from torquerig.recordings.run import WANDER_CUTOFF, Profile, Run
 from torquerig.rig.assembly import Rig
 from torquerig.rig.leading_part import leading_motor, leading_part
 from torquerig.rig.reading_place import reading_place
-from torquerig.scenario.kinematics import kinematics_of
+from torquerig.scenario.kinematics import kinematics_of, stages_to
 from torquerig.scenario.percent import Percent
 from torquerig.scenario.planned import planned
 from torquerig.scenario.profile_text import DutyCycleText, TableText
@@ -33,7 +33,9 @@ class Load(BaseModel):
 class OperatingPoint(BaseModel):
     """Set-points of a study. One of the two speeds; the other follows from the gears.
 
-    Where what is measured moves in a line, ``output_speed`` is its velocity.
+    Each speed has the sign of the shaft that it is of: behind a stage that reverses the direction a positive
+    ``output_speed`` turns the motor backwards. Where what is measured moves in a line, ``output_speed`` is its
+    velocity.
 
     The profiles ``duty_cycle`` and ``csv`` bring their own speeds, which replace the stated one; their data is
     under the key of the same name, and may be there while another profile is selected.
@@ -41,7 +43,9 @@ class OperatingPoint(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    motor_speed: Annotated[float, Parameter("rad/s", "motor speed", low=0, turns=True)] | None = None
+    motor_speed: (
+        Annotated[float, Parameter("rad/s", "motor speed; negative: the other direction", turns=True)] | None
+    ) = None
     output_speed: Annotated[float, Parameter("rad/s", "output speed; negative: the other direction")] | None = None
     profile: Profile = "steady"
     duty_cycle: DutyCycleText | None = None
@@ -75,27 +79,47 @@ def _run_at(point: OperatingPoint, rig: Rig, folder: Path) -> Run:
     motor = leading_motor(rig)
     leader = leading_part(rig)
     if leader is None:
-        return Run(profile=point.profile, occupancy_percent=point.load.occupancy,
-                   particle_size=point.load.particle_size, speed=point.motor_speed)  # fmt: skip
+        return Run(profile=point.profile, speed=point.motor_speed, **_load_at(point, rig))
     ratios = rig.speed_ratios(rig.node(leader))
     read = rig.node(reading_place(rig))
     if read not in ratios:
         raise InputError(
             f"no shaft leads from {leader!r} to {rig.measured!r}, which is measured; link them with after:"
         )
-    turned = abs(ratios[read])
+    turned = ratios[read]
     speed = point.motor_speed if point.output_speed is None else point.output_speed / turned
-    stated = kinematics_of(rig).ratio  # 12.5 where 1 / turned is 12.500000000000002
+    stated, turns = kinematics_of(rig).ratio, abs(1 / turned)  # 12.5 where turns is 12.500000000000002
     moved_in_a_line = rig.in_a_line(rig.part(reading_place(rig)))
-    ratio = stated if moved_in_a_line or isclose(1 / turned, stated, rel_tol=1e-9) else 1 / turned
+    ratio = stated if moved_in_a_line or isclose(turns, stated, rel_tol=1e-9) else turns
     winding = (
         {"pole_pairs": motor.pole_pairs, "slots": motor.slots} if motor else {}
     )  # sampled ones are stated nowhere else
-    run = Run(motor=(motor.model or motor.name) if motor else None, gear_ratio=float(ratio), speed=speed,
-              occupancy_percent=point.load.occupancy, particle_size=point.load.particle_size,
-              others={key: count for key, count in winding.items() if count is not None})  # fmt: skip
+    # of a moved part without a gear behind it nobody states a ratio
+    geared = motor is not None or bool(stages_to(rig, reading_place(rig)))
+    run = Run(motor=(motor.model or motor.name) if motor else None, gear_ratio=float(ratio) if geared else None,
+              speed=speed, others={key: count for key, count in winding.items() if count is not None},
+              **_load_at(point, rig))  # fmt: skip
     points = point.duty_cycle if point.profile == "duty_cycle" else point.csv if point.profile == "csv" else None
     if points is None:
         return replace(run, profile=point.profile)
     course = planned(points, rig.at(run), motor_turns=1 / turned, folder=folder)
     return replace(run, profile=point.profile, set_points=course, speed=course.rows.top)
+
+
+class _LoadOfRun(TypedDict, total=False):
+    """The load of a run: occupancy [%] and particle size [m]."""
+
+    occupancy_percent: float
+    particle_size: float
+
+
+def _load_at(point: OperatingPoint, rig: Rig) -> _LoadOfRun:
+    """Return what the scenario states of the load; the defaults too, where a part of the rig depends on them."""
+    stated = point.load.model_fields_set
+    has_bed = any(hasattr(part, "mean_by_occupancy_percent") for part in rig.parts)
+    made: _LoadOfRun = {}
+    if has_bed or "occupancy" in stated:
+        made["occupancy_percent"] = point.load.occupancy
+    if has_bed or "particle_size" in stated:
+        made["particle_size"] = point.load.particle_size
+    return made

@@ -78,7 +78,7 @@ def _margins(candidate: Candidate, scenario: Scenario, study: Study, *, torque_l
     stage = look_up_stage(candidate.gearbox, study) if candidate.gearbox else None
     ratio = turns_to(rig, reading_place(rig))
     duty = Duty(
-        output_speed=(rig.run.speed or 0.0) / ratio,
+        output_speed=abs(rig.run.speed or 0.0) / ratio,
         mean_torque=mean_load(rig),
         ratio=ratio,
         efficiency=prod(crossed.efficiency for crossed in stages_to(rig, reading_place(rig))),

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from torquerig.rig.reading_place import reading_place
-from torquerig.scenario.kinematics import turns_to
+from torquerig.rig.turns import turns_per_motor_turn
 from torquerig.scenario.mean_load import mean_load
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study
@@ -55,5 +55,5 @@ def run_study(study: Study, *, progress: Progress | None = None, workers: int | 
         mean_load=mean_load(scenarios[0].rig),
         occupancy_percent=point.load.occupancy,
         particle_size=point.load.particle_size,
-        output_speed=(run.speed or 0.0) / turns_to(rig, reading_place(rig)),
+        output_speed=(run.speed or 0.0) * turns_per_motor_turn(rig, reading_place(rig)),
     )

@@ -114,7 +114,7 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
     """
     rig, path = scenario.rig, scenario.document.path
     part = driven_motor(rig)
-    if part is None or rig.run.speed is None or not rig.run.speed > 0:
+    if part is None or not rig.run.speed:
         raise InputError(f"{path}: no motor follows a speed, so that nothing can be sized; add a speed_controller and "
                          "an output_speed, such as 200 rpm")  # fmt: skip
     if part.model not in catalog.motors and not part.model:

@@ -49,7 +49,7 @@ def spectrum_figure(
     peak = _draw(axes, before, top, colour=BEFORE, label="before" if after is not before else "reading")
     if after is not before:
         _draw(axes, after, top, colour=AFTER, label="after")
-    _scales(axes, top=top, peak=peak, output_speed=motor_speed / ratio)
+    _scales(axes, top=top, peak=peak, output_speed=abs(motor_speed) / ratio)
     shown = [line for line in lines if line.frequency(motor_speed) <= top]
     mark_lines(axes, shown, motor_speed=motor_speed)
     if title:
