@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from torquerig.api.inputs import drive_from, recording_from
@@ -63,6 +64,7 @@ def filter(  # noqa: A001 (the public name; this module does not use the built-i
     read = recording_from(recording)
     read = read if channel is None else read.comparing(channel)
     drive = drive_from(read, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs)
+    read = replace(read, run=drive.run_of(read.run))
     known = chains_for(drive, Path(filters) if filters else shipped_scenarios() / "filters.yaml", (chain,))
     if chain not in known:
         raise InputError(f"there is no filter chain {chain!r}; {did_you_mean(chain, known)}")

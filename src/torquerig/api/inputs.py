@@ -13,7 +13,7 @@ from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.model import Scenario
-from torquerig.scenario.recorded_drive import RecordedDrive, at_stated_ratio, recorded_drive
+from torquerig.scenario.recorded_drive import RecordedDrive, at_stated_ratio, recorded_drive, refuse_other_travel
 
 
 def scenario_from(
@@ -54,4 +54,5 @@ def drive_from(
     if motor is not None or ratio is not None or gearbox is not None:
         raise InputError("the scenario states motor and gearbox; remove motor, ratio and gearbox")
     made = scenario_from(scenario, catalogs=catalogs)
+    refuse_other_travel(made.rig, recording, made.title)
     return RecordedDrive(kinematics=at_stated_ratio(kinematics_of(made.rig), recording, made.title), rig=made.rig)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -130,9 +130,8 @@ def order_lines(
     """
     read = recording_from(recording)
     read = read if channel is None else read.comparing(channel)
-    kinematics = drive_from(
-        read, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs
-    ).kinematics
+    drive = drive_from(read, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs)
+    kinematics, read = drive.kinematics, replace(read, run=drive.run_of(read.run))
     lines = kinematics.lines(harmonics)
     angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
     turns = output_turns(angle.values, ratio=kinematics.ratio)

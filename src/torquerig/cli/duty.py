@@ -13,6 +13,7 @@ from torquerig.cli.common_options import catalog_option, edited, profile_option,
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import grid, wrapped
 from torquerig.recordings.files import read_recording
+from torquerig.rig.leading_part import leading_motor
 from torquerig.rig.parts import WormGear
 from torquerig.scenario.drive_requirement import drive_requirement
 from torquerig.scenario.kinematics import ratio_text
@@ -79,6 +80,8 @@ def command(
     document = edited(scenario, (*settings, *profile_settings(profile)))
     made = scenario_or_candidate(document, catalog, motor=motor, gearbox=gearbox, seed=seed)
     entry = entry_of(made.rig, catalog)
+    if leading_motor(made.rig) is None:
+        raise InputError(f"{scenario}: the rig has no motor, so that nothing is heated; add one with catalog: NAME")
     if entry is None:
         raise InputError(f"{scenario}: the driven motor is not in the catalog, so its thermal data are unknown; "
                          "name one with catalog: or --motor")  # fmt: skip

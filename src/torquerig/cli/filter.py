@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -24,7 +25,7 @@ from torquerig.filters.chains.filter_chain import Chain
 from torquerig.filters.chains.renamed_chains import current_chain
 from torquerig.filters.filter_effect import chain_effect
 from torquerig.metrics.truth_error import true_load, truth_error
-from torquerig.orders.angle.measured_angle import SOURCES
+from torquerig.orders.angle.measured_angle import has_motion
 from torquerig.orders.kinematics.kinematic_lines import Kinematics
 from torquerig.plain_table import wrapped
 from torquerig.recordings.files import check_target, open_stream, read_recording, write_recording
@@ -32,9 +33,9 @@ from torquerig.recordings.files.blocks import Blocking
 from torquerig.recordings.files.stream import RecordingStream
 from torquerig.recordings.inspection.recording_info import recording_info
 from torquerig.recordings.recording import Recording
-from torquerig.recordings.set_point import set_point_speed
+from torquerig.recordings.set_point import missing_speed, set_point_speed
 from torquerig.renamed import current_name
-from torquerig.scenario.recorded_drive import chains_for, recorded_drive
+from torquerig.scenario.recorded_drive import RecordedDrive, chains_for, recorded_drive
 from torquerig.units import parse_quantity
 
 _AS_THEY_ARE = "suspicious samples are filtered as they are"
@@ -108,14 +109,15 @@ def command(
     stream = stream if channel is None else stream.comparing(channel)
     sheet = described(stream)
     drive = recorded_drive(sheet, scenario=scenario, motor=motor, ratio=ratio, gearbox=gearbox, catalogs=catalogs)
-    kinematics = drive.kinematics
+    kinematics, stream = drive.kinematics, replace(stream, run=drive.run_of(stream.run))
+    sheet = replace(sheet, run=stream.run)
     known = chains_for(drive, filters or shipped_scenarios() / "filters.yaml", names)
     chains = [_chain(name, known) for name in names]
     if picture is not None and not evaluate:
         _refuse_picture_without_speed(sheet)
     blocking = blocks_for(stream, chains, block=None if block is None else _seconds(block))
     if blocking is None:
-        before_and_after = _filtered_whole(recording, chains, kinematics, channel=channel, out=out, force=force)
+        before_and_after = _filtered_whole(recording, chains, drive, channel=channel, out=out, force=force)
     else:
         before_and_after = _filtered_in_blocks(stream, chains, kinematics, blocking, out=out, force=force)
     for sentence in drive.assumed:
@@ -128,10 +130,11 @@ def command(
 
 
 def _filtered_whole(
-    path: Path, chains: Sequence[Chain], kinematics: Kinematics, *, channel: str | None, out: Path | None, force: bool
+    path: Path, chains: Sequence[Chain], drive: RecordedDrive, *, channel: str | None, out: Path | None, force: bool
 ) -> tuple[Recording, Recording]:
     """Filter, print and write; return the recording before and after the first chain."""
-    before = read_recording(path)
+    kinematics, before = drive.kinematics, read_recording(path)
+    before = replace(before, run=drive.run_of(before.run))
     before = before if channel is None else before.comparing(channel)
     print_suspicions(recording_info(before), before, note=_AS_THEY_ARE)
     results = [chain.apply(before) for chain in chains]
@@ -220,5 +223,5 @@ def _draw(
 
 
 def _refuse_picture_without_speed(sheet: Recording) -> None:
-    if not sheet.run.speed and not any(sheet.find(quantity) for quantity in (*SOURCES, "tacho")):
-        raise InputError(f"{sheet.name}: the sidecar has no speed_rpm, so the order lines have no frequency; add it")
+    if not sheet.run.speed and not has_motion(sheet):
+        raise InputError(f"{sheet.name}: {missing_speed(sheet, 'the order lines of a picture')}")

@@ -13,7 +13,7 @@ from torquerig.cli.common_options import catalog_option, edited, set_option
 from torquerig.cli.modes_text import modes_text, poles_text
 from torquerig.errors import InputError, UnitError
 from torquerig.plain_table import cut, grid, wrapped
-from torquerig.rig.parts import ImposedMotion
+from torquerig.rig.parts import ImposedMotion, Motor
 from torquerig.rig.reading_place import effort_unit
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.reading import read_scenario
@@ -91,7 +91,7 @@ def command(
     if loops := twin.margins():
         click.echo("\n".join(wrapped(_margins(one)) for one in loops) + "\n")
         click.echo(poles_text(twin.loop_poles()))
-    _print_crossings(found[:rows], len(found), top, unit=effort_unit(made.rig))
+    _print_crossings(found[:rows], len(found), top, unit=effort_unit(made.rig), turns=bool(made.rig.parts_of(Motor)))
     if nearest := nearest_to(twin.motor_speed_rpm * pi / 30, [one for one in found if one.torque is not None]):
         click.echo(wrapped(_nearest(nearest, twin.motor_speed_rpm, unit=effort_unit(made.rig))) + "\n")
     for omitted in twin.point.left_out:
@@ -142,7 +142,9 @@ def _margins(found: Margins) -> str:
     return f"{found.controller}: {stability}; {words}"
 
 
-def _print_crossings(shown: Sequence[Crossing], count: int, top: float, *, unit: str) -> None:
+def _print_crossings(shown: Sequence[Crossing], count: int, top: float, *, unit: str, turns: bool) -> None:
+    if not (shown or turns):
+        return
     if not shown:
         click.echo(f"no order line crosses a mode up to {top * 30 / pi:.5g} rpm\n")
         return

@@ -37,8 +37,11 @@ def poles_text(poles: Sequence[Pole]) -> str:
 
 def _rigid(twin: Twin) -> Iterator[str]:
     for nodes in rigid_motions(twin.lowered):
+        in_a_line = all(node in twin.lowered.in_a_line for node in nodes)
         moving = "all shafts" if len(nodes) == len(twin.lowered.nodes) else ", ".join(nodes)
-        yield f"rigid-body motion: {moving} turn freely; this motion has no frequency"
+        moving = "everything" if in_a_line and moving == "all shafts" else moving
+        how = "moves in a line" if moving == "everything" else "move in a line" if in_a_line else "turn"
+        yield f"rigid-body motion: {moving} {how} freely; this motion has no frequency"
 
 
 def _creeping(mode: Mode) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -71,7 +72,7 @@ def command(
     read = read_recording(recording)
     read = read if channel is None else read.comparing(channel)
     drive = recorded_drive(read, motor=motor, ratio=ratio, gearbox=gearbox, scenario=scenario, catalogs=catalogs)
-    kinematics = drive.kinematics
+    kinematics, read = drive.kinematics, replace(read, run=drive.run_of(read.run))
     lines = kinematics.lines(harmonics)
     try:
         angle = best_motor_angle(read, lines, ratio=kinematics.ratio)
@@ -127,12 +128,18 @@ def _modes_of(rig: Rig | None) -> dict[str, float]:
 
 def _about(read: Recording, angle: MotorAngle, turns: np.ndarray, kinematics: Kinematics) -> str:
     step = max(round(0.05 * read.sample_rate), 1)
-    speeds = np.diff(turns[::step]) * read.sample_rate / step * kinematics.ratio * 60
+    speeds = np.diff(turns[::step]) * read.sample_rate / step
     low, high = np.percentile(speeds, _ENDS) if speeds.size else (0.0, 0.0)
+    travel = read.run.travel_per_turn if read.torque_unit() == "N" else None
+    if travel is None:
+        per_turn, unit, moved = 60 * kinematics.ratio, "rpm", kinematics.input_name
+    else:
+        per_turn, unit, moved = 1e3 * travel, "mm/s", f"{1e3 * travel:.6g} mm each, what is measured"
     return wrapped(
-        f"{read.name}: {read.duration:.4g} s, {turns[-1]:.4g} turns of the output shaft, {kinematics.input_name} at "
-        f"{low:.5g} to {high:.5g} rpm, {angle.origin}; one bin is {1 / turns[-1]:.3g} orders or "
-        f"{1 / read.duration:.3g} Hz{_shafts(kinematics)}{_slow_output(turns, kinematics)}"
+        f"{read.name}: {read.duration:.4g} s, {turns[-1]:.4g} turns of the output shaft, {moved} at "
+        f"{low * per_turn:.5g} to {high * per_turn:.5g} {unit}, {angle.origin}; one bin is "
+        f"{1 / turns[-1]:.3g} orders or {1 / read.duration:.3g} Hz"
+        f"{_shafts(kinematics)}{_slow_output(turns, kinematics)}"
     )
 
 

@@ -10,7 +10,7 @@ from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion, InductionDrive, SpeedController, TorqueController
+from torquerig.rig.parts import ImposedMotion, InductionDrive, Motor, SpeedController, TorqueController
 
 SPEED_ERROR = 0.01  # of a set-point, where the scenario states no largest error
 TWO_SPEEDS = 3.0  # largest errors of a set-point, beyond which the sidecar and the encoder have two speeds
@@ -25,6 +25,12 @@ def check_rig(rig: Rig) -> None:
             f"the scenario imposes the motion {imposed.name!r} but measures {rig.measured!r}; write from: channel NAME "
             f"into {imposed.name}, so that each recording states its motion, or measured: {imposed.name}, or add a "
             "speed_controller that drives the motor"
+        )
+    if not driven and not rig.parts_of(Motor):
+        raise InputError(
+            "the rig has no motor, and nothing states how it moves; record the position or velocity of the part that "
+            "is pushed, add motion: {kind: imposed_motion, at: PART, from: channel NAME} for it, and write measured: "
+            "motion to compare the force that moves it, or measured: SENSOR for a sensor behind it"
         )
     if not driven:
         raise InputError(

@@ -50,7 +50,8 @@ def block_amplitudes(values: Floats, hops: Hops, orders: Floats, blocks: Blocks)
     moments = hop_sums(values, hops, with_constant)
     amplitudes = np.zeros((2, orders.size, len(blocks.spans)))
     for index, (first, last) in enumerate(blocks.spans):
-        turned = abs(hops.turns[hops.edges[last] - 1] - hops.turns[hops.edges[first]])
+        # of a shaft that turns to and fro the range counts: there and back it meets the same angles
+        turned = np.ptp(hops.turns[np.minimum(hops.edges[first : last + 1], hops.turns.size - 1)])
         rows = np.concatenate([[0], 1 + np.flatnonzero(orders * turned >= _FEWEST_PERIODS)])
         moment = moments[:, rows, first:last].sum(axis=2)
         solved = _solved(gram_of(hops.turns, with_constant[rows], hops.edges[first : last + 1]), moment)

@@ -44,7 +44,8 @@ class FilterEffect:
     mean_before, mean_after : float
         [N m].
     energy_before, energy_after : float or None
-        Integral of torque times output speed [J]; None where neither a channel nor the set-point gives a speed.
+        Integral of torque times output speed [J], of force times velocity; None where neither a channel nor the
+        set-point gives a speed, or the travel per turn is not stated.
     speed_origin : str
         The source of the speed for energy and lines, in words.
     levels : tuple of LineLevel
@@ -144,18 +145,21 @@ def chain_effects(
                 "both must be of the same run and have two samples or more"
             )
     speed, origin = _motor_speed(before, ratio)
+    per_motor_angle = _motion_per_motor_angle(before, ratio)
     return tuple(
-        _effect(before, made, speed=speed, origin=origin, ratio=ratio, lines=named)
+        _effect(before, made, speed=speed, origin=origin, per_motor_angle=per_motor_angle, lines=named)
         for made, named in zip(after, lines, strict=True)
     )
 
 
 def _effect(
-    before: Recording, after: Recording, *, speed: NDArray[np.float64] | None, origin: str, ratio: float,
-    lines: Sequence[KinematicLine],
+    before: Recording, after: Recording, *, speed: NDArray[np.float64] | None, origin: str,
+    per_motor_angle: float | None, lines: Sequence[KinematicLine],
 ) -> FilterEffect:  # fmt: skip
     first, last = before.torque(), after.torque()
-    energies = (None, None) if speed is None else tuple(_energy(each, speed / ratio, before) for each in (first, last))
+    energies: tuple[float | None, ...] = (None, None)
+    if speed is not None and per_motor_angle is not None:
+        energies = tuple(_energy(each, speed * per_motor_angle, before) for each in (first, last))
     steady = speed is not None and before.run.profile == "steady"
     levels = (
         _levels(first, last, before.sample_rate, float(np.mean(speed)), lines) if steady and speed is not None else ()
@@ -185,6 +189,14 @@ def _motor_speed(recording: Recording, ratio: float) -> tuple[NDArray[np.float64
     if recording.run.speed:
         return set_point_profile(recording, "energies"), "from the set-point; the real speed may differ"
     return None, f"no speed: {without}"
+
+
+def _motion_per_motor_angle(recording: Recording, ratio: float) -> float | None:
+    """Return the output's angle [rad], or under a force its travel [m], per angle of the motor; None if not stated."""
+    if recording.channels[recording.torque_name()].quantity != "force":
+        return 1 / ratio
+    travel = recording.run.travel_per_turn
+    return None if travel is None else travel / (2 * np.pi * ratio)
 
 
 def _energy(torque: NDArray[np.float64], output_speed: NDArray[np.float64], recording: Recording) -> float:

@@ -28,6 +28,8 @@ class Run:
         Catalog name of the motor.
     gear_ratio : float or None
         Motor turns per output turn [1], > 0.
+    travel_per_turn : float or None
+        Travel of what moves in a line per turn of the last shaft before it [m], > 0: the lead of a screw.
     speed : float or None
         Set-point of the motor speed [rad/s].
     profile : {"steady", "ramp", "reversal", "duty_cycle", "csv"}
@@ -51,6 +53,7 @@ class Run:
 
     motor: str | None = None
     gear_ratio: float | None = None
+    travel_per_turn: float | None = None
     speed: float | None = None
     profile: Profile = "steady"
     set_points: SpeedProfile | None = None

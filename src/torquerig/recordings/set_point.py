@@ -10,6 +10,8 @@ from torquerig.errors import RecordingError
 from torquerig.recordings.channel_angle import unsmoothed_angle_of
 from torquerig.recordings.tacho_edges import rising_edges, stated_pulses
 
+_ONE_STROKE = 0.5  # [1] of the path that the ends are apart, at least: a recording of strokes to and fro has no speed
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -33,11 +35,38 @@ def set_point_speed(recording: Recording, purpose: str) -> float:
     """
     speed = recording.run.speed or _measured(recording)
     if not speed:
-        raise RecordingError(
-            f"{recording.name}: the run states no motor speed, no channel measures it, and {purpose} need one; "
+        raise RecordingError(f"{recording.name}: {missing_speed(recording, purpose)}")
+    return speed
+
+
+def missing_speed(recording: Recording, purpose: str) -> str:
+    """Return why a recording has no speed of a shaft, and the remedy in the unit of its motion.
+
+    Parameters
+    ----------
+    purpose : str
+        What needs the speed, such as ``order lines``.
+    """
+    name = recording.find("position") or recording.find("velocity")
+    if recording.find("force") is None and name is None:
+        return (
+            f"the run states no motor speed, no channel measures it, and {purpose} need one; "
             "add to the sidecar: run: {speed_rpm: N}, with the speed of the motor in rpm as N"
         )
-    return speed
+    if name is not None and recording.run.travel_per_turn:
+        return (
+            f"{name} ends where it began, so that the recording has no mean velocity, and {purpose} need one; take a "
+            "filter chain over the angle, such as order_lines, or a recording of one stroke"
+        )
+    has_motion = f"{name} measures its motion" if name else "no channel measures its motion"
+    travel = (
+        "state in the sidecar run: {travel_per_turn_mm: N}, with the lead of the screw, teeth times pitch of the belt, "
+        "or pi times the pitch diameter of the pinion as N, or name the rig's scenario"
+    )
+    missing = [] if name else ["record a position or a velocity"]
+    missing += [] if recording.run.travel_per_turn else [travel]
+    needed = f"what is measured moves in a line, {has_motion}, and {purpose} are counted over turns"
+    return f"{needed}; {', and '.join(missing)}"
 
 
 def _measured(recording: Recording) -> float | None:
@@ -58,7 +87,24 @@ def _measured(recording: Recording) -> float | None:
         angle = unsmoothed_angle_of(channel)
         turned = float(angle[-1] - angle[0]) / (angle.size - 1) * recording.sample_rate
         return turned * factor if np.isfinite(turned) else None
-    return _by_tacho(recording)
+    return _by_tacho(recording) or _by_travel(recording)
+
+
+def _by_travel(recording: Recording) -> float | None:
+    """Return the mean motor speed [rad/s] by a position or velocity and the stated travel per turn, None without."""
+    travel = recording.run.travel_per_turn
+    name = recording.find("position") or recording.find("velocity")
+    if name is None or not travel or recording.samples < 2:
+        return None
+    channel = recording.channels[name]
+    moved = channel.in_si()
+    velocity = np.nanmean(moved)
+    if channel.quantity == "position":
+        path = float(np.nansum(np.abs(np.diff(moved))))
+        if abs(moved[-1] - moved[0]) < _ONE_STROKE * path:
+            return None
+        velocity = (moved[-1] - moved[0]) / (moved.size - 1) * recording.sample_rate
+    return float(velocity) * 2 * np.pi / travel * (recording.run.gear_ratio or 1.0)
 
 
 def _by_tacho(recording: Recording) -> float | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import isclose
+from math import isclose, pi
 from pathlib import Path
 from typing import Annotated, TypedDict
 
@@ -96,9 +96,10 @@ def _run_at(point: OperatingPoint, rig: Rig, folder: Path) -> Run:
     )  # sampled ones are stated nowhere else
     # of a moved part without a gear behind it nobody states a ratio
     geared = motor is not None or bool(stages_to(rig, reading_place(rig)))
+    travel = abs(2 * pi * turned * stated) if moved_in_a_line and stages_to(rig, reading_place(rig)) else None
     run = Run(motor=(motor.model or motor.name) if motor else None, gear_ratio=float(ratio) if geared else None,
-              speed=speed, others={key: count for key, count in winding.items() if count is not None},
-              **_load_at(point, rig))  # fmt: skip
+              travel_per_turn=travel, speed=speed, **_load_at(point, rig),
+              others={key: count for key, count in winding.items() if count is not None})  # fmt: skip
     points = point.duty_cycle if point.profile == "duty_cycle" else point.csv if point.profile == "csv" else None
     if points is None:
         return replace(run, profile=point.profile)

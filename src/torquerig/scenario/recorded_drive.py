@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ from torquerig.catalog.search import catalog_for
 from torquerig.document import read_document
 from torquerig.errors import InputError
 from torquerig.filters.chains.chain_file import needs_response, read_chains
-from torquerig.orders.angle.measured_angle import SOURCES
+from torquerig.orders.angle.measured_angle import has_motion
 from torquerig.rig.parts import InductionDrive
 from torquerig.scenario.kinematics import kinematics_of
 from torquerig.scenario.load_response import load_response
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from torquerig.filters.chains.filter_chain import Chain
     from torquerig.orders.kinematics.kinematic_lines import Kinematics
     from torquerig.recordings.recording import Recording
+    from torquerig.recordings.run import Run
     from torquerig.rig.assembly import Rig
 
 
@@ -46,6 +47,11 @@ class RecordedDrive:
     rig: Rig | None = None
     sample_rate: float = SAMPLE_RATE
     assumed: tuple[str, ...] = ()
+
+    def run_of(self, run: Run) -> Run:
+        """Return ``run`` with the travel per turn of the scenario's rig, where one is given and the run states none."""
+        travel = None if self.rig is None else self.rig.run.travel_per_turn
+        return run if travel is None or run.travel_per_turn is not None else replace(run, travel_per_turn=travel)
 
 
 def recorded_drive(
@@ -84,14 +90,14 @@ def recorded_drive(
         raise InputError("--scenario states motor and gearbox; remove --motor, --ratio and --gearbox")
     rig = read_scenario(read_document(scenario), catalog_for(scenario, catalogs), seed=1).rig
     kinematics = at_stated_ratio(kinematics_of(rig), recording, scenario)
+    refuse_other_travel(rig, recording, scenario)
     slipping = _slipping(rig, recording)
     return RecordedDrive(kinematics=kinematics, rig=rig, sample_rate=recording.sample_rate, assumed=slipping)
 
 
 def _slipping(rig: Rig, recording: Recording) -> tuple[str, ...]:
     """Return the sentence that the set-point of an induction motor is not the speed of its shaft, where it counts."""
-    has_angle = any(recording.find(quantity) for quantity in (*SOURCES, "tacho"))
-    if has_angle or not rig.parts_of(InductionDrive):
+    if has_motion(recording) or not rig.parts_of(InductionDrive):
         return ()
     sentence = (
         "the set-point of an induction motor is the speed of its field, the shaft turns slower by the slip, and no "
@@ -109,6 +115,16 @@ def at_stated_ratio(kinematics: Kinematics, recording: Recording, scenario: str 
             f"{kinematics.ratio:g}; correct one of them"
         )
     return kinematics
+
+
+def refuse_other_travel(rig: Rig, recording: Recording, scenario: str | Path) -> None:
+    """Raise InputError where the recording's sidecar states another travel per turn than the rig's screw has."""
+    stated, travel = recording.run.travel_per_turn, rig.run.travel_per_turn
+    if stated is not None and travel is not None and abs(travel / stated - 1) > SAME_RATIO:
+        raise InputError(
+            f"{recording.name}: the sidecar states travel_per_turn_mm: {1e3 * stated:g}, and {scenario} gives "
+            f"{1e3 * travel:g} mm; correct one of them"
+        )
 
 
 def chains_for(drive: RecordedDrive, filters: Path, names: Sequence[str]) -> Mapping[str, Chain]:

@@ -113,10 +113,10 @@ def sized_drive(scenario: Scenario, catalog: Catalog, *, duration: float = STEAD
         When no motor of the catalog follows a set-point.
     """
     rig, path = scenario.rig, scenario.document.path
-    part = driven_motor(rig)
+    part, in_a_line = driven_motor(rig), rig.in_a_line(rig.part(rig.measured))
     if part is None or not rig.run.speed:
         raise InputError(f"{path}: no motor follows a speed, so that nothing can be sized; add a speed_controller and "
-                         "an output_speed, such as 200 rpm")  # fmt: skip
+                         f"an output_speed, such as {'50 mm/s' if in_a_line else '200 rpm'}")  # fmt: skip
     if part.model not in catalog.motors and not part.model:
         raise InputError(f"{path}: the driven motor is not in the catalog, so that nothing is known of its ratings; "
                          "name one with catalog: or --motor")  # fmt: skip

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from torquerig.recordings.recording import Channel, Recording
 
 SOURCES = ("motor_angle", "angle", "motor_speed", "speed")  # quantities in the order of preference
+IN_A_LINE = ("position", "velocity")  # those that give an angle where the travel per turn is stated
 TWO_SIDED = 1.96  # standard deviations of half a 95 % interval
 
 
@@ -45,9 +46,10 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
     Parameters
     ----------
     recording : Recording
-        Channels of quantity motor_angle, angle, motor_speed and speed are used, in this order.
+        Channels of quantity motor_angle, angle, motor_speed and speed are used, in this order; then position and
+        velocity, where the run states the travel per turn.
     ratio : float
-        Motor turns per output turn [1]; angle and speed channels belong to the output shaft.
+        Motor turns per output turn [1]; angle and speed channels belong to the output shaft, and so does a travel.
 
     Notes
     -----
@@ -61,6 +63,26 @@ def measured_motor_angle(recording: Recording, *, ratio: float = 1.0) -> MotorAn
             factor = ratio if quantity in ("angle", "speed") else 1.0
             angle = angle_by(channel, recording.sample_rate, factor=factor)
             return of_ends(angle, f"from the channel {name}{_wrapping(channel)}", _rounding(channel, factor))
+    return _by_travel(recording, ratio)
+
+
+def has_motion(recording: Recording) -> bool:
+    """Return whether a channel gives the motor's angle: of angle, speed or tacho, or of a travel per stated turn."""
+    travels = IN_A_LINE if recording.run.travel_per_turn else ()
+    return any(recording.find(quantity) for quantity in (*SOURCES, "tacho", *travels))
+
+
+def _by_travel(recording: Recording, ratio: float) -> MotorAngle | None:
+    """Return the motor's angle from the position or velocity of what a screw, rack or belt moves."""
+    travel = recording.run.travel_per_turn
+    for quantity in IN_A_LINE if travel else ():
+        name = recording.find(quantity)
+        if name is not None and travel:
+            channel = recording.channels[name]
+            factor = 2 * np.pi / travel * ratio
+            moved = channel.in_si() if quantity == "position" else _integral_of(channel, recording.sample_rate)
+            origin = f"from the channel {name}, {1e3 * travel:.6g} mm per turn"
+            return of_ends(moved * factor, origin, _rounding(channel, factor))
     return None
 
 

@@ -32,6 +32,7 @@ _CHANNEL_KEYS = {one.name for one in fields(WrittenChannel)}
 _RUN_KEYS = {one.name for one in fields(WrittenRun)}
 _RUN_SLIPS = {"speed": "speed_rpm", "rpm": "speed_rpm", "occupancy": "occupancy_percent"}  # too unlike to be found
 _RUN_SLIPS |= {"particle_size": "particle_size_mm", "ratio": "gear_ratio"}
+_RUN_SLIPS |= {"lead": "travel_per_turn_mm", "lead_mm": "travel_per_turn_mm", "pitch_mm": "travel_per_turn_mm"}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -203,10 +204,11 @@ def _run(document: Document, sidecar: WrittenSidecar) -> Run:
     both = [note for note in (notes, written.notes) if note is not None]
     stated["notes"] = both if len(both) > 1 else both[0] if both else None
     stated["teeth"] = sidecar.teeth
-    speed, size = written.speed_rpm, written.particle_size_mm
+    speed, size, travel = written.speed_rpm, written.particle_size_mm, written.travel_per_turn_mm
     return Run(
         motor=written.motor,
         gear_ratio=written.gear_ratio,
+        travel_per_turn=None if travel is None else travel * UNITS["length"]["mm"],
         speed=None if speed is None else speed * UNITS["speed"]["rpm"],
         profile=cast(Profile, written.profile),
         set_points=read_set_point(document, written),

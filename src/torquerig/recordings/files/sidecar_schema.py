@@ -114,6 +114,7 @@ class WrittenRun:
 
     motor: str | None = None
     gear_ratio: Annotated[float, _Number(ge=1e-6, le=1e6)] | None = None
+    travel_per_turn_mm: Annotated[float, _Number(ge=1e-6, le=1e6)] | None = None
     speed_rpm: Annotated[float, _Number(ge=-FASTEST, le=FASTEST)] | None = None
     profile: Annotated[str, _Word(partial(_one_of, PROFILES, "profile"))] = "steady"
     set_point: WrittenSetPoint | None = None

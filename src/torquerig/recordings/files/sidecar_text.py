@@ -60,6 +60,9 @@ def _run_entry(run: Run) -> dict[str, Any]:
     entry = {
         "motor": run.motor,
         "gear_ratio": None if run.gear_ratio is None else _number(run.gear_ratio),
+        "travel_per_turn_mm": None
+        if run.travel_per_turn is None
+        else _counted_in(run.travel_per_turn, UNITS["length"]["mm"]),
         "speed_rpm": None if run.speed is None else _counted_in(run.speed, UNITS["speed"]["rpm"]),
         "profile": run.profile,
         "set_point": set_point_entry(run),

@@ -6,6 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from torquerig.rig.assembly import Rig
+from torquerig.rig.reading_place import reading_place
 from torquerig.simulation.twin.linear_twin import Twin
 from torquerig.simulation.twin.margins import Margins, grid, loop_gain
 
@@ -29,10 +31,16 @@ def draw_transfers(axes: Axes, twin: Twin, *, lowest: float, highest: float) -> 
         for system, style, how in ((twin.closed_loop, "-", "loop closed"), (twin.open_loop, ":", "open")):
             values = np.abs(system.transfer(f"torque on {node}", twin.sensor, frequencies))
             axes.loglog(frequencies, values, color=colour, linestyle=style, linewidth=1.2, label=f"{name}, {how}")
-    axes.set_ylabel("sensor [N m per N m]")
+    axes.set_ylabel(f"sensor [{_units(twin.rig)}]")
     axes.set_title("transfer to the sensor", loc="left")
     axes.legend(fontsize=7, framealpha=0.9)
     _dressed(axes)
+
+
+def _units(rig: Rig) -> str:
+    """Return the units of the sensor's reading per those of motor and load."""
+    is_force = rig.in_a_line(rig.part(reading_place(rig)))
+    return "N per N m of the motor, per N of the load" if is_force else "N m per N m"
 
 
 def draw_loop(gain_axes: Axes, phase_axes: Axes, twin: Twin, found: Margins, *, lowest: float, highest: float) -> None:

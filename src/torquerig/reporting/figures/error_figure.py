@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from torquerig.metrics.figure import Figure as Metric
+from torquerig.reporting.figures.effort import shown_unit
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.study.results import DriveResult
 
@@ -40,7 +41,8 @@ def error_figure(drives: Sequence[DriveResult], *, present: str) -> Figure:
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.set_xlabel("reading error: rms of reading minus true load [N m]")
+    unit = shown_unit(run[0].disturbance.unit) if run else "N m"
+    axes.set_xlabel(f"reading error: rms of reading minus true load [{unit}]")
     axes.grid(axis="x", color="#dde2e7", linewidth=0.6)
     axes.set_axisbelow(True)
     for row in range(0, len(run), 2):

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from torquerig.metrics.filter_evaluation import FilterEvaluation
 from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.figures.effort import effort_name, effort_unit
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 
@@ -23,7 +24,8 @@ Array = NDArray[np.float64]
 def evaluation_figure(made: FilterEvaluation) -> Figure:
     """Return the four panels of an evaluation, with the rolling mean of the true load where it is known."""
     effect = made.effect
-    title = f"{made.chain}: standard deviation {effect.std_before:.4f} to {effect.std_after:.4f} N m"
+    unit = effort_unit(made.before)
+    title = f"{made.chain}: standard deviation {effect.std_before:.4f} to {effect.std_after:.4f} {unit}"
     if made.placebo is not None:
         title += (f" ({effect.std_reduction_percent:.1f} % less; placebo at other orders "
                   f"{100 * min(made.placebo.std_cuts):.1f} to {100 * max(made.placebo.std_cuts):.1f} %)")  # fmt: skip
@@ -45,7 +47,7 @@ def four_panels(before: Recording, after: Recording, *, title: str = "") -> Figu
     ):
         for values, colour, alpha in curves:
             _curve(axes, time, values, colour, alpha=alpha)
-        axes.set_ylabel(f"{name}\ntorque [N m]")
+        axes.set_ylabel(f"{name}\n{effort_name(before)} [{effort_unit(before)}]")
     low, high = min(first.min(), last.min()), max(first.max(), last.max())
     for axes in panels[:3]:
         axes.set_ylim(low - 0.04 * (high - low) - 1e-9, high + 0.04 * (high - low) + 1e-9)
@@ -69,7 +71,7 @@ def _means(axes: Axes, before: Recording, after: Recording) -> None:
     time = before.time()[window - 1 :] - 0.5 * (window - 1) / before.sample_rate
     for values, colour, label, width in curves:
         axes.plot(*envelope(time, rolling_mean(values, window)), color=colour, linewidth=width, label=label)
-    axes.set_ylabel(f"mean of {window}\nsamples [N m]")
+    axes.set_ylabel(f"mean of {window}\nsamples [{effort_unit(before)}]")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.98), fontsize=7.5, frameon=False, ncols=3)
 
 

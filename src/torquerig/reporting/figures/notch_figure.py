@@ -10,6 +10,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator
 from torquerig.filters.filter_effect import LineLevel
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import amplitude_spectrum
+from torquerig.reporting.figures.effort import effort_unit
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.families import COLOURS
 from torquerig.reporting.figures.picture import new_figure
@@ -29,7 +30,7 @@ def notch_figure(before: Recording, after: Recording, *, levels: Sequence[LineLe
         kept = (frequencies > 0) & (frequencies <= top)
         drawn = envelope(frequencies[kept], amplitudes[kept], columns=800, logarithmic=True)
         axes.plot(*drawn, color=AFTER, linewidth=0.7)
-        axes.set_ylabel(f"{name}\namplitude [N m]")
+        axes.set_ylabel(f"{name}\namplitude [{effort_unit(before)}]")
         axes.grid(axis="y", color="#e3e7eb", linewidth=0.6)
     upper.set_yscale("log")
     peak = max((level.before for level in levels), default=1.0)

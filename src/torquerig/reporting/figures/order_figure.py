@@ -19,6 +19,7 @@ from torquerig.orders.analysis.order_maps import LineMap, order_map, speed_map
 from torquerig.orders.analysis.order_spectrum import LineSpectrum, order_spectrum
 from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.figures.effort import effort_unit
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.families import COLOURS, SHORT
 from torquerig.reporting.figures.picture import new_figure
@@ -49,6 +50,8 @@ class OrderPicture:
         Highest speed of the output shaft [rev/s].
     modes : mapping of str to float
         Natural frequencies of a model of the rig [Hz] by name; may be empty.
+    unit : str
+        Of the amplitudes.
     """
 
     spectrum: LineSpectrum
@@ -58,6 +61,7 @@ class OrderPicture:
     ratio: float
     fastest: float
     modes: dict[str, float] = field(default_factory=dict)
+    unit: str = "N m"
 
 
 def order_picture(
@@ -78,6 +82,7 @@ def order_picture(
         ratio=ratio,
         fastest=fastest,
         modes=dict(modes or {}),
+        unit=effort_unit(recording),
     )
 
 
@@ -102,7 +107,7 @@ def draw_order_spectrum(axes: Axes, shown: OrderPicture) -> None:
     peak = float(amplitudes[kept].max())
     low = max(float(np.percentile(amplitudes[kept], 5)) / 3, peak * 1e-6)
     axes.set_ylim(low, peak * (peak / low) ** 0.55)
-    axes.set_ylabel("amplitude [N m]")
+    axes.set_ylabel(f"amplitude [{shown.unit}]")
     axes.set_xlabel("order of the output shaft [1/rev]")
     axes.grid(axis="y", color=_GRID, linewidth=0.6)
     _plain(axes.xaxis)
@@ -126,7 +131,7 @@ def draw_order_map(axes: Axes, shown: OrderPicture) -> None:
     """Draw the order map: order lines are upright, fixed frequencies are the bent dashed ones."""
     one = shown.order_map
     kept = one.places >= _LOWEST_ORDER
-    _mesh(axes, one.places[kept], _row_axis(one, shown.ratio), one.amplitudes[:, kept], "log")
+    _mesh(axes, one.places[kept], _row_axis(one, shown.ratio), one.amplitudes[:, kept], scale="log", unit=shown.unit)
     axes.set_xlabel("order of the output shaft [1/rev]")
     axes.set_ylabel("motor speed [rpm]" if one.by_speed else "time [s]")
     if one.by_speed:
@@ -149,7 +154,8 @@ def draw_campbell_map(axes: Axes, shown: OrderPicture) -> None:
     rows = _row_axis(one, shown.ratio)
     highest = _highest(shown)
     kept = (one.places > 0) & (one.places <= highest)
-    _mesh(axes, rows, one.places[kept], one.amplitudes[:, kept].T, "log" if one.by_speed else "linear")
+    _mesh(axes, rows, one.places[kept], one.amplitudes[:, kept].T, scale="log" if one.by_speed else "linear",
+          unit=shown.unit)  # fmt: skip
     axes.set_yscale("log")
     axes.set_ylim(_LOWEST_FREQUENCY, highest)
     axes.set_xlim(float(rows[0]), float(rows[-1]))
@@ -176,7 +182,7 @@ def draw_campbell_map(axes: Axes, shown: OrderPicture) -> None:
     axes.set_title(words + (", dotted are modes of the model" if shown.modes else ""), loc="left", fontsize=9)
 
 
-def _mesh(axes: Axes, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: str) -> None:
+def _mesh(axes: Axes, x: np.ndarray, y: np.ndarray, values: np.ndarray, *, scale: str, unit: str) -> None:
     seen = values[np.isfinite(values) & (values > 0)]
     top = float(np.percentile(seen, 99.9)) if seen.size else 1.0
     shown = np.ma.masked_invalid(values)
@@ -184,7 +190,7 @@ def _mesh(axes: Axes, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: s
                            shading="nearest", rasterized=True)  # fmt: skip
     axes.set_xscale(scale)
     bar = axes.figure.colorbar(mesh, ax=axes, pad=0.01)
-    bar.set_label("amplitude [N m]")
+    bar.set_label(f"amplitude [{unit}]")
 
 
 def _row_axis(one: LineMap, ratio: float) -> np.ndarray:

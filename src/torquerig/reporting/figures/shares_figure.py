@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
+from torquerig.reporting.figures.effort import shown_unit
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.study.results import DriveResult
 
@@ -30,7 +31,8 @@ def shares_figure(drives: Sequence[DriveResult]) -> Figure:
     percent.set_xlim(0, 100)
     percent.set_xlabel("share of the fluctuation's power [%]")
     rms.set_xlim(left=0)
-    rms.set_xlabel("rms at the sensor [N m]")
+    unit = shown_unit(run[0].disturbance.unit) if run else "N m"
+    rms.set_xlabel(f"rms at the sensor [{unit}]")
     rms.grid(color="#e3e7eb", linewidth=0.6)
     percent.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, fontsize=8, frameon=False)
     return figure

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 
 from torquerig.metrics.truth_error import true_load
 from torquerig.recordings.recording import Recording
+from torquerig.reporting.figures.effort import effort_name, effort_unit
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.picture import new_figure
 from torquerig.reporting.figures.spectrum_figure import AFTER, BEFORE
@@ -31,7 +32,7 @@ def signal_figure(
         axes.plot(*envelope(time[kept], values[kept]), color=colour, linewidth=width, label=label)
     axes.set_xlim(start, start + duration)
     axes.set_xlabel("time [s]")
-    axes.set_ylabel("torque [N m]")
+    axes.set_ylabel(f"{effort_name(before)} [{effort_unit(before)}]")
     axes.grid(color="#e3e7eb", linewidth=0.6)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8, frameon=False)
     if title:

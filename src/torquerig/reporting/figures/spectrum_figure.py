@@ -15,6 +15,7 @@ from torquerig.orders.kinematics.kinematic_lines import KinematicLine
 from torquerig.orders.kinematics.line_families import Family
 from torquerig.recordings.recording import Recording
 from torquerig.recordings.spectrum import hann_spectrum
+from torquerig.reporting.figures.effort import effort_unit
 from torquerig.reporting.figures.envelope import envelope
 from torquerig.reporting.figures.families import COLOURS, NAMES, SHORT
 from torquerig.reporting.figures.picture import new_figure
@@ -49,7 +50,7 @@ def spectrum_figure(
     peak = _draw(axes, before, top, colour=BEFORE, label="before" if after is not before else "reading")
     if after is not before:
         _draw(axes, after, top, colour=AFTER, label="after")
-    _scales(axes, top=top, peak=peak, output_speed=abs(motor_speed) / ratio)
+    _scales(axes, top=top, peak=peak, output_speed=abs(motor_speed) / ratio, unit=effort_unit(before))
     shown = [line for line in lines if line.frequency(motor_speed) <= top]
     mark_lines(axes, shown, motor_speed=motor_speed)
     if title:
@@ -88,12 +89,12 @@ def _draw(axes: Axes, recording: Recording, top: float, *, colour: str, label: s
     return float(amplitudes[kept].max())
 
 
-def _scales(axes: Axes, *, top: float, peak: float, output_speed: float) -> None:
+def _scales(axes: Axes, *, top: float, peak: float, output_speed: float, unit: str) -> None:
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(1.0, top)
     axes.set_xlabel("frequency [Hz]")
-    axes.set_ylabel("amplitude [N m]")
+    axes.set_ylabel(f"amplitude [{unit}]")
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     # no ticks behind the labels, which need the upper third

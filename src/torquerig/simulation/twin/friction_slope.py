@@ -61,7 +61,8 @@ def friction_at(lowered: Lowered, speeds: Floats) -> tuple[Floats, Floats, tuple
             continue
         if abs(speed) < STILL:
             if on != len(lowered.nodes):
-                notes.append(f"the dry friction on {lowered.nodes[on]!r}, which does not turn")
+                still = "stands still" if lowered.nodes[on] in lowered.in_a_line else "does not turn"
+                notes.append(f"the dry friction on {lowered.nodes[on]!r}, which {still}")
             continue
         torque, slope = dry_friction(
             speed, grip=grip, excess=excess, inverse_stribeck=frictions.inverse_stribeck[row],
