@@ -10,7 +10,14 @@ from torquerig.diagnosis.outcome import Mismatch
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.rig.parts import ImposedMotion, InductionDrive, Motor, SpeedController, TorqueController
+from torquerig.rig.parts import (
+    ImposedMotion,
+    InductionDrive,
+    Motor,
+    ReactionTorqueSensor,
+    SpeedController,
+    TorqueController,
+)
 
 SPEED_ERROR = 0.01  # of a set-point, where the scenario states no largest error
 TWO_SPEEDS = 3.0  # largest errors of a set-point, beyond which the sidecar and the encoder have two speeds
@@ -37,6 +44,11 @@ def check_rig(rig: Rig) -> None:
             "nothing in the scenario drives a motor; add a speed_controller, for a recorded torque of the motor a "
             "torque_controller with from: channel NAME, or for a recorded motion an imposed_motion with from: channel "
             "NAME, or one named under measured:"
+        )
+    if isinstance(rig.part(rig.measured), ReactionTorqueSensor):
+        raise InputError(
+            f"the scenario compares {rig.measured!r}, the torque at a motor's foot, which no diagnosis explains yet; "
+            "name the torque_sensor, coupling or gear to compare first under measured:"
         )
     if not rig.part(rig.measured).opens_node:
         raise InputError(

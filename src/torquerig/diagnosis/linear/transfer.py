@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from torquerig.diagnosis.linear.kernel import between_points
 from torquerig.rig.assembly import Rig
-from torquerig.rig.terms import Drive, Friction, Inertia, Spring, Term
+from torquerig.rig.terms import GROUND, Drive, Friction, Inertia, Spring, Term
 from torquerig.simulation.linear import Matrices, matrices
 from torquerig.simulation.lower import lower_terms
 
@@ -137,20 +137,28 @@ def _solve(measured: str, terms: Sequence[Term]) -> Shafts:
         dynamic[:, row[lossy.a], row[lossy.b]] -= back
     drives = [term for term in terms if isinstance(term, Drive)]
     loops = [np.asarray((drive.kp * s + drive.ki) / (1 + s * drive.lag)) for drive in drives]
-    for drive, loop in zip(drives, loops, strict=True):
-        dynamic[:, row[drive.on], row[drive.on]] += loop
+    for drive, loop in zip(drives, loops, strict=True):  # its encoder sees the rotor against the housing
+        for on, sign in _ends(drive, row):
+            for seen, way in _ends(drive, row):
+                dynamic[:, on, seen] += sign * way * loop
     spring = next(term for term in terms if isinstance(term, Spring) and term.name == measured)
     asked = np.zeros((s.size, len(row), 1 + len(drives[:1])), dtype=complex)
-    asked[:, row[spring.a], 0] += 1 / spring.ratio
-    asked[:, row[spring.b], 0] -= 1.0
-    if drives:
-        asked[:, row[drives[0].on], 1] = 1.0
+    for node, lever in ((spring.a, 1 / spring.ratio), (spring.b, -1.0)):
+        if node != GROUND:
+            asked[:, row[node], 0] += lever
+    for seen, way in _ends(drives[0], row) if drives else ():
+        asked[:, seen, 1] = way
     adjoint = np.linalg.solve(np.transpose(dynamic, (0, 2, 1)), asked)
     force = spring.stiffness + s * spring.damping
     reading = {name: np.asarray(force * adjoint[:, at, 0], dtype=np.complex128) for name, at in row.items()}
     angle = {name: np.asarray(adjoint[:, at, 1], dtype=np.complex128) for name, at in row.items() if drives}
     answered = {name: np.asarray(-loops[0] * swayed) for name, swayed in angle.items()}
     return Shafts(grid, reading, answered, angle)
+
+
+def _ends(drive: Drive, row: Mapping[str, int]) -> list[tuple[int, float]]:
+    """Return the nodes between which a drive acts, with the sign of its torque; without the frame."""
+    return [(row[node], sign) for node, sign in ((drive.on, 1.0), (drive.against, -1.0)) if node != GROUND]
 
 
 def _refined(system: Matrices) -> NDArray[np.float64]:

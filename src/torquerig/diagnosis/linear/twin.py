@@ -183,7 +183,7 @@ class Twin:
 
     def _of_drive(self, drive: Drive) -> Iterator[LineSource]:
         """Yield its ripple, and what its speed loop answers to an angle error of the encoder at the set-point."""
-        passed, turns = self.torque_on(drive.on), self.turns[drive.on]
+        passed, turns = self.torque_on(drive.on, drive.against), self.turns[drive.on]
         for wave in drive.ripple:
             yield LineSource(drive.name, wave.order * turns, wave.amplitude, passed, by_load=True)
             yield from self._beside(wave.order * turns, wave.amplitude, drive)
@@ -198,7 +198,7 @@ class Twin:
         Where the speed loop answers a slower line of order m with a torque ``Re(t exp(i m theta))``, ripple of depth d
         and order n makes ``d |t| / 2`` of it at n + m and at n - m.
         """
-        passed, answers = self.torque_on(drive.on), dict[tuple[str, str], Response]()
+        passed, answers = self.torque_on(drive.on, drive.against), dict[tuple[str, str], Response]()
         for slow in self._torques() if self.shafts.drive else ():
             if slow.order < order and depth * slow.amplitude > 0:
                 between = slow.on, slow.against

@@ -25,7 +25,7 @@ def draw_transfers(axes: Axes, twin: Twin, *, lowest: float, highest: float) -> 
         Ends of the frequency axis [Hz].
     """
     frequencies = np.geomspace(lowest, highest, 1500)
-    motor, far = twin.lowered.leader(), twin.rig.node(twin.rig.measured)
+    motor, far = twin.lowered.leader(), twin.rig.node(reading_place(twin.rig))
     far = twin.lowered.load_terms[0].on if twin.lowered.load_terms else far
     for node, colour, name in ((motor, MOTOR, "motor"), (far, LOAD, "load")):
         for system, style, how in ((twin.closed_loop, "-", "loop closed"), (twin.open_loop, ":", "open")):
