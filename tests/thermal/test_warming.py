@@ -122,6 +122,8 @@ def test_a_demand_keeps_its_heat_however_it_is_cut():
         speed=np.array([[0.0, 100.0], [100.0, 100.0], [100.0, 0.0]]),
         torque=np.array([[1.0, 2.0], [2.0, 2.0], [-2.0, 0.0]]),
         step=np.zeros(3, dtype=bool),
+        load=np.full((3, 2), np.nan),
+        held=np.zeros(3, dtype=bool),
     )
     made = duty_of_requirement(requirement)
     assert made.rms_torque == pytest.approx(requirement.rms_torque)

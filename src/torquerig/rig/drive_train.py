@@ -68,11 +68,11 @@ class DriveTrain:
         friction counts): a motion that passes through rest has it for a moment only.
         """
         if load is None:
-            return self._needed(ShaftMotion(speed, acceleration, way, 0.0, 1.0))
+            return self.needed(ShaftMotion(speed, acceleration, way, 0.0, 1.0))
         if self.mean_load == 0:
-            further = {self._loaded_node(): load} if load else {}
-            return self._needed(ShaftMotion(speed, acceleration, way, 0.0, 1.0), further)
-        return self._needed(ShaftMotion(speed, acceleration, way, 0.0, load / self.mean_load))
+            further = {self.loaded_node(): load} if load else {}
+            return self.needed(ShaftMotion(speed, acceleration, way, 0.0, 1.0), further)
+        return self.needed(ShaftMotion(speed, acceleration, way, 0.0, load / self.mean_load))
 
     def holding_torque(self, load: float) -> float:
         """Return the motor torque [N m] that holds a stated load [N m] at rest, against a positive turn of its place.
@@ -80,10 +80,10 @@ class DriveTrain:
         It counts over the efficiency of the gears: this torque also starts the motion against the load. Friction is
         left out, because it helps to hold.
         """
-        place = self.places[self._loaded_node()]
+        place = self.places[self.loaded_node()]
         return load * place.ratio / place.efficiency
 
-    def _loaded_node(self) -> str:
+    def loaded_node(self) -> str:
         """Return the node at which a stated load acts where no load of the rig has a mean.
 
         Raises
@@ -109,10 +109,16 @@ class DriveTrain:
 
     def steady_torque(self, speed: float) -> float:
         """Return the motor torque [N m] at a constant speed [rad/s], including the Stribeck friction at that speed."""
-        return self._needed(ShaftMotion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0, 1.0))
+        return self.needed(ShaftMotion(speed, 0.0, copysign(1.0, speed) if speed else 0.0, 1.0, 1.0))
 
-    def _needed(self, motion: ShaftMotion, further: Mapping[str, float] = NO_LOAD) -> float:
-        """Return the motor torque [N m]; ``further`` are loads [N m] by node beyond those of the terms."""
+    def needed(self, motion: ShaftMotion, further: Mapping[str, float] = NO_LOAD) -> float:
+        """Return the motor torque [N m] for a motion of its shaft.
+
+        Parameters
+        ----------
+        further : mapping of str to float
+            Loads [N m] by node beyond those of the terms.
+        """
         by_efficiency: dict[tuple[float, float], float] = {}
         for node, (ratio, *shares) in self.places.items():
             here = motion._replace(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,10 @@ class DriveRequirement:
         Of the motor at start and end of each piece [rad/s], [N m].
     step : ndarray of bool, shape (pieces,)
         Pieces that are not in the profile: the drive at its torque limit after a step of the set-point.
+    load : ndarray, shape (pieces, 2)
+        The load that the profile states [N m]; not a number where the rig's own loads count.
+    held : ndarray of bool, shape (pieces,)
+        Pieces at rest in which the drive holds the stated load.
     late : tuple of str
         Steps that the drive cannot complete before the next piece begins, a sentence each.
     """
@@ -37,6 +42,8 @@ class DriveRequirement:
     speed: Floats
     torque: Floats
     step: NDArray[np.bool_]
+    load: Floats
+    held: NDArray[np.bool_]
     late: tuple[str, ...] = ()
 
     @property
@@ -109,12 +116,23 @@ def _behind_the_field(required: DriveRequirement, drive: InductionDrive) -> Driv
     return replace(required, speed=required.speed - slip)
 
 
+class _Piece(NamedTuple):
+    """One row of a requirement; ``load`` None where the rig's own loads count."""
+
+    duration: float
+    speed: tuple[float, float]
+    torque: tuple[float, float]
+    step: bool
+    load: tuple[float | None, float | None]
+    held: bool
+
+
 class _Pieces:
     """Collects the pieces of a requirement."""
 
     def __init__(self, *, train: DriveTrain, limit: float) -> None:
         self.train, self.limit = train, limit
-        self.rows: list[tuple[float, tuple[float, float], tuple[float, float], bool]] = []
+        self.rows: list[_Piece] = []
         self.late: list[str] = []
 
     def add(
@@ -130,11 +148,12 @@ class _Pieces:
         if span > 0:
             way = np.sign(speed[0] + speed[1])
             pulls = zip(speed, load, strict=True)
-            if held and way == 0:
+            held = held and way == 0
+            if held:
                 torque = [self.train.holding_torque(pull or 0.0) for pull in load]
             else:
                 torque = [self.train.torque(one, slope, load=pull, way=way) for one, pull in pulls]
-            self.rows.append((span, speed, (torque[0], torque[1]), False))
+            self.rows.append(_Piece(span, speed, (torque[0], torque[1]), False, load, held))
 
     def _step(self, before: float, after: float, load: float | None, at: float, span: float) -> float:
         """Add the drive at its limit from one speed to the other and return how long that takes [s]."""
@@ -151,15 +170,19 @@ class _Pieces:
                 f"{step}: it takes {needed:.3g} s at the drive's limit, and the next piece begins {span:.3g} s later"
             )
         needed = min(needed, span)
-        self.rows.append((needed, (before, after), (way * self.limit, way * self.limit), True))
+        pushed = way * self.limit
+        self.rows.append(_Piece(needed, (before, after), (pushed, pushed), True, (load, load), False))
         return needed
 
     def made(self) -> DriveRequirement:
+        duration, speed, torque, step, load, held = zip(*self.rows, strict=True)
         return DriveRequirement(
-            duration=np.array([row[0] for row in self.rows]),
-            speed=np.array([row[1] for row in self.rows]),
-            torque=np.array([row[2] for row in self.rows]),
-            step=np.array([row[3] for row in self.rows]),
+            duration=np.array(duration),
+            speed=np.array(speed),
+            torque=np.array(torque),
+            step=np.array(step),
+            load=np.array(load, dtype=np.float64),
+            held=np.array(held),
             late=tuple(self.late),
         )
 

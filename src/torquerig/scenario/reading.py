@@ -147,7 +147,7 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
 
 
 @cache
-def _schema(cls: type[Part]) -> TypeAdapter[Part]:
+def _schema(cls: type[Any]) -> TypeAdapter[Part]:
     """Return what reads a part of a class; to make it takes pydantic some 5 ms, far longer than the reading."""
     return TypeAdapter(cls)
 

@@ -92,7 +92,8 @@ def test_braking_gives_back_all_kinetic_energy_and_copper_takes_its_share():
 @pytest.mark.parametrize("copper", [0.0, 3.0, 40.0])
 def test_given_back_agrees_with_a_fine_sum(copper):
     requirement = DriveRequirement(duration=np.array([2.0, 1.0]), speed=np.array([[10.0, 2.0], [5.0, 5.0]]),
-                         torque=np.array([[1.0, -1.5], [-0.1, 0.2]]), step=np.array([False, False]))  # fmt: skip
+                         torque=np.array([[1.0, -1.5], [-0.1, 0.2]]), step=np.array([False, False]),
+                         load=np.full((2, 2), np.nan), held=np.array([False, False]))  # fmt: skip
     share = (np.arange(200_000) + 0.5) / 200_000
     total = 0.0
     for span, torque, speed in zip(requirement.duration, requirement.torque, requirement.speed, strict=True):

@@ -105,3 +105,48 @@ def test_a_worm_is_sized_by_its_forward_efficiency_and_a_locked_one_brakes_itsel
     assert sized.requirement().rms_torque == pytest.approx(2.0 / (30 * efficiency), rel=1e-9)
     assert before_sensor(sized, {}).peak == pytest.approx(2.0, rel=1e-9)
     assert "gearbox_life_use" not in sizing(sized, names=("gearbox_life_use",)).figures
+
+
+HUB_LOAD = "hub_load: {kind: particle_load, at: hub, mean_by_occupancy_percent: {0: 0 N*m, 5: 0.3 N*m}}"
+PLAIN = (MOTOR, BOX, PULLEY.replace(", viscous: 0.01 N*m*s/rad", ""), BELT, *REST)
+
+
+def test_a_load_before_a_stage_is_not_in_the_torque_of_that_stage() -> None:
+    """0.3 N m at the hub, 2 N m at the sensor: the belt transmits 2 N m, the box 2 / (2.5 x 0.96) + 0.3."""
+    sized = drive(*PLAIN, LOAD, HUB_LOAD)
+    assert behind_stage(sized, {}, "belt").peak == pytest.approx(2.0, rel=1e-9)
+    assert before_sensor(sized, {}).peak == pytest.approx(2.0, rel=1e-9)
+    assert behind_stage(sized, {}, "box").peak == pytest.approx(2.0 / (2.5 * 0.96) + 0.3, rel=1e-9)
+
+
+@pytest.mark.parametrize("other", ["", LOAD], ids=["alone", "beside a load at the end"])
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_load_on_a_branch_before_a_stage_by_the_torque_of_a_cycle(way: int, other: str) -> None:
+    """The cycle states 1.15 N m; it is shared as the rig's own means of 2 and 0.3 N m are, or all at the hub."""
+    point = f"""\
+operating_point:
+  load: {{occupancy: 5 %}}
+  profile: duty_cycle
+  duty_cycle:
+    segments:
+      - {{duration: 1 s, output_speed: {10 * way} rad/s, load_torque: 1.15 N*m}}"""
+    sized = drive(*PLAIN, *([other] if other else []), HUB_LOAD, point=point)
+    end, hub = (1.0, 0.15) if other else (0.0, 1.15)
+    assert behind_stage(sized, {}, "belt").peak == pytest.approx(end, abs=1e-9)
+    assert before_sensor(sized, {}).peak == pytest.approx(end, abs=1e-9)
+    assert behind_stage(sized, {}, "box").peak == pytest.approx(end / (2.5 * 0.96) + hub, rel=1e-9)
+
+
+def test_a_held_load_before_a_stage_is_not_in_it_at_rest() -> None:
+    """A rig without loads of a mean: the stated 1.2 N m acts at the hub, also while it stands."""
+    point = """\
+operating_point:
+  profile: duty_cycle
+  duty_cycle:
+    segments:
+      - {duration: 1 s, output_speed: 10 rad/s, load_torque: 1.2 N*m}
+      - {duration: 1 s, output_speed: 0 rad/s, load_torque: 1.2 N*m}"""
+    sized = drive(*PLAIN, HUB_LOAD.replace("0.3", "0"), point=point)
+    belt = behind_stage(sized, {}, "belt").torque
+    still = ~sized.requirement().step
+    assert abs(belt[still]).max() == pytest.approx(0.0, abs=1e-9)
