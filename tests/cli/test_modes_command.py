@@ -104,3 +104,37 @@ def test_simulate_proves_its_step_in_one_sentence(tmp_path: Path, capsys: pytest
     out = " ".join(capsys.readouterr().out.split())
     assert "fixed by the mode at 1945 Hz (twist in 'coupling')" in out
     assert "within the tolerance of 0.00031 N*m (one step of its converter): proven" in out
+
+
+def test_a_spring_with_both_ends_held_is_not_called_missing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scenario = tmp_path / "held.yaml"
+    both = IMPOSED + "  other: {kind: imposed_motion, at: block, channel: position}\n"
+    scenario.write_text(both, encoding="utf-8")
+    assert run(str(scenario)) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert "no modes: both ends of every torsional spring are held, by an imposed motion or a locked end" in out
+
+
+def test_a_damped_frequency_above_the_undamped_one_is_explained(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """sqrt(k (1/J1 + 1/J2)) is 159 Hz; with 1/eta of the torque on J1, sqrt(k (1/(eta J1) + 1/J2)) is 184 Hz."""
+    scenario = tmp_path / "lossy.yaml"
+    scenario.write_text(
+        """
+operating_point: {motor_speed: 100 rpm}
+measured: gear
+rig:
+  motor: {kind: motor, inertia: 10 kg*cm^2, torque_limit: 500 N*m}
+  gear: {kind: gear, ratio: 1, stiffness: 500 N*m/rad, damping: 0.001 N*m*s/rad, efficiency: 0.6}
+  end: {kind: body, inertia: 10 kg*cm^2, viscous: 0.01 N*m*s/rad}
+  loop: {kind: speed_controller, kp: 0.05 N*m*s/rad, ki: 0.5 N*m/rad}
+""",
+        encoding="utf-8",
+    )
+    assert run(str(scenario)) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert "1 159.15 183.7" in out
+    assert "damped above undamped: damping or friction holds a shaft that swings in the undamped mode" in out
+    assert run(WEAR_RIG, "--set", "gearbox.efficiency=1") == 0
+    assert "holds a shaft" not in capsys.readouterr().out

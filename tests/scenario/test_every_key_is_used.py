@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache
+from pathlib import Path as PathOf
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ import pytest
 from torquerig.catalog.reading import Catalog, load_catalog
 from torquerig.catalog.shipped import shipped_folder, shipped_scenarios
 from torquerig.diagnosis.fitting.knobs import nuisance_knobs
-from torquerig.document import Document, read_document
+from torquerig.document import Document, parse_document, read_document
 from torquerig.errors import TorquerigError
 from torquerig.recordings.recording import Channel, Recording
 from torquerig.rig.assembly import Rig
@@ -231,3 +232,24 @@ def test_a_cycle_states_its_own_speed_and_length() -> None:
     assert "operating_point.output_speed" in keys
     assert "operating_point.slow_speed_wander" in keys
     assert "operating_point.duty_cycle" not in keys
+
+
+LOCKED = """
+operating_point: {motor_speed: 0 rpm}
+measured: shaft
+rig:
+  motor: {kind: motor, inertia: 2 kg*cm^2, torque_limit: 5 N*m}
+  shaft: {kind: coupling, stiffness: 500 N*m/rad, damping: 0.01 N*m*s/rad, inertia: 1 kg*cm^2}
+  box: {kind: gear, ratio: 5, stiffness: 9 kN*m/rad, damping: 2 N*m*s/rad, output_inertia: 6 kg*cm^2,
+        input_inertia: 1 kg*cm^2, viscous: 0.1 N*m*s/rad, smoothing: 0.1 rad/s, efficiency: 0.9}
+  flange: {kind: body, inertia: 3 kg*cm^2}
+  wall: {kind: ground}
+  loop: {kind: torque_controller, motor: motor, torque: 0.1 N*m}
+"""
+
+
+def test_what_rests_at_a_locked_end_is_reported() -> None:
+    """The gear's loss depends on its smoothing and efficiency; inertia and friction of the output rest."""
+    made = read_scenario(parse_document(LOCKED, PathOf("locked.yaml")), catalog(), seed=1)
+    keys = [text.split(":")[0] for text in unused_by_simulation(made)]
+    assert keys == ["rig.box.output_inertia", "rig.box.input_inertia", "rig.box.viscous", "rig.flange.inertia"]

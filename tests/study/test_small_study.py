@@ -20,7 +20,7 @@ from torquerig.rig.parts import Gear, Motor, SpeedController
 from torquerig.rig.terms import Inertia
 from torquerig.scenario.kinematics import gears_to_sensor
 from torquerig.scenario.overrides import overridden
-from torquerig.study.candidates import Candidate, candidates, scenario_of
+from torquerig.study.candidates import Candidate, candidates, left_out_gearboxes, scenario_of
 from torquerig.study.definition import Study, open_study
 from torquerig.study.missing_data import missing_data_text
 from torquerig.study.operating_points import points_of
@@ -144,6 +144,9 @@ def test_a_ratio_stated_in_the_rig_pins_the_gearbox() -> None:
     rig = scenario_of(only, study, seed=1).rig
     assert next(part for part in rig.parts if isinstance(part, Gear)).ratio == 10.0
     assert rig.run.speed_rpm == pytest.approx(2000)
+    note = left_out_gearboxes(study)
+    assert note.startswith("Not compared: economy-20-1. --set gearbox.ratio=10: rig.gearbox.ratio: 10 is stated")
+    assert left_out_gearboxes(study_with(TINY)) == ""
 
 
 @pytest.mark.long
@@ -312,7 +315,7 @@ def test_points_are_occupancies_at_the_default_size_then_sizes_at_the_default_oc
     [
         ("study.motors=[HDS6A-0104A]", "the present motor 'bldc-12n14p' is not among the motors of the study"),
         ("output_speed=400 rpm", None),
-        ("output_speed=1500 rpm", "the present motor 'bldc-12n14p' does not reach the required speed"),
+        ("output_speed=1500 rpm", "the present motor 'bldc-12n14p' is out of reach"),
         ("study.motors=[foo]", "there is no motor 'foo' in the catalog"),
         ("present.gearbox=foo", r"study\.present\.gearbox: there is no gearbox 'foo'"),
         ("reading error.weight=-1", "-1 is out of range; it must be at least 0"),

@@ -21,6 +21,7 @@ from torquerig.reporting.study.report import write_study_report
 from torquerig.reporting.study.text import ranked_text, shares_text
 from torquerig.scenario.overrides import overridden
 from torquerig.study.as_matrix import as_matrix
+from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.definition import Study, open_study
 from torquerig.study.held_numbers import held_sentence
 from torquerig.study.operating_points import Point, points_of
@@ -100,8 +101,9 @@ def _print_ranking(runs: StudyRuns) -> tuple[Decided, Verdict]:
     answer = verdict(decided)
     click.echo(ranked_text(decided) + "\n")
     click.echo(shares_text(runs))
-    if held := held_sentence(runs.study):
-        click.echo("\n" + wrapped(held))
+    for note in (left_out_gearboxes(runs.study), held_sentence(runs.study)):
+        if note:
+            click.echo("\n" + wrapped(note))
     return decided, answer
 
 

@@ -10,14 +10,16 @@ from torquerig.errors import InputError
 from torquerig.recordings.profiles.breakpoints import Breakpoints
 from torquerig.recordings.profiles.tabulated import Tabulated
 from torquerig.rig.assembly import Rig
+from torquerig.scenario.locked_ends import at_locked_ends
 from torquerig.scenario.model import Scenario
 
 _POINT = "operating_point"
 
 
 def unused_by_run(scenario: Scenario) -> tuple[str, ...]:
-    """Return each stated key of the operating point that a run at it does not depend on, with the reason."""
-    return tuple(f"{_POINT}.{key}: {reason}" for key, reason in _of_operating_point(scenario))
+    """Return each stated key that no run of the rig at its operating point depends on, with the reason."""
+    point = (f"{_POINT}.{key}: {reason}" for key, reason in _of_operating_point(scenario))
+    return (*point, *at_locked_ends(scenario))
 
 
 def unused_by_simulation(scenario: Scenario) -> tuple[str, ...]:

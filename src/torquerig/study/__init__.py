@@ -2,6 +2,7 @@
 
 settings    the study: section of a scenario      study       scenario, settings, catalog and filters together
 preflight   checks before the first run           operating_points  of --all-points
+loop_margin  distance of a tuned speed loop from instability
 candidates  motor on a gearbox, loop tuned        drive_run   one drive: simulate, filter, measure
 run_study   all drives on all cores               results     of all drives and filters
 criteria    requirements and criteria             scoring     figures -> three matrices

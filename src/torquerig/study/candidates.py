@@ -86,6 +86,25 @@ def candidates(study: Study) -> tuple[Candidate, ...]:
     )  # fmt: skip
 
 
+def left_out_gearboxes(study: Study) -> str:
+    """Return one sentence about the gearboxes of the study that a stated ratio leaves out; empty where it leaves none.
+
+    A ratio next to the catalog entry of the rig's gear fixes the gearbox, as ``--set gearbox.ratio=10`` does.
+    """
+    stage = study.exchanged.stage
+    if not stage or pinned_ratio(study.document, stage) is None:
+        return ""
+    part = study.document.data["rig"][stage]
+    others = [box for box in study.settings.gearboxes if box != part["catalog"]]
+    if not others:
+        return ""
+    return (
+        f"Not compared: {', '.join(others)}. {study.document.place(('rig', stage, 'ratio'))}: {part['ratio']:g} is "
+        f"stated beside the catalog entry {part['catalog']} and fixes the gearbox; leave the ratio out to compare all "
+        "gearboxes of the study."
+    )
+
+
 def candidate_of(study: Study, *, motor: str, gearbox: str) -> Candidate:
     """Return the candidate with the ratios of its chain, as it is read with the seed of the study."""
     parts = study.exchanged
@@ -144,8 +163,7 @@ def drive_limited(rig: Rig, sensor_limit: float, *, motor: str) -> Rig:
 def loop_tuned(rig: Rig, rule: SpeedLoopRule, *, motor: str) -> Rig:
     """Return the rig with ``kp = 2 pi crossover J`` and ``ki = kp 2 pi corner``, J all inertia seen by the motor.
 
-    The crossover of the open loop ``kp / (J s)``; it must stay well below the first torsional mode, which is not
-    checked here (the drives of the study have theirs at 100 to 210 Hz).
+    The crossover of the open loop ``kp / (J s)``; it must stay well below the first torsional mode (``loop_margin``).
     """
     controller = next(one for one in rig.parts_of(SpeedController) if one.motor == motor)
     ratios = rig.speed_ratios(rig.node(controller.motor))

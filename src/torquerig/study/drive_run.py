@@ -27,7 +27,7 @@ from torquerig.scenario.model import Scenario
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.definition import Study
 from torquerig.study.exchanged_data import is_new_stage, look_up_stage
-from torquerig.study.preflight import out_of_reach
+from torquerig.study.preflight import margin_of, out_of_reach
 from torquerig.study.results import ChainResult, DriveResult
 from torquerig.study.settings import SpeedLoopRule, metrics_of
 from torquerig.study.sized_candidates import sizing_figures
@@ -116,7 +116,8 @@ def _simulated(unsimulated: DriveResult, scenario: Scenario, study: Study) -> Dr
         )
     shares = reading_shares(rig, **_conditions(scenario, study), known=(pair.reading, pair.quiet))
     return replace(
-        unsimulated, shares=shares, load_path=load_path(rig), chains=chains, recording=pair.reading,
+        unsimulated, shares=shares, load_path=load_path(rig), loop=margin_of(scenario, study), chains=chains,
+        recording=pair.reading,
         disturbance=_figure(found.disturbances, scenario.assumed, unit=unit),
     )  # fmt: skip
 

@@ -11,6 +11,7 @@ from torquerig.scenario.requirement_check import requirement_faults
 from torquerig.study.candidates import Candidate
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.definition import Study
+from torquerig.study.loop_margin import LoopMargin, loop_margin
 
 
 def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:
@@ -31,20 +32,30 @@ def check_study(study: Study, scenarios: Mapping[Candidate, Scenario]) -> None:
     study.chains(next(iter(scenarios.values())))
     present = study.settings.present
     there = {one: made for one, made in scenarios.items() if one.motor == present.motor}
-    if all(out_of_reach(one, made, study) for one, made in there.items()):
-        short = "does not reach the required speed, torque or voltage"
-        fault = short if there else "is not among the motors of the study"
+    faults = [out_of_reach(one, made, study) for one, made in there.items()]
+    if all(faults):
+        fault = f"is out of reach ({faults[0]})" if there else "is not among the motors of the study"
         raise InputError(
             f"{place(('study', 'present', 'motor'))}: the present motor {present.motor!r} {fault}, and the Pugh matrix "
-            "needs it as its baseline; list it under motors, or name another present drive that reaches the speed"
+            "needs it as its baseline; list it under motors, or name another present drive"
         )
 
 
 def out_of_reach(candidate: Candidate, scenario: Scenario, study: Study) -> str:
-    """Return why a drive cannot reach the speed, torque or voltage of its run; empty where it can."""
+    """Return why a drive cannot reach the speed, torque or voltage of its run, or hold a speed; empty where it can."""
     demand = drive_requirement(scenario.rig, duration=study.settings.duration)
     faults = requirement_faults(demand, scenario.rig, study.catalog.motor(candidate.motor))
-    return next((fault.text for fault in faults if fault.impossible), "")
+    impossible = next((fault.text for fault in faults if fault.impossible), "")
+    margin = None if impossible else margin_of(scenario, study)
+    return impossible or ("" if margin is None else margin.fault)
+
+
+def margin_of(scenario: Scenario, study: Study) -> LoopMargin | None:
+    """Return the margin of the speed loop that the study tunes."""
+    return loop_margin(
+        scenario.rig, motor=study.exchanged.motor, crossover=study.settings.speed_loop.crossover,
+        rate=scenario.recording.sample_rate,
+    )  # fmt: skip
 
 
 def _refuse_cycles(study: Study, scenario: Scenario) -> None:

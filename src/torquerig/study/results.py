@@ -13,6 +13,7 @@ from torquerig.recordings.recording import Recording
 from torquerig.scenario.filled import FromCatalog
 from torquerig.study.candidates import Candidate
 from torquerig.study.definition import Study
+from torquerig.study.loop_margin import LoopMargin
 from torquerig.version import __version__
 
 
@@ -55,6 +56,8 @@ class DriveResult:
     load_path : LoadPath or None
         What the shafts make of the load on its way to the sensor.
     chains : mapping of str to ChainResult
+    loop : LoopMargin or None
+        How far the tuned speed loop is from instability.
     omitted : Figure
         Rms at the sensor of a commutation ripple that the motor's known lines leave out [N m]; unknown where none is.
     taken : mapping of str to FromCatalog
@@ -75,6 +78,7 @@ class DriveResult:
     chains: Mapping[str, ChainResult]
     recording: Recording | None
     load_path: LoadPath | None = None
+    loop: LoopMargin | None = None
     omitted: Figure = field(default_factory=lambda: Figure(unit="N*m"))
     taken: Mapping[str, FromCatalog] = field(default_factory=dict)
 

@@ -13,6 +13,7 @@ from torquerig.reporting.layout import listed, plain
 from torquerig.reporting.study.chapters import rule_text
 from torquerig.scenario.recording_settings import RecordingSettings
 from torquerig.scenario.sections import read_operating_point, read_section
+from torquerig.study.candidates import left_out_gearboxes
 from torquerig.study.exchanged_data import left_out_effects
 from torquerig.study.held_numbers import held_sentence
 from torquerig.study.load_randomness import load_randomness
@@ -121,15 +122,16 @@ def limits(runs: StudyRuns) -> tuple[str, ...]:
     )
     rig = runs.study.document.data.get("rig", {})
     mesh = () if any(part.get("kind") == "gear_mesh" for part in rig.values()) else (MESH,)
-    held = held_sentence(runs.study)
+    notes = [note for note in (left_out_gearboxes(runs.study), held_sentence(runs.study)) if note]
     return (
         simulated,
+        *narrow_loops(runs),
         *omitted_ripple(runs),
         *mesh,
         *_left_out(runs),
         samples,
         *load,
-        *([held] if held else []),
+        *notes,
         CLASS,
         shares,
     )
@@ -142,6 +144,14 @@ def _left_out(runs: StudyRuns) -> tuple[str, ...]:
     return tuple(
         f"{listed(effects)} of the scenario has no place on {box} and is left out there." for box, effects in
         without.items() if effects
+    )  # fmt: skip
+
+
+def narrow_loops(runs: StudyRuns) -> tuple[str, ...]:
+    """Return the drives whose speed loop is nearer to instability than is usual, a sentence each."""
+    return tuple(
+        f"{drive.candidate.name}: {drive.loop.doubt}."
+        for drive in runs.drives if drive.loop is not None and drive.loop.doubt
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from torquerig.plain_table import cut, grid, wrapped
 from torquerig.reporting.figures.shares_figure import SHARES
 from torquerig.reporting.layout import figure_text, plain
+from torquerig.reporting.study.answers import narrow_loops
 from torquerig.reporting.study.tables import decision_words, effort_text
 from torquerig.study.load_randomness import load_randomness
 from torquerig.study.results import StudyRuns
@@ -64,6 +65,7 @@ def shares_text(runs: StudyRuns) -> str:
         rows.append([drive.candidate.name, f"{drive.shares.mean:.3f}", *cells])
     table = _fitted([["drive", "mean", *SHARES], *rows], left=(0,))
     why = [f"{drive.candidate.name}: {drive.out_of_reach}" for drive in runs.drives if drive.out_of_reach]
+    why += narrow_loops(runs)
     return "\n".join([table, *(cut(line, WIDTH) for line in why)])
 
 

@@ -1,0 +1,95 @@
+"""Distance of a tuned speed loop from instability, where the first torsional mode brings it close."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, pi
+
+import numpy as np
+
+from torquerig.errors import TorquerigError
+from torquerig.rig.assembly import Rig
+from torquerig.rig.first_mode import first_elastic_mode
+from torquerig.simulation.twin.linear_twin import twin_of
+from torquerig.simulation.twin.margins import grid, loop_gain
+
+USUAL = 0.5  # [1] modulus margin that is usually required (Maciejowski, Multivariable Feedback Design, section 1.3)
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoopMargin:
+    """How far a speed loop is from instability.
+
+    Parameters
+    ----------
+    stable : bool
+        Whether the sampled loop is stable at the set-point.
+    modulus : float
+        Least distance of the loop gain from -1 [1]; a disturbance is amplified by at most its inverse.
+    at : float
+        Where [Hz].
+    mode : float
+        The first elastic mode of the shafts [Hz]; infinite where no shaft twists.
+    crossover : float
+        Of the study's rule [Hz].
+    rate : float
+        Samples of the controller per second [Hz].
+    """
+
+    stable: bool
+    modulus: float
+    at: float
+    mode: float
+    crossover: float
+    rate: float
+
+    @property
+    def fault(self) -> str:
+        """Why the drive cannot be simulated; empty where its loop is stable."""
+        if self.stable:
+            return ""
+        return f"its speed loop is unstable ({self._terms}); lower study: speed_loop: crossover"
+
+    @property
+    def doubt(self) -> str:
+        """What a narrow margin does, in words; empty where the margin is as usual."""
+        if not self.stable or self.modulus >= USUAL:
+            return ""
+        return (
+            f"its speed loop amplifies disturbances by up to {1 / self.modulus:.2g} at {self.at:.3g} Hz, usual is at "
+            f"most {1 / USUAL:g} ({self._terms}); lower study: speed_loop: crossover"
+        )
+
+    @property
+    def _terms(self) -> str:
+        mode = f", first torsional mode {self.mode:.3g} Hz" if self.mode < inf else ""
+        return f"crossover {self.crossover:g} Hz{mode}, {self.rate:g} Hz sample rate"
+
+
+def loop_margin(rig: Rig, *, motor: str, crossover: float, rate: float) -> LoopMargin | None:
+    """Return the margin of the speed loop of a motor, linear at the set-point, sampled at ``rate`` [Hz].
+
+    Dry friction counts by its slope, gaps as closed. None where the rig has no one operating point (``twin_of``).
+    """
+    try:
+        twin = twin_of(rig, rate=rate)
+    except TorquerigError:
+        return None
+    on = twin.lowered.node(rig.node(motor))
+    rows = [row for row, node in enumerate(twin.lowered.arrays.drives.on) if int(node) == on]
+    if not rows:
+        return None
+    frequencies = grid(twin.open_loop, rate=rate)
+    distance = np.abs(1 + loop_gain(twin.open_loop, twin.lowered, controller=rows[0], rate=rate)(frequencies))
+    nearest = int(distance.argmin())
+    return LoopMargin(
+        stable=twin.stable, modulus=float(distance[nearest]), at=float(frequencies[nearest]), mode=_first_mode(rig),
+        crossover=crossover, rate=rate,
+    )  # fmt: skip
+
+
+def _first_mode(rig: Rig) -> float:
+    try:
+        return first_elastic_mode(rig.terms()) / (2 * pi)
+    except TorquerigError:
+        return inf
