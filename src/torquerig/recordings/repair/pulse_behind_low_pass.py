@@ -47,19 +47,25 @@ class LowPass:
         return 0.9 / self.cutoff
 
 
-def pulse_spectrum(frequency: Floats, length: Floats | float, low_pass: LowPass, *, rate: float) -> Complex:
+def step_spectrum(frequency: Floats, low_pass: LowPass, *, rate: float) -> Complex:
+    """Return the transform of a unit step at zero, sampled as means at ``rate`` [Hz]; 0 at 0 Hz, where it has none.
+
+    Parameters
+    ----------
+    frequency : ndarray, shape (bins,)
+        [Hz].
+    """
+    integrated = np.where(frequency > 0, rate / (2j * np.pi * np.where(frequency > 0, frequency, 1.0)), 0.0)
+    return np.asarray(integrated * np.sinc(frequency / rate) * low_pass.response(frequency))
+
+
+def pulse_spectrum(frequency: Floats, length: float, low_pass: LowPass, *, rate: float) -> Complex:
     """Return the transform of a unit pulse that begins at zero, ``length`` [s] long, sampled as means at ``rate`` [Hz].
 
     Parameters
     ----------
     frequency : ndarray, shape (bins,)
         [Hz].
-    length : float, or ndarray of shape (lengths, 1)
-        [s].
-
-    Returns
-    -------
-    ndarray, shape (bins,) or (lengths, bins)
     """
     rectangle = length * rate * np.sinc(frequency * length) * np.exp(-1j * np.pi * frequency * length)
     return np.asarray(rectangle * np.sinc(frequency / rate) * low_pass.response(frequency))
@@ -134,7 +140,11 @@ class Windows:
         object.__setattr__(self, "weight", np.where(used, 1 / (self.noise + wrong), 0.0))
 
     def fitted(self, low_pass: LowPass, lengths: Floats, *, before: float, after: float) -> Fit:
-        """Return the best pulse of each window among ``lengths`` [s] that begins so long before or after its middle."""
+        """Return the best pulse of each window among ``lengths`` [s] that begins so long before or after its middle.
+
+        A pulse is a step up and, its length later, a step down. So one matched filter for a step serves all lengths,
+        which are rounded to the distance of the starts that are tried.
+        """
         size, index, used = window_size(self.rate), np.arange(self.at.size), int(np.flatnonzero(self.weight)[-1]) + 1
         frequency = np.asarray(np.fft.rfftfreq(size, 1 / self.rate)[:used], dtype=np.float64)
         weight = self.weight[:used]
@@ -142,11 +152,17 @@ class Windows:
         steps = 2 * max(used, round(0.5 * size / self.rate / self.step))  # of starts within a window
         first = round((0.5 - before * self.rate / size) * steps)
         last = round((0.5 + after * self.rate / size) * steps) + 1
+        counts = np.unique(np.maximum(np.round(lengths * self.rate / size * steps).astype(int), 1))
+        lengths = counts * size / steps / self.rate
+        step = step_spectrum(frequency, low_pass, rate=self.rate)
+        turned = np.exp(-2j * np.pi * frequency * lengths[:, None])
+        energies = 2 * (np.abs(step * (1 - turned)) ** 2 * weight).sum(axis=1)
+        up = np.fft.irfft(spectra * (step.conj() * weight), steps, axis=1) * steps
+        down = np.concatenate([up, up], axis=1)  # a window repeats
+        up = up[:, first:last]
         best, depth, start, length = (np.zeros(self.at.size) for _ in range(4))
-        pulses = pulse_spectrum(frequency, lengths[:, None], low_pass, rate=self.rate)
-        energies = 2 * (np.abs(pulses) ** 2 * weight).sum(axis=1)
-        for each, energy, weighted in zip(lengths.tolist(), energies.tolist(), pulses.conj() * weight, strict=True):
-            matched = np.fft.irfft(spectra * weighted, steps, axis=1)[:, first:last] * steps
+        for count, each, energy in zip(counts.tolist(), lengths.tolist(), energies.tolist(), strict=True):
+            matched = up - down[:, first + count : last + count]
             place = np.argmax(np.abs(matched), axis=1)
             peak = matched[index, place]
             better = peak**2 > best * energy
