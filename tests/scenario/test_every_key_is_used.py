@@ -29,12 +29,13 @@ from torquerig.scenario.sensor_priors import sensor_priors
 from torquerig.scenario.unused import unused_by_simulation
 from torquerig.simulation.input_channels import driven_parts, with_inputs
 from torquerig.simulation.simulator import simulate
-from torquerig.study import drive_run
+from torquerig.study import planned_drive
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.criteria import criteria_of, requirements_of
 from torquerig.study.definition import Study, open_study
 from torquerig.study.exchanged_data import look_up_stage
 from torquerig.study.operating_points import points_of
+from torquerig.study.sample_runs import DriveSamples
 
 LENGTH, SETTLING = 0.05, 0.02  # [s] of the simulated stretch: 1250 samples at 25 kHz
 Path = tuple[Any, ...]
@@ -141,7 +142,7 @@ def as_driven(study: Study) -> object:
     compared = candidates(study)
     made = scenario_of(compared[-1], study, seed=study.settings.seed)
     stages = [look_up_stage(one.gearbox, study) for one in compared]
-    return [*study.chains(made)], made.rig.terms(), drive_run.settling_of(study.settings.speed_loop), stages
+    return [*study.chains(made)], made.rig.terms(), planned_drive.settling_of(study.settings.speed_loop), stages
 
 
 def read(document: Document) -> Scenario:
@@ -189,23 +190,15 @@ def test_another_value_of_every_key_changes_a_result_or_is_reported(name: str) -
     assert [one for one in silent if not any(one.startswith(each) for each in unused)] == []
 
 
-class _Asked(Exception):
-    """Ends a drive's run when its first recording is asked for."""
-
-
-def test_the_length_and_the_seed_of_a_study_are_those_of_its_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_length_and_the_seed_of_a_study_are_those_of_its_runs() -> None:
     document = documents()["wear_rig.yaml"]
-    asked: list[tuple[float, int]] = []
-
-    def recorded(_: object, *, duration: float, seed: int, **__: object) -> None:
-        asked.append((duration, seed))
-        raise _Asked
-
-    monkeypatch.setattr(drive_run, "simulated_reading_pair", recorded)
+    asked = []
     for key, value in (("duration", "7 s"), ("seed", 5)):
         study: Study = open_study(changed(document, ("study", key), value), catalog())
-        with pytest.raises(_Asked):
-            drive_run.run_drive(candidates(study)[0], study)
+        candidate = candidates(study)[0]
+        drive = planned_drive.planned_drive(candidate, scenario_of(candidate, study, seed=study.settings.seed), study)
+        spans = [run.run.span for run in DriveSamples(0, drive, study).runs()]
+        asked += list({(span.samples / span.rate, span.seed) for span in spans})
     assert asked == [(7.0, 1), (10.0, 5)]
 
 

@@ -16,10 +16,9 @@ from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import candidates
 from torquerig.study.definition import Study, open_study
 from torquerig.study.drawn_motors import best_new_motor_text, is_drawn, ranking_of_draws
-from torquerig.study.drive_run import run_drive
 from torquerig.study.load_randomness import load_randomness
 from torquerig.study.results import DriveResult, StudyRuns
-from torquerig.study.run_study import run_study
+from torquerig.study.run_study import run_drive, run_study
 from torquerig.study.scoring import Decided, decide
 from torquerig.study.verdict import verdict
 

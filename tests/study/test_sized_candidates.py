@@ -16,8 +16,8 @@ from torquerig.metrics.sizing.drive_sizing import SIZING_UNITS
 from torquerig.study.candidates import Candidate, scenario_of
 from torquerig.study.criteria import UNITS, criteria_of
 from torquerig.study.definition import open_study
-from torquerig.study.drive_run import run_drive
 from torquerig.study.ratio_sweep import middle, ratio_sweep
+from torquerig.study.run_study import run_drive
 from torquerig.study.settings import CriterionRow, Metric
 from torquerig.study.sized_candidates import sized_candidate, sizing_figures, with_cycle
 

@@ -14,7 +14,7 @@ from torquerig.errors import UnknownNameError
 from torquerig.scenario.overrides import overridden
 from torquerig.study.candidates import candidates, scenario_of
 from torquerig.study.definition import Study, open_study
-from torquerig.study.drive_run import settling_of
+from torquerig.study.planned_drive import settling_of
 from torquerig.study.rated_drives import feasible_combinations, rated_drives
 from torquerig.study.run_study import run_study
 from torquerig.study.scoring import Decided, decide

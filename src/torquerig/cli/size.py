@@ -119,7 +119,7 @@ def _print_disturbance(
     from torquerig.metrics.residual_disturbance import simulated_reading_pair
     from torquerig.reporting.sizing.sizing_text import disturbance_rows
     from torquerig.scenario.overrides import overridden
-    from torquerig.study.drive_run import settling_of
+    from torquerig.study.planned_drive import settling_of
 
     steady = overridden(document, ("operating_point.profile=steady",))
     before: list[float] = []

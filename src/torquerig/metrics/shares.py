@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -45,25 +46,29 @@ class Shares:
 
 
 def reading_shares(
-    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE,
-    known: tuple[Recording, Recording] | None = None,
-) -> Shares:  # fmt: skip
-    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed.
-
-    Parameters
-    ----------
-    known : tuple of Recording, optional
-        The run of the whole rig, and that without its disturbances, where they are simulated already with the same
-        arguments.
-    """
+    rig: Rig, *, duration: float, seed: int, settling: float, wander: float = 0.0, sample_rate: float = SAMPLE_RATE
+) -> Shares:
+    """Return the shares of the reading over ``duration`` seconds; five runs of the rig with the same seed."""
 
     def run(*left_out: str) -> Recording:
         kept = replace(rig, parts=tuple(part for part in rig.parts if part.group not in left_out))
         return simulate(kept, duration=duration, seed=seed, wander=wander, settling=settling, sample_rate=sample_rate)
 
-    whole, quiet = known or (run(), run(*DISTURBANCES))
+    return shares_of(run(), run(*DISTURBANCES), without={group: run(group) for group in DISTURBANCES})
+
+
+def shares_of(whole: Recording, quiet: Recording, *, without: Mapping[str, Recording]) -> Shares:
+    """Return the shares from runs under the same load.
+
+    Parameters
+    ----------
+    whole, quiet : Recording
+        Of the whole rig, and without any of its disturbances.
+    without : mapping of str to Recording
+        Without one of ``DISTURBANCES`` each.
+    """
     torque, load = sensed(whole), sensed(quiet)
-    lost = {group: float(np.std(torque - sensed(run(group)))) for group in DISTURBANCES}
+    lost = {group: float(np.std(torque - sensed(without[group]))) for group in DISTURBANCES}
     at_part = true_load(quiet)
     return Shares(
         mean=float(torque.mean()), load=float(load.std()),

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
-from pydantic import TypeAdapter
-
 from torquerig.catalog.reading import Catalog
-from torquerig.document import Document, validated
+from torquerig.document import Document, adapter_of, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import HOST_FIELDS, Part, Rig
@@ -143,13 +141,7 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
         data.setdefault("after", shaft)
     units = {"in_a_line": _in_a_line(document, cls, data)}
     elsewhere = partial(place_of, data=document.data, here=f"rig.{name}")
-    return validated(document, _schema(cls), within=("rig", name), data=data, context=units, elsewhere=elsewhere)
-
-
-@cache
-def _schema(cls: type[Any]) -> TypeAdapter[Part]:
-    """Return what reads a part of a class; to make it takes pydantic some 5 ms, far longer than the reading."""
-    return TypeAdapter(cls)
+    return validated(document, adapter_of(cls), within=("rig", name), data=data, context=units, elsewhere=elsewhere)
 
 
 def _in_a_line(document: Document, cls: type[Part], data: Mapping[str, Any]) -> bool:

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from pydantic import BaseModel, TypeAdapter
+from pydantic import BaseModel
 
-from torquerig.document import Document, validated, with_new_keys
+from torquerig.document import Document, adapter_of, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.misplaced import place_of
@@ -82,5 +82,5 @@ def _validated(
 ) -> Section:
     elsewhere = partial(place_of, data=document.data, here=name)
     return validated(
-        document, TypeAdapter(model), within=(name,), data=data, context={"in_a_line": in_a_line}, elsewhere=elsewhere
+        document, adapter_of(model), within=(name,), data=data, context={"in_a_line": in_a_line}, elsewhere=elsewhere
     )

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from torquerig.errors import InputError
 from torquerig.recordings.recording import Recording
 from torquerig.rig.assembly import Rig
-from torquerig.simulation.condensation.lowered_for import lower_for
-from torquerig.simulation.inputs import Span, held_while_settling
-from torquerig.simulation.kernel.lanes import LANES
+from torquerig.simulation.batch_parts import BatchRun, alike
+from torquerig.simulation.inputs import Draws, Span
 from torquerig.simulation.kernel.side_by_side import integrate_together
-from torquerig.simulation.outputs import as_arrays, outputs_of
+from torquerig.simulation.outputs import as_arrays
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.simulator import SAMPLE_RATE, SETTLING, recorded, stepped
-from torquerig.simulation.term_kinds import KINDS
 
 WORTHWHILE = 2  # rigs from which on a step of all lanes (76 ns) takes less time than one step of each (50 ns)
 
@@ -59,14 +56,11 @@ def simulate_batch(
         Span.of(duration=duration, settling=settling, rate=sample_rate, seed=seed, wander=float(each))
         for seed, each in zip(seeds, np.broadcast_to(wander, len(seeds)), strict=True)
     ]
-
-    runs = list(zip(rigs, spans, strict=True))
-    parts = _parts([_likeness(rig, span) for rig, span in runs])
+    runs = [BatchRun.of(rig, span) for rig, span in zip(rigs, spans, strict=True)]
+    parts = alike(runs)
 
     def of_part(part: Sequence[int]) -> list[Recording]:
-        return _together(
-            [ready(*runs[row], scenario=scenario, substeps=substeps, most_steps=most_steps) for row in part]
-        )
+        return simulate_part([runs[row] for row in part], scenario=scenario, substeps=substeps, most_steps=most_steps)
 
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         done = {row: made for part, each in zip(parts, pool.map(of_part, parts), strict=True)
@@ -74,53 +68,49 @@ def simulate_batch(
     return [done[row] for row in range(len(rigs))]
 
 
-def _likeness(rig: Rig, span: Span) -> Hashable:
-    """Return the structure that rigs must share to be integrated together: all whole numbers and kinds of laws."""
-    lowered = held_while_settling(lower_for(rig, span.seed, rate=span.rate), span)
-    arrays = [(array, False) for array in lowered.arrays.waves]
-    for kind in KINDS:
-        rows = getattr(lowered.arrays, kind.field)
-        arrays += [(array, name in kind.deciding) for name, array in rows._asdict().items()]
-    shared = tuple((array.shape, _shared(array, decides=decides).tobytes()) for array, decides in arrays)
-    return lowered.nodes, outputs_of(rig, lowered), shared
+def simulate_part(
+    runs: Sequence[BatchRun], *, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
+    draws: Draws | None = None,
+) -> list[Recording]:  # fmt: skip
+    """Return the recordings of at most ``LANES`` runs that are alike.
+
+    Parameters
+    ----------
+    draws : Draws, optional
+        Where the random loads are kept for other runs of the same load; drawn anew for each part when not given.
+    """
+    held = Draws() if draws is None else draws
+    prepared = [
+        replace(
+            ready(run.rig, run.span, lowered=run.lowered, scenario=scenario, substeps=substeps, most_steps=most_steps,
+                  draws=held),
+            outputs=run.outputs,
+        )
+        for run in runs
+    ]  # fmt: skip
+    return _together(prepared, [run.staged for run in runs])
 
 
-def _shared(array: NDArray[Any], *, decides: bool) -> NDArray[Any]:
-    if array.dtype != np.float64:
-        return array
-    return array == 0 if decides else array[:0]
-
-
-def _parts(likeness: Sequence[Hashable]) -> list[list[int]]:
-    """Return the rows of rigs that are alike, in parts of about the same size that fit the lanes."""
-    alike: dict[Hashable, list[int]] = {}
-    for row, key in enumerate(likeness):
-        alike.setdefault(key, []).append(row)
-    return [
-        [int(row) for row in part] for rows in alike.values() for part in np.array_split(rows, -(-len(rows) // LANES))
-    ]
-
-
-def _together(runs: Sequence[Ready]) -> list[Recording]:
+def _together(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
     """Return the recordings of runs that differ only in their step size."""
     done: dict[int, Recording] = {}
     for steps in dict.fromkeys(run.steps for run in runs):
         rows = [row for row, run in enumerate(runs) if run.steps == steps]
-        done |= zip(rows, _of_one_step([runs[row] for row in rows]), strict=True)
+        done |= zip(rows, _of_one_step([runs[row] for row in rows], [staged[row] for row in rows]), strict=True)
     return [done[row] for row in range(len(runs))]
 
 
-def _of_one_step(runs: Sequence[Ready]) -> list[Recording]:
+def _of_one_step(runs: Sequence[Ready], staged: Sequence[bool]) -> list[Recording]:
     if len(runs) < WORTHWHILE:
-        return [stepped(run) for run in runs]
+        return [stepped(run, staged=each) for run, each in zip(runs, staged, strict=True)]
     first, starts = runs[0], [run.start() for run in runs]
     kept, finished = integrate_together(
         [theta for theta, _ in starts], [omega for _, omega in starts], [run.terms for run in runs],
         as_arrays(first.outputs), first.span.rate, first.span.settling, first.steps, first.span.samples,
     )  # fmt: skip
     if not finished:  # singly, so that each of the others is there and the one that fails says why
-        return [stepped(run) for run in runs]
+        return [stepped(run, staged=each) for run, each in zip(runs, staged, strict=True)]
     return [
-        recorded(run.rig, run.outputs, each, rate=run.span.rate, origin=run.origin)
-        for run, each in zip(runs, kept, strict=True)
+        recorded(run.rig, run.outputs, values, rate=run.span.rate, origin=run.origin, staged=each)
+        for run, values, each in zip(runs, kept, staged, strict=True)
     ]

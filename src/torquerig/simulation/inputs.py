@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from torquerig.recordings.recording import random_for
+from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
 from torquerig.rig.terms import AppliedTorque, Drive, ImposedMotion, Load, Signal
 from torquerig.simulation.lower import Lowered
@@ -59,12 +60,56 @@ def held_while_settling(lowered: Lowered, span: Span) -> Lowered:
     return lowered.imposing(ImposedMotion(name="settling", on=lowered.leader(), released=True))
 
 
-def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
+class Draws:
+    """The random courses drawn so far, for runs that have them in common; the newest few are kept.
+
+    Safe to share between threads: at worst a course is drawn twice, and is the same both times.
+    """
+
+    KEPT = 8  # courses; each is as long as a run
+
+    def __init__(self) -> None:
+        self._kept: dict[Hashable, NDArray[np.float64]] = {}
+
+    def load(self, term: Load | AppliedTorque, span: Span, count: int) -> NDArray[np.float64]:
+        """Return ``count`` samples of a load [N m], which nobody may change."""
+
+        def drawn() -> NDArray[np.float64]:
+            return term.process.sample(count, span.rate, random_for(span.seed, term.name))
+
+        return self._once((term.name, term.process, span.seed, span.rate, count), drawn)
+
+    def set_point(self, run: Run, span: Span) -> NDArray[np.float64]:
+        """Return the set-point of the speed with its wander [rad/s], which nobody may change."""
+
+        def drawn() -> NDArray[np.float64]:
+            return set_point(
+                run, settling=span.settling, samples=span.samples, rate=span.rate, wander=span.wander,
+                rng=random_for(span.seed, "speed wander"),
+            )  # fmt: skip
+
+        # the notes of a sidecar, which are not compared, change nothing of it
+        conditions = (getattr(run, one.name) for one in fields(run) if one.name != "others")
+        return self._once((*conditions, replace(span, phase_seed=None)), drawn)
+
+    def _once(self, key: Hashable, drawn: Callable[[], NDArray[np.float64]]) -> NDArray[np.float64]:
+        try:
+            made = self._kept.get(key)
+        except TypeError:  # what holds arrays is not compared
+            return drawn()
+        if made is None:
+            made = drawn()
+            made.flags.writeable = False
+            self._kept = {**dict(list(self._kept.items())[1 - self.KEPT :]), key: made}
+        return made
+
+
+def filled(rig: Rig, lowered: Lowered, span: Span, draws: Draws | None = None) -> Terms:
     """Return the rig's arrays with the inputs at every sample."""
-    time = span.time()
-    reference = _set_point(rig, span)
+    time, held = span.time(), Draws() if draws is None else draws
+    reference = held.set_point(rig.run, span)
     demands = [_demand(rig, drive, span, time) for drive in lowered.drive_terms]
-    loads = given_torques(rig, lowered.load_terms, span)
+    loads = given_torques(rig, lowered.load_terms, span, held)
     return lowered.arrays._replace(
         loads=lowered.arrays.loads._replace(samples=_stacked(loads, time.size)),
         drives=lowered.arrays.drives._replace(
@@ -74,11 +119,13 @@ def filled(rig: Rig, lowered: Lowered, span: Span) -> Terms:
     )
 
 
-def given_torques(rig: Rig, terms: Sequence[Load | AppliedTorque], span: Span) -> list[NDArray[np.float64]]:
+def given_torques(
+    rig: Rig, terms: Sequence[Load | AppliedTorque], span: Span, draws: Draws | None = None
+) -> list[NDArray[np.float64]]:
     """Return each load and applied torque at every sample [N m], by the profile of the run."""
-    time = span.time()
+    time, held = span.time(), Draws() if draws is None else draws
     return loads_as_planned(
-        rig.run, [_torque(term, span, time) for term in terms], terms,
+        rig.run, [_torque(term, span, time, held) for term in terms], terms,
         settling=span.settling, samples=span.samples, rate=span.rate,
     )  # fmt: skip
 
@@ -117,11 +164,6 @@ def unloaded(lowered: Lowered) -> NDArray[np.float64]:
     return angles
 
 
-def _set_point(rig: Rig, span: Span) -> NDArray[np.float64]:
-    rng = random_for(span.seed, "speed wander")
-    return set_point(rig.run, settling=span.settling, samples=span.samples, rate=span.rate, wander=span.wander, rng=rng)
-
-
 def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the torque demand in addition to the speed loop [N m]."""
     demand = np.zeros(time.size)
@@ -134,10 +176,10 @@ def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> ND
     return demand
 
 
-def _torque(term: Load | AppliedTorque, span: Span, time: NDArray[np.float64]) -> NDArray[np.float64]:
+def _torque(term: Load | AppliedTorque, span: Span, time: NDArray[np.float64], draws: Draws) -> NDArray[np.float64]:
     if isinstance(term.process, Signal):
         return term.process.at(time)
-    return term.process.sample(time.size, span.rate, random_for(span.seed, term.name))
+    return draws.load(term, span, time.size)
 
 
 def _imposed(lowered: Lowered, span: Span, reference: NDArray[np.float64]) -> Imposed:

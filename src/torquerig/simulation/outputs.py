@@ -26,6 +26,8 @@ from torquerig.simulation.measured_places import (
     words,
 )
 
+TRUE_OUTPUTS = 2  # the first outputs: the true value of what is measured, and the true load
+
 
 def outputs_of(rig: Rig, lowered: Lowered) -> tuple[Output, ...]:
     """Return the outputs: first the measured one (a spring, an imposed motion), then truth channels and probes."""
@@ -81,6 +83,17 @@ def as_arrays(outputs: tuple[Output, ...]) -> Outputs:
     return Outputs(np.array(kinds, dtype=np.uint64), np.array(rows, dtype=np.uint64))
 
 
+def true_channels(outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float) -> dict[str, Channel]:
+    """Return one channel per output; the parameters are those of :func:`channels_of`."""
+    return {
+        output.name: Channel(
+            values=output.values(values, rate), quantity=output.quantity, unit=output.unit, truth=output.truth,
+            of=output.of, role=output.role,
+        )
+        for output, values in zip(outputs, kept, strict=True)
+    }  # fmt: skip
+
+
 def channels_of(
     rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float
 ) -> dict[str, Channel]:  # fmt: skip
@@ -93,13 +106,7 @@ def channels_of(
     rate : float
         Samples per second [Hz].
     """
-    found = {
-        output.name: Channel(
-            values=output.values(values, rate), quantity=output.quantity, unit=output.unit, truth=output.truth,
-            of=output.of, role=output.role,
-        )
-        for output, values in zip(outputs, kept, strict=True)
-    }  # fmt: skip
+    found = true_channels(outputs, kept, rate=rate)
     true = {one.of: one.values for one in found.values() if one.truth and one.of is not None}
     readings = {
         channel_name(rig, place): reading_channel(rig, place, true[place])

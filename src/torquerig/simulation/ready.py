@@ -12,7 +12,7 @@ from torquerig.simulation.arrays import Floats
 from torquerig.simulation.condensation.lowered_for import lower_for
 from torquerig.simulation.effort import refuse_long, refuse_stiff
 from torquerig.simulation.failure import why_it_failed
-from torquerig.simulation.inputs import Span, filled, held_while_settling, start
+from torquerig.simulation.inputs import Draws, Span, filled, held_while_settling, start
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.measured_places import Output
 from torquerig.simulation.outputs import outputs_of
@@ -57,13 +57,22 @@ class Ready:
 
 
 def ready(
-    rig: Rig, span: Span, *, scenario: str = "", substeps: int | None = None, most_steps: int | None = None
-) -> Ready:
+    rig: Rig, span: Span, *, scenario: str = "", substeps: int | None = None, most_steps: int | None = None,
+    lowered: Lowered | None = None, draws: Draws | None = None,
+) -> Ready:  # fmt: skip
     """Return a rig ready for the span; InputError where there is nothing to record or nothing moves.
 
     SimulationError where it needs more than ``most_steps`` integration steps a sample, or more than any run may take.
+
+    Parameters
+    ----------
+    lowered : Lowered, optional
+        The rig as ``lower_for`` returns it for this span, where that is done already.
+    draws : Draws, optional
+        Where random loads are kept for other runs.
     """
-    lowered = lower_for(rig, span.seed if span.phase_seed is None else span.phase_seed, rate=span.rate)
+    if lowered is None:
+        lowered = lower_for(rig, span.seed if span.phase_seed is None else span.phase_seed, rate=span.rate)
     if span.samples < 2:
         length = span.samples / span.rate
         raise InputError(f"a recording of {length:g} s at {span.rate:g} Hz has {span.samples} samples; ask for more")
@@ -71,7 +80,7 @@ def ready(
         raise InputError("nothing moves the rig; add a speed controller to the motor")
     refuse_long(span)
     lowered = held_while_settling(lowered, span)
-    terms = filled(rig, lowered, span)
+    terms = filled(rig, lowered, span, draws)
     choice = step_choice(lowered, terms, span.rate)
     if substeps is None and most_steps is None:
         refuse_stiff(choice, lowered, span.rate)

@@ -16,7 +16,7 @@ from torquerig.simulation.inputs import Span, filled, held_while_settling
 from torquerig.simulation.lost_friction import friction_lost
 from torquerig.simulation.measured_places import Output, through_chains
 from torquerig.simulation.motor_limit import limits_reached
-from torquerig.simulation.outputs import as_arrays, channels_of
+from torquerig.simulation.outputs import as_arrays, channels_of, true_channels
 from torquerig.simulation.ready import Ready, ready
 from torquerig.simulation.step_choice import StepChoice, step_choice
 from torquerig.simulation.step_watch import watched
@@ -76,19 +76,20 @@ def checked(run: Ready) -> Recording:
     return recorded(run.rig, run.outputs, kept, rate=run.span.rate, origin=origin)
 
 
-def stepped(run: Ready) -> Recording:
+def stepped(run: Ready, *, staged: bool = True) -> Recording:
     """Return the recording of a rig that is ready; SimulationError where a speed ceases to be finite."""
     kept = np.empty((len(run.outputs), run.span.samples))
     span, outputs = run.span, as_arrays(run.outputs)
     failed, node = kernel.integrate(*run.start(), run.terms, outputs, span.rate, span.settling, run.steps, kept)
     if failed >= 0:
         raise run.failure(failed, node)
-    return recorded(run.rig, run.outputs, kept, rate=span.rate, origin=run.origin)
+    return recorded(run.rig, run.outputs, kept, rate=span.rate, origin=run.origin, staged=staged)
 
 
 def recorded(
-    rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float, origin: Mapping[str, Any]
-) -> Recording:
+    rig: Rig, outputs: tuple[Output, ...], kept: NDArray[np.float64], *, rate: float, origin: Mapping[str, Any],
+    staged: bool = True,
+) -> Recording:  # fmt: skip
     """Return the recording of a run: what was kept as channels, and each sensor's through its stages to the file.
 
     Parameters
@@ -97,15 +98,17 @@ def recorded(
         In SI units.
     origin : mapping
         What made it; ``seed`` fixes the noise.
+    staged : bool
+        False for the true values alone.
     """
     recording = Recording(
         sample_rate=rate,
-        channels=channels_of(rig, outputs, kept, rate=rate),
+        channels=channels_of(rig, outputs, kept, rate=rate) if staged else true_channels(outputs, kept, rate=rate),
         run=rig.run,
         origin={"torquerig": __version__, **origin},
         name=str(origin.get("scenario") or "simulation"),
     )
-    return through_chains(rig, recording)
+    return through_chains(rig, recording) if staged else recording
 
 
 def choice_for(

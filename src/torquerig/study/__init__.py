@@ -3,7 +3,8 @@
 settings    the study: section of a scenario      study       scenario, settings, catalog and filters together
 preflight   checks before the first run           operating_points  of --all-points
 loop_margin  distance of a tuned speed loop from instability
-candidates  motor on a gearbox, loop tuned        drive_run   one drive: simulate, filter, measure
+candidates  motor on a gearbox, loop tuned        planned_drive  its margins and samples, before its runs
+sample_runs  runs of its samples, measured as they arrive
 run_study   all drives on all cores               results     of all drives and filters
 criteria    requirements and criteria             scoring     figures -> three matrices
 reference_report/    the reference report's results compared with the simulated rig

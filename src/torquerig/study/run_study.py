@@ -1,21 +1,27 @@
-"""Every motor x gearbox x filter of a study, on all cores."""
+"""Every motor x gearbox x filter of a study: the runs of all drives in batches, on all cores."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from torquerig.rig.reading_place import reading_place
 from torquerig.rig.turns import turns_per_motor_turn
 from torquerig.scenario.mean_load import mean_load
-from torquerig.study.candidates import candidates, scenario_of
+from torquerig.scenario.model import Scenario
+from torquerig.simulation.batch import simulate_part
+from torquerig.simulation.batch_parts import alike
+from torquerig.simulation.inputs import Draws
+from torquerig.study.candidates import Candidate, candidates, scenario_of
 from torquerig.study.definition import Study
-from torquerig.study.drive_run import run_drive
+from torquerig.study.planned_drive import planned_drive
 from torquerig.study.preflight import check_study
 from torquerig.study.results import DriveResult, StudyRuns
+from torquerig.study.sample_runs import DriveSamples, SampleRun
 
 Progress = Callable[[int, int, str], None]
+AT_ONCE = 10  # drives whose runs are in memory together; more fill the vector registers no better
 
 
 def run_study(study: Study, *, progress: Progress | None = None, workers: int | None = None) -> StudyRuns:
@@ -30,23 +36,14 @@ def run_study(study: Study, *, progress: Progress | None = None, workers: int | 
     InputError
         For anything in the scenario, the filters or the catalog that cannot be used, before a run is started.
     """
-    from threadpoolctl import threadpool_limits
-
     listed = candidates(study)
     scenarios = [scenario_of(one, study, seed=study.settings.seed) for one in listed]
     check_study(study, dict(zip(listed, scenarios, strict=True)))
     results: dict[int, DriveResult] = {}
-    # linear algebra in several threads under several workers spins for minutes on two cores
-    with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
-        jobs = {pool.submit(run_drive, one, study): row for row, one in enumerate(listed)}
-        try:
-            for done, job in enumerate(as_completed(jobs), start=1):
-                results[jobs[job]] = job.result()
-                if progress is not None:
-                    progress(done, len(jobs), results[jobs[job]].candidate.name)
-        except BaseException:
-            pool.shutdown(cancel_futures=True)
-            raise
+    for row, result in simulated_drives(dict(zip(listed, scenarios, strict=True)), study, workers=workers):
+        results[row] = result
+        if progress is not None:
+            progress(len(results), len(listed), result.candidate.name)
     rig, point = scenarios[0].rig, scenarios[0].operating_point
     run = rig.run
     return StudyRuns(
@@ -57,3 +54,59 @@ def run_study(study: Study, *, progress: Progress | None = None, workers: int | 
         particle_size=point.load.particle_size,
         output_speed=(run.speed or 0.0) * turns_per_motor_turn(rig, reading_place(rig)),
     )
+
+
+def simulated_drives(
+    scenarios: Mapping[Candidate, Scenario], study: Study, *, workers: int | None = None
+) -> Iterator[tuple[int, DriveResult]]:
+    """Yield the row and the results of each candidate, given with its scenario, as they are ready.
+
+    The runs of all drives that are alike go through the compiled batch together, whichever drive and sample they
+    belong to; what is not needed any more is given up at once.
+    """
+    from threadpoolctl import threadpool_limits
+
+    # linear algebra in several threads under several workers spins for minutes on two cores
+    with threadpool_limits(limits=1, user_api="blas"), ThreadPoolExecutor(workers or os.cpu_count() or 1) as pool:
+        try:
+            draws, listed = Draws(), list(scenarios)
+            by_stage = sorted(range(len(listed)), key=lambda row: listed[row].gearbox)  # of one speed and step
+            for first in range(0, len(listed), AT_ONCE):
+                rows = by_stage[first : first + AT_ONCE]
+                planned = pool.map(lambda row: _planned(row, listed[row], scenarios[listed[row]], study), rows)
+                drives = {drive.row: drive for drive in planned}
+                yield from ((row, drive.result()) for row, drive in drives.items() if not drive.planned.samples)
+                runs = [run for made in pool.map(lambda drive: list(drive.runs()), drives.values()) for run in made]
+                parts = [[runs[row] for row in part] for part in alike([run.run for run in runs])]
+                parts.sort(
+                    key=lambda part: part[0].run.staged
+                )  # the smaller recordings first: they wait for the others
+                jobs = [pool.submit(_simulated, part, drives, draws) for part in parts]
+                for job in as_completed(jobs):
+                    yield from ((row, drives[row].result()) for row in job.result())
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+
+
+def run_drive(candidate: Candidate, study: Study) -> DriveResult:
+    """Return the results of one candidate alone: margins, shares of the reading, and every filter."""
+    scenario = scenario_of(candidate, study, seed=study.settings.seed)
+    return next(iter(simulated_drives({candidate: scenario}, study)))[1]
+
+
+def _parts(runs: Sequence[SampleRun]) -> list[list[SampleRun]]:
+    """Return runs that go through the batch together; those of true values first, for they wait in less memory."""
+    parts = [[runs[row] for row in part] for part in alike([run.run for run in runs])]
+    return sorted(parts, key=lambda part: part[0].run.staged)
+
+
+def _planned(row: int, candidate: Candidate, scenario: Scenario, study: Study) -> DriveSamples:
+    return DriveSamples(row, planned_drive(candidate, scenario, study), study)
+
+
+def _simulated(part: Sequence[SampleRun], drives: dict[int, DriveSamples], draws: Draws) -> list[int]:
+    """Simulate and measure some runs; return the rows of the drives that are complete."""
+    title = drives[part[0].drive].planned.samples[0].title
+    made = simulate_part([run.run for run in part], scenario=title, draws=draws)
+    return [run.drive for run, recording in zip(part, made, strict=True) if drives[run.drive].add(run, recording)]
