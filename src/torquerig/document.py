@@ -10,7 +10,6 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 Model = TypeVar("Model")
 Renamed = Mapping[tuple[str, ...], str]
 Elsewhere = Callable[[str, Any], str | None]
+_ADAPTERS: dict[type, TypeAdapter[Any]] = {}
 CLOSE = 0.8  # likeness of two names from which one is the other misspelt, as in difflib
 
 
@@ -143,12 +143,13 @@ def _new_node(node: yaml.Node, renamed: Renamed) -> yaml.Node:
     return yaml.MappingNode(node.tag, pairs, *marks)
 
 
-@cache
 def adapter_of(kind: type[Model]) -> TypeAdapter[Model]:
     """Return the schema of a class, made once: making one takes a hundred times as long as reading a section by it."""
     from pydantic import TypeAdapter
 
-    return TypeAdapter(kind)
+    if kind not in _ADAPTERS:
+        _ADAPTERS[kind] = TypeAdapter(kind)
+    return _ADAPTERS[kind]
 
 
 def validated(

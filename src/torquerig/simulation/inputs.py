@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from torquerig.recordings.recording import random_for
 from torquerig.recordings.run import Run
 from torquerig.rig.assembly import Rig
-from torquerig.rig.terms import AppliedTorque, Drive, ImposedMotion, Load, Signal
+from torquerig.rig.terms import AppliedTorque, Drive, ImposedMotion, Load, LoadProcess, Signal
 from torquerig.simulation.lower import Lowered
 from torquerig.simulation.profile import loads_as_planned, set_point
 from torquerig.simulation.term_kinds import Terms
@@ -71,13 +71,13 @@ class Draws:
     def __init__(self) -> None:
         self._kept: dict[Hashable, NDArray[np.float64]] = {}
 
-    def load(self, term: Load | AppliedTorque, span: Span, count: int) -> NDArray[np.float64]:
+    def load(self, name: str, process: LoadProcess, span: Span, count: int) -> NDArray[np.float64]:
         """Return ``count`` samples of a load [N m], which nobody may change."""
 
         def drawn() -> NDArray[np.float64]:
-            return term.process.sample(count, span.rate, random_for(span.seed, term.name))
+            return process.sample(count, span.rate, random_for(span.seed, name))
 
-        return self._once((term.name, term.process, span.seed, span.rate, count), drawn)
+        return self._once((name, process, span.seed, span.rate, count), drawn)
 
     def set_point(self, run: Run, span: Span) -> NDArray[np.float64]:
         """Return the set-point of the speed with its wander [rad/s], which nobody may change."""
@@ -179,7 +179,7 @@ def _demand(rig: Rig, drive: Drive, span: Span, time: NDArray[np.float64]) -> ND
 def _torque(term: Load | AppliedTorque, span: Span, time: NDArray[np.float64], draws: Draws) -> NDArray[np.float64]:
     if isinstance(term.process, Signal):
         return term.process.at(time)
-    return draws.load(term, span, time.size)
+    return draws.load(term.name, term.process, span, time.size)
 
 
 def _imposed(lowered: Lowered, span: Span, reference: NDArray[np.float64]) -> Imposed:
