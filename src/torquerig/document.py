@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 Model = TypeVar("Model")
 Renamed = Mapping[tuple[str, ...], str]
 Elsewhere = Callable[[str, Any], str | None]
-_ADAPTERS: dict[type, TypeAdapter[Any]] = {}
 CLOSE = 0.8  # likeness of two names from which one is the other misspelt, as in difflib
 
 
@@ -141,15 +140,6 @@ def _new_node(node: yaml.Node, renamed: Renamed) -> yaml.Node:
         key = name if new == name.value else yaml.ScalarNode(name.tag, new, name.start_mark, name.end_mark)
         pairs.append((key, _new_node(value, _inside(renamed, str(name.value)))))
     return yaml.MappingNode(node.tag, pairs, *marks)
-
-
-def adapter_of(kind: type[Model]) -> TypeAdapter[Model]:
-    """Return the schema of a class, made once: making one takes a hundred times as long as reading a section by it."""
-    from pydantic import TypeAdapter
-
-    if kind not in _ADAPTERS:
-        _ADAPTERS[kind] = TypeAdapter(kind)
-    return _ADAPTERS[kind]
 
 
 def validated(

@@ -18,8 +18,9 @@ from torquerig.catalog.part_class import KINDS, PartClass, completed, values_ada
 from torquerig.catalog.printed.conversion import converted
 from torquerig.catalog.printed.sheet import MotorSheet
 from torquerig.catalog.sensor import Sensor
-from torquerig.document import Document, adapter_of, read_document, validated
+from torquerig.document import Document, read_document, validated
 from torquerig.errors import InputError, UnknownNameError, did_you_mean
+from torquerig.section_schema import schema_of
 
 AnyEntry = TypeVar("AnyEntry", bound=Entry)
 BLANK = "____"
@@ -107,7 +108,7 @@ def read_classes(*folders: Path) -> dict[str, PartClass]:
 
 def _read_class(path: Path) -> PartClass:
     document = read_document(path)
-    part = validated(document, adapter_of(PartClass))
+    part = validated(document, schema_of(PartClass))
     values = validated(document, values_adapter(KINDS[part.of]), within=("values",))
     for name, value in estimates(values):
         if value.documented:
@@ -121,7 +122,7 @@ def read_entry(path: Path, kind: type[AnyEntry], classes: Mapping[str, PartClass
 
     Figures of a data sheet are converted, and what is not stated is filled from the class that ``like`` names.
     """
-    adapter: TypeAdapter[AnyEntry] = adapter_of(kind)
+    adapter: TypeAdapter[AnyEntry] = schema_of(kind)
     document = read_document(path)
     _refuse_blanks(document, document.data, ())
     return validated(completed(_converted(document, kind), kind, classes), adapter)
@@ -146,7 +147,7 @@ def _converted(document: Document, kind: type[Entry]) -> Document:
             raise InputError(f"{document.place((key,))}: is a figure of a data sheet; write it under as_printed:")
     if "as_printed" not in data:
         return document
-    return converted(document, validated(document, adapter_of(MotorSheet), within=("as_printed",)))
+    return converted(document, validated(document, schema_of(MotorSheet), within=("as_printed",)))
 
 
 def _check_folder(folder: Path) -> None:

@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from torquerig.catalog.reading import Catalog
-from torquerig.document import Document, adapter_of, validated
+from torquerig.document import Document, validated
 from torquerig.errors import InputError, TorquerigError, did_you_mean
 from torquerig.parameter import Estimate
 from torquerig.rig.assembly import HOST_FIELDS, Part, Rig
@@ -25,6 +25,7 @@ from torquerig.scenario.phase_level import is_from_phase_level, with_phase_level
 from torquerig.scenario.recording_settings import RecordingSettings
 from torquerig.scenario.sections import read_operating_point, read_section, sections_of
 from torquerig.scenario.uncertain import resolved
+from torquerig.section_schema import schema_of
 
 
 def read_scenario(document: Document, catalog: Catalog, *, seed: int) -> Scenario:
@@ -141,7 +142,7 @@ def _part(document: Document, name: str, item: Filled, shaft: str | None) -> Par
         data.setdefault("after", shaft)
     units = {"in_a_line": _in_a_line(document, cls, data)}
     elsewhere = partial(place_of, data=document.data, here=f"rig.{name}")
-    return validated(document, adapter_of(cls), within=("rig", name), data=data, context=units, elsewhere=elsewhere)
+    return validated(document, schema_of(cls), within=("rig", name), data=data, context=units, elsewhere=elsewhere)
 
 
 def _in_a_line(document: Document, cls: type[Part], data: Mapping[str, Any]) -> bool:

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic import BaseModel
 
-from torquerig.document import Document, adapter_of, validated, with_new_keys
+from torquerig.document import Document, validated, with_new_keys
 from torquerig.errors import InputError, did_you_mean
 from torquerig.scenario.kinds import KINDS
 from torquerig.scenario.misplaced import place_of
 from torquerig.scenario.operating_point import OperatingPoint
 from torquerig.scenario.uncertain import Resolved, resolved
+from torquerig.section_schema import schema_of
 
 if TYPE_CHECKING:
     from torquerig.scenario.study_section import Settings
@@ -82,5 +83,5 @@ def _validated(
 ) -> Section:
     elsewhere = partial(place_of, data=document.data, here=name)
     return validated(
-        document, adapter_of(model), within=(name,), data=data, context={"in_a_line": in_a_line}, elsewhere=elsewhere
+        document, schema_of(model), within=(name,), data=data, context={"in_a_line": in_a_line}, elsewhere=elsewhere
     )
