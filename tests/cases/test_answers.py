@@ -11,6 +11,7 @@ import pytest
 
 from tests.cases import work_functions as work
 from torquerig.cases import Answer, Case, Limits, ThisMachine, ThisProcess, answers
+from torquerig.cases.worker import packed, started_worker
 from torquerig.errors import InputError
 
 
@@ -78,6 +79,15 @@ def test_a_case_that_kills_its_worker_is_given_up() -> None:
 def test_each_worker_has_one_thread() -> None:
     (one,) = all_of(work.threads_here, None, work.cases(1), engine=ThisMachine(1)).values()
     assert one.value == {"blas": 1, "numba": 1}
+
+
+def test_a_worker_without_blocks_ends_after_a_time() -> None:
+    worker = started_worker(packed(work.reading, 2.0), idle=0.1)
+    while not worker.is_ready:
+        worker.heard()
+    with pytest.raises(EOFError):
+        worker.heard()
+    worker.end()
 
 
 def test_a_function_that_workers_cannot_import_is_refused() -> None:

@@ -89,9 +89,7 @@ def test_a_full_disk_is_one_sentence_and_costs_only_what_was_not_stored(
     monkeypatch.undo()
     kept = len(read_rows(tmp_path / "full"))
     assert 0 < kept < 20
-    assert failed.value.strerror == (
-        f"No space left on device; {kept} cases are stored, and the same command goes on from there"
-    )
+    assert failed.value.strerror == (f"No space left on device; {kept} cases are stored and are not computed again")
     assert run(tmp_path / "full").computed == 20 - kept
     run(tmp_path / "whole")
     assert bytes_of(tmp_path / "full") == bytes_of(tmp_path / "whole")

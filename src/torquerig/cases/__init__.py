@@ -16,11 +16,13 @@ A study is a table of cases and one function. This package knows nothing of rigs
 ``block``          blocks of cases, outcomes, and what an engine is
 ``this_process``   engine: here, one after the other
 ``this_machine``   engine: processes of this machine; ``worker``: one of them
+``cluster``        engine: a Dask cluster; ``cluster_worker``: what runs there
 ================== ==================================================================================
 """
 
 from torquerig.cases.answers import Answer, answers
 from torquerig.cases.case import Case, Column, Failed, Work
+from torquerig.cases.cluster import Cluster
 from torquerig.cases.identity import Identity, digest_of
 from torquerig.cases.limits import Limits
 from torquerig.cases.running import Progress, StudyRun, StudyStopped, run_cases
@@ -29,6 +31,6 @@ from torquerig.cases.this_machine import ThisMachine
 from torquerig.cases.this_process import ThisProcess
 
 __all__ = [
-    "Answer", "Case", "Column", "Failed", "Identity", "Limits", "Progress", "StudyRun", "StudyStopped", "ThisMachine",
-    "ThisProcess", "Work", "answers", "digest_of", "read_rows", "run_cases",
+    "Answer", "Case", "Cluster", "Column", "Failed", "Identity", "Limits", "Progress", "StudyRun", "StudyStopped",
+    "ThisMachine", "ThisProcess", "Work", "answers", "digest_of", "read_rows", "run_cases",
 ]  # fmt: skip

@@ -206,7 +206,7 @@ def _store_all(
                 progress(tally.progress())
         pending.save()
     except OSError as error:
-        kept = f"{error.strerror}; {len(store.states)} cases are stored, and the same command goes on from there"
+        kept = f"{error.strerror}; {len(store.states)} cases are stored and are not computed again"
         raise OSError(error.errno, kept, error.filename) from error
     except KeyboardInterrupt as stop:
         pending.save()

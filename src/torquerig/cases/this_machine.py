@@ -59,12 +59,13 @@ class ProcessPool:
 
     content: bytes
     limits: Limits
+    idle: float | None = None  # s without a block after which a worker ends
     workers: list[Worker] = field(default_factory=list)
     starts_in_vain: int = 0
 
     def start_one(self) -> None:
         """Start one more worker."""
-        self.workers.append(started_worker(self.content))
+        self.workers.append(started_worker(self.content, idle=self.idle))
 
     def end(self) -> None:
         """End all workers at once."""

@@ -94,18 +94,21 @@ def packed(work: Work, inputs: Any) -> bytes:
         ) from error
 
 
-def started_worker(content: bytes) -> Worker:
-    """Start a worker process, which will ask for ``content``, the :func:`packed` work function and inputs."""
+def started_worker(content: bytes, *, idle: float | None = None) -> Worker:
+    """Start a worker process, which will ask for ``content``, the :func:`packed` work function and inputs.
+
+    It ends after ``idle`` seconds [s] without a block.
+    """
     here, there = get_context("spawn").Pipe()
-    process = get_context("spawn").Process(target=_serve, args=(there,), name="torquerig-cases", daemon=True)
+    process = get_context("spawn").Process(target=_serve, args=(there, idle), name="torquerig-cases", daemon=True)
     with environment(ONE_THREAD), _no_interrupts():
         process.start()
     there.close()  # so that the end of the process is the end of the pipe
     return Worker(process, here, content)
 
 
-def _serve(connection: Connection) -> None:
-    """Work on blocks until the parent closes the pipe or ends."""
+def _serve(connection: Connection, idle: float | None) -> None:
+    """Work on blocks until the parent closes the pipe or ends, or gives none for so long."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's affair
     threading.Thread(target=_end_with_parent, daemon=True).start()
     with suppress(EOFError, OSError):
@@ -119,7 +122,7 @@ def _serve(connection: Connection) -> None:
             connection.send(sentence_of(error))
             return
         connection.send(READY)
-        while True:
+        while connection.poll(idle):
             outcome = worked_on(connection.recv(), work, inputs)
             connection.send_bytes(_message(outcome))
 
